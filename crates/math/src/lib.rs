@@ -1,0 +1,30 @@
+//! The ground floor of `TrayLib`: vectors, colour, measures, random numbers and
+//! the sampling formulas everything above is built from.
+//!
+//! Nothing here knows of rays, surfaces, files or threads.
+//!
+//! ```
+//! use traylib_math::{Purpose, Sampler, Vec3, warp};
+//!
+//! let mut sampler = Sampler::new(0, Purpose::Camera, 0, 0);
+//! let direction = warp::cosine_hemisphere(Vec3::Z, sampler.next_2d());
+//! assert!(direction.z >= 0.0);
+//! ```
+
+pub mod discrete;
+pub mod frame;
+pub mod grid;
+pub mod measure;
+pub mod mis;
+pub mod rgb;
+pub mod sampler;
+pub mod warp;
+
+pub use discrete::DiscreteDistribution;
+pub use frame::Frame;
+pub use glam::{self, Vec2, Vec3};
+pub use grid::Grid;
+pub use measure::{AreaPdf, SolidAnglePdf, solid_angle_per_area};
+pub use mis::Heuristic;
+pub use rgb::Rgb;
+pub use sampler::{Purpose, Sampler, VertexNumbers};
