@@ -1,2 +1,43 @@
-//! Tasks.
-fn main() {}
+//! The project's own tasks: `cargo xtask TASK`.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
+
+mod ci;
+mod layers;
+mod workspace;
+
+use std::process::ExitCode;
+
+const HELP: &str = "\
+The project's own tasks.
+
+Usage: cargo xtask TASK
+
+  layers   hold the dependencies of every crate against the table of layers
+  ci       format, clippy, layers, tests, docs and a first picture; stops at
+           the first step that fails
+
+Exit status: 0 done, 1 a task failed, 2 the command line was not understood.";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let outcome = match words[..] {
+        ["layers"] => layers::run(),
+        ["ci"] => ci::run(),
+        ["help" | "-h" | "--help"] => {
+            println!("{HELP}");
+            Ok(())
+        }
+        _ => {
+            eprintln!("error: expected one task, found `{}`\n\n{HELP}", words.join(" "));
+            return ExitCode::from(2);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! `cargo xtask ci`: everything a change must pass, in the order that finds a
+//! fault soonest.
+
+use crate::{layers, workspace};
+use anyhow::{Context, Result, ensure};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
+
+/// Runs every step; an error at the first that fails, with its name.
+pub(crate) fn run() -> Result<()> {
+    let start = Instant::now();
+    step("fmt", || cargo(&["fmt", "--all", "--check"]))?;
+    step("clippy", || {
+        cargo(&["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"])
+    })?;
+    step("layers", layers::run)?;
+    step("test", || cargo(&["test", "--workspace"]))?;
+    step("doc", document)?;
+    step("check", || bdpt(&["--check"]))?;
+    step("picture", picture)?;
+    println!("ci: all steps passed, {:.1} s", start.elapsed().as_secs_f64());
+    Ok(())
+}
+
+fn step(name: &str, task: impl FnOnce() -> Result<()>) -> Result<()> {
+    println!("== {name}");
+    let start = Instant::now();
+    let outcome = task();
+    let end = if outcome.is_ok() { "passed" } else { "FAILED" };
+    println!("== {name}: {end}, {:.1} s", start.elapsed().as_secs_f64());
+    outcome.with_context(|| format!("step `{name}` failed"))
+}
+
+fn document() -> Result<()> {
+    let mut command = workspace::cargo(&["doc", "--workspace", "--no-deps"]);
+    finish(command.env("RUSTDOCFLAGS", "--deny warnings"))
+}
+
+/// The README's first command, made small: a picture must lie there afterwards.
+fn picture() -> Result<()> {
+    let folder = Scratch::new()?;
+    let file = folder.0.join("bdpt.png");
+    let path = file.to_str().context("the folder for temporary files has no UTF-8 name")?;
+    bdpt(&["--spp", "1", "--resolution", "64x48", "--outfile", path])?;
+    let size = std::fs::metadata(&file).context("bdpt left no picture")?.len();
+    ensure!(size > 0, "bdpt left an empty picture");
+    Ok(())
+}
+
+fn bdpt(arguments: &[&str]) -> Result<()> {
+    let start = ["run", "--release", "--bin", "bdpt", "--"];
+    cargo(&[&start, arguments].concat())
+}
+
+fn cargo(arguments: &[&str]) -> Result<()> {
+    finish(&mut workspace::cargo(arguments))
+}
+
+fn finish(command: &mut Command) -> Result<()> {
+    let status = command.status().with_context(|| format!("{command:?} does not start"))?;
+    ensure!(status.success(), "{command:?} ended with {status}");
+    Ok(())
+}
+
+/// A folder of this process, gone with the value.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new() -> Result<Self> {
+        let name = format!("traylib-ci-{}", std::process::id());
+        let folder = std::env::temp_dir().join(name);
+        std::fs::create_dir_all(&folder).with_context(|| cannot_create(&folder))?;
+        Ok(Self(folder))
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        // Left behind it is only untidy.
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn cannot_create(folder: &Path) -> String {
+    format!("cannot create {}", folder.display())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use anyhow::bail;
+
+    #[test]
+    fn a_failing_step_is_named_and_keeps_its_cause() {
+        let error = step("sieve", || bail!("too coarse")).unwrap_err();
+        assert_eq!(format!("{error:#}"), "step `sieve` failed: too coarse");
+    }
+
+    #[test]
+    fn a_program_that_fails_is_an_error() {
+        assert!(cargo(&["--version"]).is_ok());
+        assert!(cargo(&["no-such-command-of-cargo"]).is_err());
+    }
+
+    #[test]
+    fn a_scratch_folder_goes_with_its_value() {
+        let folder = Scratch::new().unwrap();
+        let path = folder.0.clone();
+        assert!(path.is_dir());
+        drop(folder);
+        assert!(!path.exists());
+    }
+}

@@ -1,0 +1,79 @@
+//! `cargo xtask layers`: the dependency arrows, held against a table.
+
+mod table;
+
+#[cfg(test)]
+mod tests;
+
+use crate::workspace::cargo;
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+use table::Layer;
+
+/// Reads the workspace's packages from cargo and prints every arrow that the
+/// table does not have; an error if there is one.
+pub(crate) fn run() -> Result<()> {
+    let wrong = wrong_arrows(&metadata()?, table::LAYERS)?;
+    for line in &wrong {
+        println!("{line}");
+    }
+    match wrong.len() {
+        0 => Ok(()),
+        1 => bail!("1 dependency is not in the table of layers (xtask/src/layers/table.rs)"),
+        n => bail!("{n} dependencies are not in the table of layers (xtask/src/layers/table.rs)"),
+    }
+}
+
+fn metadata() -> Result<Value> {
+    let output = cargo(&["metadata", "--format-version", "1", "--no-deps"])
+        .output()
+        .context("cargo metadata does not start")?;
+    ensure!(
+        output.status.success(),
+        "cargo metadata failed:\n{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    serde_json::from_slice(&output.stdout).context("cargo metadata is not JSON")
+}
+
+/// One line for each dependency outside `layers`. Development dependencies are
+/// free: nobody who uses a crate gets them.
+fn wrong_arrows(metadata: &Value, layers: &[Layer]) -> Result<Vec<String>> {
+    let mut wrong = Vec::new();
+    for package in list(metadata, "packages")? {
+        let name = text(package, "name")?;
+        let Some(layer) = layers.iter().find(|layer| layer.package == name) else {
+            wrong.push(format!("{name}: not in the table"));
+            continue;
+        };
+        for dependency in list(package, "dependencies")? {
+            if dependency["kind"] != "dev" {
+                wrong.extend(fault(layer, dependency)?);
+            }
+        }
+    }
+    Ok(wrong)
+}
+
+/// What is wrong with one dependency of a package in `layer`, if anything.
+fn fault(layer: &Layer, dependency: &Value) -> Result<Option<String>> {
+    let name = text(dependency, "name")?;
+    if layer.may_use.contains(&name) {
+        return Ok(None);
+    }
+    let complaint = match (layer.behind_features.contains(&name), &dependency["optional"]) {
+        (true, Value::Bool(true)) => return Ok(None),
+        (true, _) => "allowed behind a feature only",
+        (false, _) => "not allowed",
+    };
+    Ok(Some(format!("{} -> {name}: {complaint}", layer.package)))
+}
+
+fn list<'a>(value: &'a Value, key: &str) -> Result<&'a [Value]> {
+    let items = value[key].as_array();
+    items.map(Vec::as_slice).with_context(|| format!("cargo metadata has no list `{key}`"))
+}
+
+fn text<'a>(value: &'a Value, key: &str) -> Result<&'a str> {
+    value[key].as_str().with_context(|| format!("cargo metadata has no text `{key}`"))
+}

@@ -1,0 +1,88 @@
+//! The table of layers: what each crate may be built from.
+//!
+//! Arrows go down only, and two crates on one floor never see each other:
+//! geometry and materials, io and integrators. A crate is missing from a row
+//! because that row's package must not need to know of it.
+
+/// One package of the workspace and the packages it may depend on.
+pub(super) struct Layer {
+    pub(super) package: &'static str,
+    /// Always allowed.
+    pub(super) may_use: &'static [&'static str],
+    /// Allowed if optional.
+    pub(super) behind_features: &'static [&'static str],
+}
+
+/// All packages, ground floor first.
+pub(super) const LAYERS: &[Layer] = &[
+    layer("traylib-math", &["glam", "rand_core", "rand_pcg"]),
+    Layer {
+        package: "traylib-geometry",
+        may_use: &["traylib-math"],
+        behind_features: &["rayon", "serde"],
+    },
+    layer("traylib-materials", &["traylib-math", "thiserror"]),
+    layer("traylib-scene", &["traylib-math", "traylib-geometry", "traylib-materials", "thiserror"]),
+    layer(
+        "traylib-io",
+        &[
+            "traylib-math",
+            "traylib-geometry",
+            "traylib-materials",
+            "traylib-scene",
+            "annotate-snippets",
+            "exr",
+            "image",
+            "ron",
+            "serde",
+            "strsim",
+            "thiserror",
+        ],
+    ),
+    layer(
+        "traylib-integrators",
+        &["traylib-math", "traylib-geometry", "traylib-materials", "traylib-scene", "rayon"],
+    ),
+    layer(
+        "traylib-demos",
+        &[
+            "traylib-math",
+            "traylib-geometry",
+            "traylib-materials",
+            "traylib-scene",
+            "traylib-io",
+            "traylib-integrators",
+            "clap",
+            "ctrlc",
+            "indicatif",
+        ],
+    ),
+    layer(
+        "traylib-tests",
+        &[
+            "traylib-math",
+            "traylib-geometry",
+            "traylib-materials",
+            "traylib-scene",
+            "traylib-io",
+            "traylib-integrators",
+        ],
+    ),
+    layer(
+        "xtask",
+        &[
+            "traylib-math",
+            "traylib-geometry",
+            "traylib-materials",
+            "traylib-scene",
+            "traylib-io",
+            "traylib-integrators",
+            "anyhow",
+            "serde_json",
+        ],
+    ),
+];
+
+const fn layer(package: &'static str, may_use: &'static [&'static str]) -> Layer {
+    Layer { package, may_use, behind_features: &[] }
+}

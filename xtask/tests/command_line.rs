@@ -1,0 +1,29 @@
+//! The program as its users meet it.
+
+use std::process::{Command, Output};
+
+fn xtask(arguments: &[&str]) -> Output {
+    let program = env!("CARGO_BIN_EXE_xtask");
+    Command::new(program).args(arguments).output().expect("the program was just built")
+}
+
+#[test]
+fn the_workspace_keeps_its_layers() {
+    let output = xtask(&["layers"]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
+}
+
+#[test]
+fn help_names_every_task() {
+    let output = xtask(&["--help"]);
+    assert!(output.status.success());
+    let help = String::from_utf8(output.stdout).unwrap();
+    assert!(["\n  layers ", "\n  ci "].iter().all(|task| help.contains(task)), "{help}");
+}
+
+#[test]
+fn an_unknown_task_is_a_mistake_of_the_command_line() {
+    for words in [&[][..], &["polish"], &["layers", "ci"]] {
+        assert_eq!(xtask(words).status.code(), Some(2), "{words:?}");
+    }
+}
