@@ -1,0 +1,78 @@
+//! The closed set of surface models.
+
+use crate::{BsdfSample, Lambert, MaxPhong, Mirror, Phong, Scattering};
+use traylib_math::Vec3;
+
+/// How a surface scatters light. Small and `Copy`; a scene keeps one a material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SurfaceModel {
+    /// Ideal diffuse.
+    Lambert(Lambert),
+    /// Diffuse with a glossy lobe.
+    Phong(Phong),
+    /// Metal lobe.
+    MaxPhong(MaxPhong),
+    /// Ideal mirror, perhaps with a diffuse part.
+    Mirror(Mirror),
+}
+
+impl SurfaceModel {
+    /// The BRDF and the densities of a pair of directions, without the part
+    /// that only an ideal reflection carries. Zero unless both directions are
+    /// above the surface.
+    #[inline]
+    pub fn evaluate(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {
+        match self {
+            Self::Lambert(m) => m.evaluate(normal, wo, wi),
+            Self::Phong(m) => m.evaluate(normal, wo, wi),
+            Self::MaxPhong(m) => m.evaluate(normal, wo, wi),
+            Self::Mirror(m) => m.evaluate(normal, wo, wi),
+        }
+    }
+
+    /// A direction for light from `wo`, drawn with the density that
+    /// [`evaluate`](Self::evaluate) states: `u[0]` chooses the lobe, the others
+    /// the direction. `None` where the light is absorbed, or the lobe dipped
+    /// below the surface: a sample with value zero, not to be drawn again.
+    #[inline]
+    pub fn sample(&self, normal: Vec3, wo: Vec3, u: [f32; 3]) -> Option<BsdfSample> {
+        match self {
+            Self::Lambert(m) => m.sample(normal, wo, u),
+            Self::Mirror(m) => m.sample(normal, wo, u),
+            Self::Phong(m) => self.weigh(normal, wo, m.direction(normal, wo, u)),
+            Self::MaxPhong(m) => self.weigh(normal, wo, m.direction(normal, wo, u)),
+        }
+    }
+
+    /// The sample that a drawn direction makes. BRDF and density come from the
+    /// same stored direction: a sharp lobe would not forgive less.
+    fn weigh(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Option<BsdfSample> {
+        let Scattering { f, pdf, pdf_reverse } = self.evaluate(normal, wo, wi);
+        let weight = f * (normal.dot(wi) / pdf.0);
+        (pdf.0 > 0.0 && !weight.is_black()).then_some(BsdfSample {
+            wi,
+            weight,
+            pdf,
+            pdf_reverse,
+            is_delta: false,
+        })
+    }
+
+    /// Whether [`evaluate`](Self::evaluate) can be anything but zero: whether a
+    /// connection to this surface can carry light.
+    pub fn has_smooth_part(&self) -> bool {
+        match self {
+            Self::Lambert(m) => !m.is_black(),
+            Self::Phong(_) | Self::MaxPhong(_) => true,
+            Self::Mirror(m) => m.has_smooth_part(),
+        }
+    }
+
+    /// Whether part of the light is reflected ideally.
+    pub fn has_delta_part(&self) -> bool {
+        matches!(self, Self::Mirror(m) if m.has_delta_part())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,39 @@
+//! What a surface answers.
+
+use traylib_math::{Rgb, SolidAnglePdf, Vec3};
+
+/// How a surface treats a pair of directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scattering {
+    /// The BRDF, in 1/sr, without any cosine. The same when the directions are
+    /// exchanged.
+    pub f: Rgb,
+    /// Density of [`sample`](crate::SurfaceModel::sample) returning `wi`, given
+    /// `wo`.
+    pub pdf: SolidAnglePdf,
+    /// Density of it returning `wo`, given `wi`: the same walk from the other
+    /// end.
+    pub pdf_reverse: SolidAnglePdf,
+}
+
+impl Scattering {
+    /// No light, and no chance to sample it.
+    pub const NONE: Self =
+        Self { f: Rgb::BLACK, pdf: SolidAnglePdf(0.0), pdf_reverse: SolidAnglePdf(0.0) };
+}
+
+/// A direction that a surface picked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BsdfSample {
+    /// The direction, unit, leaving the surface.
+    pub wi: Vec3,
+    /// f·cosθ/pdf, with the cosine at `wi`; for a mirror, reflectance over the
+    /// chance to choose it.
+    pub weight: Rgb,
+    /// Density of `wi` given `wo`; for a mirror the chance to choose it.
+    pub pdf: SolidAnglePdf,
+    /// Density of `wo` given `wi`; for a mirror the chance to choose it.
+    pub pdf_reverse: SolidAnglePdf,
+    /// Whether this was a perfect reflection, which no connection can find.
+    pub is_delta: bool,
+}
