@@ -1,0 +1,61 @@
+//! What cannot be built, and why.
+
+use std::fmt;
+
+/// Why a shape, a mesh or a hierarchy was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A coordinate or a length is infinite or not a number.
+    NotFinite,
+    /// The area is zero, or too small or too large for its reciprocal to be a
+    /// number.
+    NoArea,
+    /// A radius is zero or negative.
+    NoRadius,
+    /// A normal has no direction.
+    NoNormal,
+    /// A triangle names a position that does not exist.
+    MissingPosition {
+        /// The triangle.
+        triangle: usize,
+        /// The position it asks for.
+        index: u32,
+    },
+    /// Normals or texture coordinates are not as many as the positions.
+    WrongCount {
+        /// How many positions there are.
+        positions: usize,
+        /// How many values were given.
+        given: usize,
+    },
+    /// A shape has bounds that are infinite or not numbers.
+    UnboundedShape {
+        /// Its place in the list.
+        index: usize,
+    },
+    /// More than 2²⁸ shapes, or 2³² triangles.
+    TooMany,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite => write!(f, "a coordinate is infinite or not a number"),
+            Self::NoArea => write!(f, "the shape has no area, or one beyond all measure"),
+            Self::NoRadius => write!(f, "the radius is not positive"),
+            Self::NoNormal => write!(f, "the normal has length zero"),
+            Self::MissingPosition { triangle, index } => {
+                write!(f, "triangle {triangle} names position {index}, which does not exist")
+            }
+            Self::WrongCount { positions, given } => {
+                write!(f, "{given} values were given for {positions} positions")
+            }
+            Self::UnboundedShape { index } => {
+                write!(f, "shape {index} has bounds that are infinite or not numbers")
+            }
+            Self::TooMany => write!(f, "more shapes than can be numbered"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

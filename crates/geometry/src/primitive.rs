@@ -1,0 +1,125 @@
+//! The closed set of shapes that scenes are made of.
+
+use crate::{
+    Aabb, Disk, Hit, Quad, Ray, Shape, ShapeHit, Sides, Sphere, SurfaceSite, Triangle, Vec2, Vec3,
+};
+use traylib_math::AreaPdf;
+
+/// One of the shapes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Primitive {
+    /// A triangle.
+    Triangle(Triangle),
+    /// A parallelogram.
+    Quad(Quad),
+    /// A sphere.
+    Sphere(Sphere),
+    /// A flat disk.
+    Disk(Disk),
+}
+
+impl Primitive {
+    /// A box that holds it, rounding included.
+    pub fn bounds(&self) -> Aabb {
+        match self {
+            Self::Triangle(triangle) => triangle.bounds(),
+            Self::Quad(quad) => quad.bounds(),
+            Self::Sphere(sphere) => sphere.bounds(),
+            Self::Disk(disk) => disk.bounds(),
+        }
+    }
+
+    /// The first hit with 0 < t < `ray.t_max` on an admitted side.
+    #[inline]
+    pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
+        match self {
+            Self::Triangle(triangle) => triangle.intersect(ray, sides),
+            Self::Quad(quad) => quad.intersect(ray, sides),
+            Self::Sphere(sphere) => sphere.intersect(ray, sides),
+            Self::Disk(disk) => disk.intersect(ray, sides),
+        }
+    }
+
+    /// Area in square metres.
+    pub fn area(&self) -> f32 {
+        match self {
+            Self::Triangle(triangle) => triangle.area(),
+            Self::Quad(quad) => quad.area(),
+            Self::Sphere(sphere) => sphere.area(),
+            Self::Disk(disk) => disk.area(),
+        }
+    }
+
+    /// The point of the surface that a ray met.
+    ///
+    /// It is computed from the surface, never as origin + t·direction alone,
+    /// whose error grows with the length of the ray: from the coordinates of
+    /// the hit on triangles and quads, by projection on spheres and disks.
+    pub fn site(&self, ray: &Ray, hit: &Hit) -> SurfaceSite {
+        match self {
+            Self::Triangle(triangle) => triangle.site(hit.u, hit.v),
+            Self::Quad(quad) => quad.site(hit.u, hit.v),
+            Self::Sphere(sphere) => sphere.site(ray, hit.t),
+            Self::Disk(disk) => disk.site(ray, hit.t),
+        }
+    }
+
+    /// A point uniform on the surface: its density is 1/[`area`](Self::area).
+    pub fn sample_area(&self, u: Vec2) -> SurfaceSite {
+        match self {
+            Self::Triangle(triangle) => triangle.sample_area(u),
+            Self::Quad(quad) => quad.sample_area(u),
+            Self::Sphere(sphere) => sphere.sample_area(u),
+            Self::Disk(disk) => disk.sample_area(u),
+        }
+    }
+
+    /// A point to light `from` with, and its density per square metre.
+    ///
+    /// A sphere that faces outward, seen from outside, is sampled uniformly in
+    /// the cone of directions it fills; all else uniformly by area. At the rim
+    /// of a sphere rounding can turn a point away, which then has density zero
+    /// and sends no light.
+    pub fn sample_toward(&self, from: Vec3, u: Vec2) -> (SurfaceSite, AreaPdf) {
+        let site = match self {
+            Self::Sphere(sphere) => sphere.sample_cone(from, u),
+            _ => None,
+        };
+        let site = site.unwrap_or_else(|| self.sample_area(u));
+        (site, self.pdf_toward(from, site.position, site.normal))
+    }
+
+    /// The density per square metre with which
+    /// [`sample_toward`](Self::sample_toward)`(from, ·)` gives the point of
+    /// this surface with this position and front normal.
+    pub fn pdf_toward(&self, from: Vec3, site_position: Vec3, site_normal: Vec3) -> AreaPdf {
+        let cone = match self {
+            Self::Sphere(sphere) => sphere.pdf_cone(from, site_position, site_normal),
+            _ => None,
+        };
+        cone.unwrap_or_else(|| AreaPdf(1.0 / self.area()))
+    }
+}
+
+/// A primitive with the sides it can be met from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SidedPrimitive {
+    /// The primitive.
+    pub primitive: Primitive,
+    /// Where rays may meet it.
+    pub sides: Sides,
+}
+
+impl Shape for SidedPrimitive {
+    fn bounds(&self) -> Aabb {
+        self.primitive.bounds()
+    }
+
+    #[inline]
+    fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
+        self.primitive.intersect(ray, self.sides)
+    }
+}
+
+#[cfg(test)]
+mod tests;

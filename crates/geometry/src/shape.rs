@@ -1,0 +1,95 @@
+//! What a shape must do, and the shapes there are.
+
+mod disk;
+mod quad;
+mod sphere;
+mod triangle;
+
+pub use disk::Disk;
+pub use quad::Quad;
+pub use sphere::{Facing, Sphere};
+pub use triangle::Triangle;
+
+use crate::{Aabb, Error, Ray, Vec3};
+
+/// Where a ray meets one shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShapeHit {
+    /// Where along the ray, in units of its direction's length.
+    pub t: f32,
+    /// First surface coordinate; see [`Hit`](crate::Hit).
+    pub u: f32,
+    /// Second surface coordinate; see [`Hit`](crate::Hit).
+    pub v: f32,
+}
+
+/// Anything a [`Bvh`](crate::Bvh) can hold.
+pub trait Shape: Send + Sync {
+    /// A box that holds the whole shape, rounding included.
+    fn bounds(&self) -> Aabb;
+
+    /// The first hit with 0 < t < `ray.t_max`.
+    fn intersect(&self, ray: &Ray) -> Option<ShapeHit>;
+}
+
+impl<S: Shape + ?Sized> Shape for Box<S> {
+    fn bounds(&self) -> Aabb {
+        (**self).bounds()
+    }
+
+    fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
+        (**self).intersect(ray)
+    }
+}
+
+/// Where a ray may meet a surface. The front is the side the normal points to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sides {
+    /// On either side.
+    #[default]
+    Both,
+    /// On the front only: from behind, rays pass through.
+    Front,
+}
+
+impl Sides {
+    /// Whether a ray counts that meets the surface with this cosine (up to a
+    /// positive factor) between its direction and the front normal.
+    #[inline]
+    pub(crate) fn admit(self, direction_dot_normal: f32) -> bool {
+        self == Self::Both || direction_dot_normal < 0.0
+    }
+}
+
+/// Shapes met from both sides when no sides are named.
+macro_rules! shape_from_both_sides {
+    ($($name:ty),*) => {$(
+        impl Shape for $name {
+            #[inline]
+            fn bounds(&self) -> Aabb {
+                self.bounds()
+            }
+
+            #[inline]
+            fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
+                self.intersect(ray, Sides::Both)
+            }
+        }
+    )*};
+}
+
+shape_from_both_sides!(Disk, Quad, Sphere, Triangle, crate::Primitive);
+
+/// Refuses areas that are zero or whose reciprocal is not a number.
+fn sound_area(area: f64) -> Result<f32, Error> {
+    let area = area as f32;
+    if area.is_normal() { Ok(area) } else { Err(Error::NoArea) }
+}
+
+/// Refuses coordinates that are not finite.
+fn all_finite(vectors: &[Vec3]) -> Result<(), Error> {
+    if vectors.iter().all(|v| v.is_finite()) { Ok(()) } else { Err(Error::NotFinite) }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,174 @@
+//! Spheres.
+
+use super::{ShapeHit, Sides, all_finite, sound_area};
+use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
+use std::f32::consts::TAU;
+use std::f64::consts::PI;
+use traylib_math::{AreaPdf, Frame, SolidAnglePdf, solid_angle_per_area, warp};
+
+/// Which side of a sphere is its front.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Facing {
+    /// Normals point away from the centre.
+    #[default]
+    Outward,
+    /// Normals point to the centre.
+    Inward,
+}
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    centre: Vec3,
+    radius: f32,
+    facing: Facing,
+}
+
+impl Sphere {
+    /// The sphere with this centre, radius and front.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NoRadius`], or [`Error::NoArea`] when the
+    /// radius is beyond all measure.
+    pub fn new(centre: Vec3, radius: f32, facing: Facing) -> Result<Self, Error> {
+        all_finite(&[centre, Vec3::splat(radius), centre.abs() + radius])?;
+        if radius <= 0.0 {
+            return Err(Error::NoRadius);
+        }
+        sound_area(4.0 * PI * f64::from(radius).powi(2))?;
+        Ok(Self { centre, radius, facing })
+    }
+
+    /// The centre.
+    pub fn centre(&self) -> Vec3 {
+        self.centre
+    }
+
+    /// The radius.
+    pub fn radius(&self) -> f32 {
+        self.radius
+    }
+
+    /// Which side is the front.
+    pub fn facing(&self) -> Facing {
+        self.facing
+    }
+
+    /// A box around it.
+    pub fn bounds(&self) -> Aabb {
+        let rounding = (self.centre.abs() + self.radius) * f32::EPSILON;
+        Aabb::around([self.centre]).grown(rounding + self.radius)
+    }
+
+    /// Area in square metres.
+    pub fn area(&self) -> f32 {
+        (4.0 * PI * f64::from(self.radius).powi(2)) as f32
+    }
+
+    /// Where a ray meets it first.
+    ///
+    /// The discriminant comes from the distance between centre and ray and the
+    /// roots from a sum of equal signs, so that neither a far camera nor a
+    /// tiny sphere cancels: Haines et al., *Precision Improvements for
+    /// Ray/Sphere Intersection*, Ray Tracing Gems, 2019, chapter 7.
+    #[inline]
+    pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
+        let from_centre = ray.origin - self.centre;
+        let square = ray.direction.length_squared();
+        let along = -from_centre.dot(ray.direction);
+        let beside = from_centre + (along / square) * ray.direction;
+        let room = self.radius * self.radius - beside.length_squared();
+        // NaN has no root either.
+        if room.is_nan() || room < 0.0 {
+            return None;
+        }
+        let outside = from_centre.length_squared() - self.radius * self.radius;
+        let sum = along + (square * room).sqrt().copysign(along);
+        let (one, other) = (outside / sum, sum / square);
+        let (enter, leave) = if along < 0.0 { (other, one) } else { (one, other) };
+        let t = match (sides, self.facing) {
+            (Sides::Both, _) if ray.contains(enter) => enter,
+            (Sides::Both, _) | (Sides::Front, Facing::Inward) => leave,
+            (Sides::Front, Facing::Outward) => enter,
+        };
+        ray.contains(t).then_some(ShapeHit { t, u: 0.0, v: 0.0 })
+    }
+
+    /// The site nearest to where the ray is at `t`.
+    pub(crate) fn site(&self, ray: &Ray, t: f32) -> SurfaceSite {
+        self.site_along((ray.origin - self.centre) + t * ray.direction)
+    }
+
+    pub(crate) fn sample_area(&self, u: Vec2) -> SurfaceSite {
+        self.site_along(warp::uniform_sphere(u))
+    }
+
+    /// A point uniform in the cone of directions that `from` sees the sphere
+    /// in; `None` where that is not how the sphere is sampled.
+    pub(crate) fn sample_cone(&self, from: Vec3, u: Vec2) -> Option<SurfaceSite> {
+        let cone = Cone::toward(self, from)?;
+        let one_minus_cos = u.x * cone.one_minus_cos;
+        let cos = 1.0 - one_minus_cos;
+        let sin = (one_minus_cos * (2.0 - one_minus_cos)).sqrt();
+        // Sine of the angle at the sphere between the ray and its normal; the
+        // angle at the centre is the difference of the two.
+        let sin_at = (sin / cone.sin).min(1.0);
+        let cos_at = (1.0 - sin_at * sin_at).sqrt();
+        let cos_centre = cos_at * cos + sin_at * sin;
+        let sin_centre = (sin_at * cos - cos_at * sin).max(0.0);
+        let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
+        let local = Vec3::new(sin_centre * cos_phi, sin_centre * sin_phi, cos_centre);
+        Some(self.site_along(Frame::around(-cone.axis).to_world(local)))
+    }
+
+    /// Density per area of [`sample_cone`](Self::sample_cone) at a point with
+    /// this position and normal: zero where the sphere turns away.
+    pub(crate) fn pdf_cone(&self, from: Vec3, position: Vec3, normal: Vec3) -> Option<AreaPdf> {
+        let cone = Cone::toward(self, from)?;
+        let back = from - position;
+        let distance_squared = back.length_squared();
+        let cosine = (back.dot(normal) / distance_squared.sqrt()).max(0.0);
+        let density = SolidAnglePdf(1.0 / (TAU * cone.one_minus_cos));
+        Some(density.to_area(solid_angle_per_area(cosine, distance_squared)))
+    }
+
+    /// The site in this direction from the centre.
+    fn site_along(&self, direction: Vec3) -> SurfaceSite {
+        let outward = direction.normalize_or(Vec3::Z);
+        let from_centre = self.radius * outward;
+        let normal = match self.facing {
+            Facing::Outward => outward,
+            Facing::Inward => -outward,
+        };
+        SurfaceSite::new(self.centre + from_centre, normal, from_centre)
+    }
+}
+
+/// The directions in which a point sees a sphere.
+struct Cone {
+    axis: Vec3,
+    /// Of the half angle.
+    sin: f32,
+    /// Of the half angle: sin²/(1 + cos), which keeps its digits when small.
+    one_minus_cos: f32,
+}
+
+impl Cone {
+    /// The cone from a point outside a sphere that faces outward.
+    fn toward(sphere: &Sphere, from: Vec3) -> Option<Self> {
+        let to_centre = sphere.centre - from;
+        let distance_squared = to_centre.length_squared();
+        let outside = distance_squared > sphere.radius * sphere.radius;
+        if !outside || sphere.facing == Facing::Inward {
+            return None;
+        }
+        let distance = distance_squared.sqrt();
+        let sin = sphere.radius / distance;
+        let cos = ((1.0 - sin) * (1.0 + sin)).max(0.0).sqrt();
+        let one_minus_cos = sin * sin / (1.0 + cos);
+        Some(Self { axis: to_centre / distance, sin, one_minus_cos })
+    }
+}
+
+#[cfg(test)]
+mod tests;
