@@ -1,1 +1,62 @@
-//! Placeholder.
+//! Light transport algorithms.
+//!
+//! | integrator | what it samples | section of the paper |
+//! |---|---|---|
+//! | [`Trace`] | point lights, one ray a pixel, no interreflection | 3.2 |
+//! | [`PureMc`] | walks until a lamp is hit | 2.1 |
+//! | [`DirectLight`] | lamps, at every vertex; combined with hits if asked | 2.2, 2.3 |
+//! | [`Particle`] | walks from the lamps, seen by the camera | |
+//! | [`Bdpt`] | walks from both ends and every way to join them | 2.4, 4 |
+//!
+//! All of them estimate the same radiance wherever they can see it; what one
+//! cannot see at all, [`Integrator::blind_spots`] tells before rendering starts.
+//! [`render`] owns threads, random streams and the film.
+
+mod bdpt;
+mod blind;
+mod chunk;
+mod direct;
+mod directlight;
+mod emission;
+mod limits;
+mod particle;
+mod puremc;
+mod render;
+mod splat;
+mod step;
+mod trace;
+mod tracer;
+
+pub use bdpt::{Bdpt, LightSampling, Report, Technique, Techniques, Weighting};
+pub use blind::{BlindSpot, SceneFacts};
+pub use chunk::{Chunk, ChunkOutput};
+pub use directlight::DirectLight;
+pub use limits::{Limits, Roulette};
+pub use particle::Particle;
+pub use puremc::PureMc;
+pub use render::{Progress, Rendering, Settings, ThreadError, render};
+pub use trace::Trace;
+pub use tracer::Statistics;
+
+use traylib_scene::Scene;
+
+/// An algorithm that renders passes.
+///
+/// A pass is one camera path a pixel and a number of light paths that the
+/// integrator names. The driver cuts it into [`Chunk`]s; an integrator renders
+/// a chunk from the chunk's own random streams and nothing else, so the result
+/// does not depend on who renders which chunk when.
+pub trait Integrator: Sync {
+    /// Light paths in one pass over a film of `pixels` pixels.
+    fn light_paths(&self, pixels: u32) -> u32 {
+        let _ = pixels;
+        0
+    }
+
+    /// Renders one chunk of a pass.
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput);
+
+    /// The kinds of light that this integrator cannot produce in such a scene,
+    /// however long it renders.
+    fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot>;
+}

@@ -1,1 +1,21 @@
-//! Placeholder.
+//! What stands where: camera, lights, objects and the film.
+//!
+//! A scene is built once by [`SceneBuilder`] and is immutable afterwards. It
+//! knows nothing of files, threads or algorithms. All randomness enters as
+//! numbers `u`, uniform on [0, 1).
+
+mod builder;
+mod camera;
+mod error;
+mod film;
+mod light;
+mod scene;
+mod surface_point;
+
+pub use builder::{MaterialId, Object, ObjectShape, SceneBuilder};
+pub use camera::{Camera, CameraSettings, Projection};
+pub use error::Error;
+pub use film::{Film, PassImage};
+pub use light::{Emission, Light, LightPoint, PointLight};
+pub use scene::{LightChoice, LightDensities, LightId, Scene};
+pub use surface_point::{SurfacePoint, Walk};

@@ -1,0 +1,106 @@
+//! Bidirectional path tracing (sections 2.4 and 4 of the paper).
+//!
+//! A light subpath x₀ … and a camera subpath x_k … are walked independently. Every
+//! pair of a prefix with s vertices of the one and t of the other is a path of
+//! k = s + t − 1 edges, found by *technique* (s, t). All techniques that can find
+//! a path share its light, by weights that sum to one.
+//!
+//! The paper gets its shorter paths "by leaving out steps" of longer ones; here
+//! that means prefixes, whose densities are known. Leaving out inner vertices
+//! would need a marginal density that nobody can evaluate.
+
+mod connect;
+mod direct_sum;
+mod report;
+mod techniques;
+mod vertex;
+mod walk;
+mod weight;
+
+pub use report::{Report, Technique};
+pub use techniques::{LightSampling, Techniques};
+
+use crate::tracer::Tracer;
+use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
+use connect::Joiner;
+use traylib_math::Heuristic;
+use traylib_scene::Scene;
+use vertex::Vertex;
+use walk::{LightStart, Walker};
+
+/// How weights are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Weighting {
+    /// From two numbers carried along each subpath: a constant amount of work.
+    #[default]
+    Recursive,
+    /// From the densities of every technique for the whole path: slow and plain,
+    /// the standard the other is held to.
+    DirectSum,
+}
+
+/// Bidirectional path tracing with any subset of its techniques.
+#[derive(Clone, Debug, Default)]
+pub struct Bdpt {
+    /// How long paths get.
+    pub limits: Limits,
+    /// How densities become weights.
+    pub heuristic: Heuristic,
+    /// Recursive or by direct sum.
+    pub weighting: Weighting,
+    /// Which techniques take part.
+    pub techniques: Techniques,
+    /// What to record beside the picture.
+    pub report: Report,
+}
+
+/// A light path of the chunk: where it started, and the vertices after that.
+struct LightPath<'scene> {
+    start: LightStart,
+    vertices: Vec<Vertex<'scene>>,
+}
+
+impl Integrator for Bdpt {
+    fn light_paths(&self, pixels: u32) -> u32 {
+        if self.techniques.need_light_paths() { pixels } else { 0 }
+    }
+
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
+        let pixels = scene.camera().width() * scene.camera().height();
+        let light_paths = self.light_paths(pixels);
+        let mut tracer = Tracer::new(scene);
+        let walker = Walker::new(self, light_paths);
+        let joiner = Joiner::new(self, light_paths);
+
+        let mut paths = Vec::with_capacity(chunk.light_paths.len());
+        for path in chunk.light_paths.clone() {
+            let mut vertices = Vec::new();
+            let mut sampler = chunk.light_sampler(path);
+            if let Some(start) = walker.light_subpath(&mut tracer, &mut sampler, &mut vertices) {
+                let path = LightPath { start, vertices };
+                joiner.splat_all(&mut tracer, &path, out);
+                paths.push(Some(path));
+            } else {
+                paths.push(None);
+            }
+        }
+
+        let mut camera = Vec::new();
+        for (i, pixel) in chunk.pixels.clone().enumerate() {
+            camera.clear();
+            let mut sampler = chunk.camera_sampler(pixel);
+            walker.camera_subpath(&mut tracer, pixel, &mut sampler, &mut camera);
+            let light = if paths.is_empty() { None } else { paths[i % paths.len()].as_ref() };
+            joiner.join_all(&mut tracer, pixel, &camera, light, out);
+        }
+        out.statistics += tracer.statistics;
+    }
+
+    fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
+        if facts.point_lights && facts.mirrors {
+            vec![BlindSpot::PointLightCausticsInMirrors]
+        } else {
+            Vec::new()
+        }
+    }
+}

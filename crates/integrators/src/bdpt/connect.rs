@@ -1,0 +1,220 @@
+//! The deterministic step: joining subpaths (section 4 of the paper).
+//!
+//! Each way asks in order of cost: can light pass, how much, with what weight,
+//! and only then whether anything stands between.
+
+use super::direct_sum::{JoinedPath, Joint};
+use super::vertex::{End, Vertex};
+use super::walk::LightStart;
+use super::{Bdpt, LightPath, Weighting, weight};
+use crate::direct::sample_light;
+use crate::splat::aim_at_camera;
+use crate::tracer::Tracer;
+use crate::{ChunkOutput, Limits};
+use traylib_math::{Rgb, solid_angle_per_area};
+use traylib_scene::Walk;
+
+/// Joins subpaths and adds what they carry.
+pub(crate) struct Joiner<'a> {
+    bdpt: &'a Bdpt,
+    light_paths: u32,
+}
+
+/// A joined path that carries light, unless something stands between.
+struct Found<'a, 'scene> {
+    path: JoinedPath<'a, 'scene>,
+    /// What its technique alone would add.
+    value: Rgb,
+    weight: f64,
+}
+
+impl<'a> Joiner<'a> {
+    pub(crate) fn new(bdpt: &'a Bdpt, light_paths: u32) -> Self {
+        Self { bdpt, light_paths }
+    }
+
+    /// t = 1: joins every vertex of a light path to the camera.
+    pub(crate) fn splat_all(
+        &self,
+        tracer: &mut Tracer<'_>,
+        path: &LightPath<'_>,
+        out: &mut ChunkOutput,
+    ) {
+        if !self.bdpt.techniques.splats {
+            return;
+        }
+        for last in 0..path.vertices.len() {
+            // x₀, `last + 1` vertices more, and the camera.
+            if self.limits().allow(last as u32 + 2) {
+                self.splat(tracer, &path.start, &path.vertices[..=last], out);
+            }
+        }
+    }
+
+    /// All techniques of one camera path with one light path.
+    pub(crate) fn join_all(
+        &self,
+        tracer: &mut Tracer<'_>,
+        pixel: u32,
+        camera: &[Vertex<'_>],
+        light: Option<&LightPath<'_>>,
+        out: &mut ChunkOutput,
+    ) {
+        for last in 0..camera.len() {
+            let camera = &camera[..=last];
+            // The camera path itself has `last + 1` edges.
+            let edges = last as u32 + 1;
+            self.hit(tracer, pixel, camera, out);
+            if self.limits().allow(edges + 1) {
+                self.light_sample(tracer, pixel, camera, out);
+            }
+            let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { continue };
+            for light_last in 0..light.vertices.len() {
+                if self.limits().allow(edges + light_last as u32 + 2) {
+                    let vertices = &light.vertices[..=light_last];
+                    self.connection(tracer, pixel, (&light.start, vertices), camera, out);
+                }
+            }
+        }
+    }
+
+    fn limits(&self) -> Limits {
+        self.bdpt.limits
+    }
+
+    /// s = 0: the camera path's last vertex is on a lamp.
+    fn hit(&self, tracer: &Tracer<'_>, pixel: u32, camera: &[Vertex<'_>], out: &mut ChunkOutput) {
+        let [.., x0] = camera else { return };
+        let Some((id, on_lamp)) = tracer.scene.emitting_point(&x0.point) else { return };
+        let seen_directly = camera.len() == 1;
+        if !seen_directly && !self.bdpt.techniques.hits {
+            return;
+        }
+        let x1 = camera
+            .len()
+            .checked_sub(2)
+            .map_or(tracer.scene.camera().position(), |before| camera[before].point.site.position);
+        let densities = tracer.scene.light_densities(id, &on_lamp, x1, x0.wo);
+        let weight = if seen_directly {
+            1.0
+        } else {
+            weight::hit(x0, &densities, self.bdpt.techniques, self.bdpt.heuristic)
+        };
+        let path = JoinedPath { light: &[], camera, densities, is_point: false, joint: Joint::Hit };
+        self.add(pixel, &Found { path, value: x0.throughput * on_lamp.emitted, weight }, out);
+    }
+
+    /// s = 1: a fresh point of a lamp for the camera path's last vertex.
+    fn light_sample(
+        &self,
+        tracer: &mut Tracer<'_>,
+        pixel: u32,
+        camera: &[Vertex<'_>],
+        out: &mut ChunkOutput,
+    ) {
+        let [.., x1] = camera else { return };
+        let scene = tracer.scene;
+        let Some(light) = sample_light(scene, &x1.point, x1.wo, &x1.numbers) else { return };
+        let is_point = light.x0.is_point;
+        if !self.bdpt.techniques.samples_light(is_point) {
+            return;
+        }
+        let densities = light.densities(scene, x1.point.site.position);
+        let cosine = x1.point.normal.dot(light.wi);
+        let end = End {
+            scattering: light.scattering,
+            conversion: solid_angle_per_area(cosine, light.distance_squared),
+        };
+        let hit_pdf = light.hit_pdf();
+        let Bdpt { techniques, heuristic, .. } = *self.bdpt;
+        let weight = weight::light_sample(x1, &end, &densities, hit_pdf, techniques, heuristic);
+        let joint = Joint::LightSample { end, hit_pdf };
+        let path = JoinedPath { light: &[], camera, densities, is_point, joint };
+        if light.is_visible(tracer, &x1.point) {
+            let value = x1.throughput * light.radiance;
+            self.add(pixel, &Found { path, value, weight }, out);
+        }
+    }
+
+    /// s ≥ 2, t ≥ 2: an edge between the last vertices of both subpaths.
+    fn connection(
+        &self,
+        tracer: &mut Tracer<'_>,
+        pixel: u32,
+        (start, light): (&LightStart, &[Vertex<'_>]),
+        camera: &[Vertex<'_>],
+        out: &mut ChunkOutput,
+    ) {
+        let ([.., y], [.., z]) = (light, camera) else { return };
+        if !(y.connectable && z.connectable) {
+            return;
+        }
+        let offset = z.point.site.position - y.point.site.position;
+        let Some(direction) = offset.try_normalize() else { return };
+        let from_light = y.point.evaluate(y.wo, direction);
+        let from_camera = z.point.evaluate(z.wo, -direction);
+        let f = from_light.f * from_camera.f;
+        if f.is_black() {
+            return;
+        }
+        let distance_squared = offset.length_squared();
+        let end = |vertex: &Vertex<'_>, scattering| {
+            let cosine = vertex.point.normal.dot(direction);
+            End { scattering, conversion: solid_angle_per_area(cosine, distance_squared) }
+        };
+        let (light_end, camera_end) = (end(y, from_light), end(z, from_camera));
+        let weight = weight::connection((y, &light_end), (z, &camera_end), self.bdpt.heuristic);
+        let cosines = y.point.cosine(Walk::FromLight, y.wo, direction)
+            * z.point.cosine(Walk::FromCamera, z.wo, -direction);
+        let value = y.throughput * z.throughput * f * (cosines / distance_squared);
+        if tracer.is_free(&y.point.site.segment_to(&z.point.site)) {
+            let joint = Joint::Connection { light: light_end, camera: camera_end };
+            let path = start.path(light, camera, joint);
+            self.add(pixel, &Found { path, value, weight }, out);
+        }
+    }
+
+    fn splat(
+        &self,
+        tracer: &mut Tracer<'_>,
+        start: &LightStart,
+        light: &[Vertex<'_>],
+        out: &mut ChunkOutput,
+    ) {
+        let [.., y] = light else { return };
+        let Some(splat) = aim_at_camera(tracer.scene, &y.point, y.wo) else { return };
+        let camera_pdf = splat.camera_pdf(&y.point);
+        let pdf_back = splat.scattering.pdf_reverse;
+        let heuristic = self.bdpt.heuristic;
+        let weight = weight::splat(y, camera_pdf, pdf_back, self.light_paths, heuristic);
+        if splat.is_visible(tracer, &y.point) {
+            let value = y.throughput * splat.value * (1.0 / self.light_paths as f32);
+            let path = start.path(light, &[], Joint::Splat { pdf_back, camera_pdf });
+            self.add(splat.pixel(tracer.scene), &Found { path, value, weight }, out);
+        }
+    }
+
+    fn add(&self, pixel: u32, found: &Found<'_, '_>, out: &mut ChunkOutput) {
+        let Found { path, value, weight } = found;
+        let Bdpt { techniques, heuristic, weighting, report, .. } = *self.bdpt;
+        let all_weights = || path.path_densities().weights(self.light_paths, techniques, heuristic);
+        let weight = match weighting {
+            Weighting::Recursive => *weight,
+            Weighting::DirectSum => all_weights()[path.technique().0],
+        };
+        out.add(pixel, *value * weight as f32);
+        report.record(out, pixel, path, *value, weight, all_weights);
+    }
+}
+
+impl LightStart {
+    fn path<'a, 'scene>(
+        &self,
+        light: &'a [Vertex<'scene>],
+        camera: &'a [Vertex<'scene>],
+        joint: Joint,
+    ) -> JoinedPath<'a, 'scene> {
+        let is_point = self.x0.is_point;
+        JoinedPath { light, camera, densities: self.densities, is_point, joint }
+    }
+}

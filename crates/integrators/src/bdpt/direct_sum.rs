@@ -1,0 +1,176 @@
+//! The weight of a path from the densities of all techniques: the plain form of
+//! multiple importance sampling (Veach 1997, section 10.2).
+//!
+//! Technique s has density q_s = n_s·Π_{i<s} F_i·Π_{i≥s} B_i, with pN₀ in place of
+//! F₀ if s = 1. Sums of logarithms keep any number of factors in range.
+
+use super::Techniques;
+use super::vertex::{End, Vertex};
+use traylib_math::{Heuristic, SolidAnglePdf};
+use traylib_scene::LightDensities;
+
+/// Two subpaths and how they were joined.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct JoinedPath<'a, 'scene> {
+    /// x₁ … of the light subpath.
+    pub(crate) light: &'a [Vertex<'scene>],
+    /// x_{k−1} … of the camera subpath, from the camera.
+    pub(crate) camera: &'a [Vertex<'scene>],
+    /// Of the lamp's point x₀.
+    pub(crate) densities: LightDensities,
+    pub(crate) is_point: bool,
+    pub(crate) joint: Joint,
+}
+
+/// The edge between the subpaths.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Joint {
+    /// s = 0: none; the last camera vertex is x₀.
+    Hit,
+    /// s = 1: from the last camera vertex to a sampled point of a lamp, which it
+    /// would have hit with density `hit_pdf`.
+    LightSample { end: End, hit_pdf: f32 },
+    /// From the last light vertex to the last camera vertex.
+    Connection { light: End, camera: End },
+    /// t = 1: from the last light vertex to the camera, which would have found
+    /// it with density `camera_pdf`.
+    Splat { pdf_back: SolidAnglePdf, camera_pdf: f32 },
+}
+
+/// F_i, B_i and whether x_i reflected ideally, for all vertices of a path.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct PathDensities {
+    pub(crate) forward: Vec<f64>,
+    pub(crate) backward: Vec<f64>,
+    pub(crate) is_delta: Vec<bool>,
+    pub(crate) toward: f64,
+    pub(crate) is_point: bool,
+}
+
+impl JoinedPath<'_, '_> {
+    /// Vertices from the light and from the camera, x₀ and x_k included.
+    pub(crate) fn technique(&self) -> (usize, usize) {
+        let s = match self.joint {
+            Joint::Hit => 0,
+            _ => self.light.len() + 1,
+        };
+        (s, self.camera.len() + 1)
+    }
+
+    /// The densities of every vertex from both sides.
+    pub(crate) fn path_densities(&self) -> PathDensities {
+        let (s, t) = self.technique();
+        let k = s + t - 1;
+        let mut path = PathDensities {
+            forward: vec![0.0; k + 1],
+            backward: vec![0.0; k + 1],
+            is_delta: vec![false; k + 1],
+            toward: f64::from(self.densities.toward),
+            is_point: self.is_point,
+        };
+        path.backward[k] = 1.0;
+        let (light_back, camera_back) = self.end_densities();
+        for (j, vertex) in self.light.iter().enumerate() {
+            let next = self.light.get(j + 1);
+            path.forward[j + 1] = f64::from(vertex.pdf.0);
+            path.backward[j] = back_area_pdf(vertex, next, light_back);
+            path.is_delta[j + 1] = next.is_some_and(|next| next.after_delta);
+        }
+        for (j, vertex) in self.camera.iter().enumerate() {
+            let next = self.camera.get(j + 1);
+            let i = k - 1 - j;
+            path.backward[i] = f64::from(vertex.pdf.0);
+            path.forward[i + 1] = back_area_pdf(vertex, next, camera_back);
+            path.is_delta[i] = next.is_some_and(|next| next.after_delta);
+        }
+        path.forward[0] = f64::from(self.densities.emission);
+        self.add_joint(&mut path, s);
+        path
+    }
+
+    /// Densities with which the last light and camera vertex would have gone
+    /// back, had the path come from the other side.
+    fn end_densities(&self) -> (SolidAnglePdf, SolidAnglePdf) {
+        let none = SolidAnglePdf(0.0);
+        match self.joint {
+            Joint::Hit => (none, self.densities.direction),
+            Joint::LightSample { end, .. } => (none, end.scattering.pdf_reverse),
+            Joint::Connection { light, camera } => {
+                (light.scattering.pdf_reverse, camera.scattering.pdf_reverse)
+            }
+            Joint::Splat { pdf_back, .. } => (pdf_back, none),
+        }
+    }
+
+    fn add_joint(&self, path: &mut PathDensities, s: usize) {
+        let product =
+            |pdf: SolidAnglePdf, conversion: f32| f64::from(pdf.0) * f64::from(conversion);
+        match self.joint {
+            Joint::Hit => {}
+            Joint::LightSample { end, hit_pdf } => {
+                path.backward[0] = f64::from(hit_pdf);
+                path.forward[1] = product(self.densities.direction, end.conversion);
+            }
+            Joint::Connection { light, camera } => {
+                path.backward[s - 1] = product(camera.scattering.pdf, light.conversion);
+                path.forward[s] = product(light.scattering.pdf, camera.conversion);
+            }
+            Joint::Splat { camera_pdf, .. } => path.backward[s - 1] = f64::from(camera_pdf),
+        }
+    }
+}
+
+/// Area density of the vertex before `vertex`, found by going back.
+fn back_area_pdf(vertex: &Vertex<'_>, next: Option<&Vertex<'_>>, at_end: SolidAnglePdf) -> f64 {
+    let pdf = if next.is_some() { vertex.pdf_back } else { at_end };
+    f64::from(pdf.0) * f64::from(vertex.conversion_back)
+}
+
+impl PathDensities {
+    /// The weights of s = 0 … k; the technique of s has t = k + 1 − s.
+    pub(crate) fn weights(
+        &self,
+        light_paths: u32,
+        techniques: Techniques,
+        heuristic: Heuristic,
+    ) -> Vec<f64> {
+        let k = self.forward.len() - 1;
+        let logs: Vec<f64> = (0..=k)
+            .map(|s| {
+                if self.is_possible(s, techniques) {
+                    self.log_density(s, light_paths)
+                } else {
+                    f64::NEG_INFINITY
+                }
+            })
+            .collect();
+        let largest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let exponent = match heuristic {
+            Heuristic::Balance => 1.0,
+            Heuristic::Power => 2.0,
+        };
+        let powers: Vec<f64> = logs.iter().map(|log| (exponent * (log - largest)).exp()).collect();
+        let sum: f64 = powers.iter().sum();
+        powers.iter().map(|power| power / sum).collect()
+    }
+
+    /// Whether technique s takes part: no edge can be chosen freely beside an
+    /// ideal reflection.
+    fn is_possible(&self, s: usize, techniques: Techniques) -> bool {
+        let k = self.forward.len() - 1;
+        // A light path does not hit a pinhole, nor see it from the lamp itself.
+        let exists = s < k || (s == k && k > 1);
+        let joins_delta = s > 0 && (self.is_delta[s - 1] || self.is_delta[s]);
+        exists && !joins_delta && techniques.allow(s, k + 1 - s, self.is_point)
+    }
+
+    fn log_density(&self, s: usize, light_paths: u32) -> f64 {
+        let k = self.forward.len() - 1;
+        let start = if s == 1 { self.toward } else { self.forward[0] };
+        let forward: f64 =
+            (0..s).map(|i| if i == 0 { start } else { self.forward[i] }).map(f64::ln).sum();
+        let backward: f64 = self.backward[s..].iter().map(|pdf| pdf.ln()).sum();
+        let count = if s == k { f64::from(light_paths) } else { 1.0 };
+        forward + backward + count.ln()
+    }
+}

@@ -1,0 +1,151 @@
+//! Path vertices and the two numbers that make weights cheap.
+//!
+//! After van Antwerpen (2011) and Georgiev, *Implementing Vertex Connection and
+//! Merging* (2012). F_i is the area density of x_i when walked from the light,
+//! B_i from the camera; P raises to the heuristic's exponent. Everything here is
+//! said for a walk from the light; the other is its mirror image.
+//!
+//! Of the other techniques that could have found a path, those that connect
+//! inside this subpath are summed up in
+//!
+//! - `m` = 1/F_i, which stands for connecting x_{i−1} to x_i,
+//! - `c` = Σ over the connections further back, per P(pdf of going back).
+
+use traylib_materials::{BsdfSample, Scattering};
+use traylib_math::{
+    AreaPdf, Heuristic, Rgb, SolidAnglePdf, Vec3, VertexNumbers, solid_angle_per_area,
+};
+use traylib_scene::SurfacePoint;
+
+/// A vertex of a subpath, on a surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Vertex<'scene> {
+    pub(crate) point: SurfacePoint<'scene>,
+    /// Unit direction back to the vertex before.
+    pub(crate) wo: Vec3,
+    /// What the subpath up to here is worth, over its density.
+    pub(crate) throughput: Rgb,
+    /// The random numbers of this vertex.
+    pub(crate) numbers: VertexNumbers,
+    /// Density with which the walk chose this point.
+    pub(crate) pdf: AreaPdf,
+    /// Steradians per area of the vertex *before*, seen from here: turns this
+    /// vertex's density of going back into one per area.
+    pub(crate) conversion_back: f32,
+    /// Density of going back from here, known once the walk has gone on.
+    pub(crate) pdf_back: SolidAnglePdf,
+    /// Whether a connection can carry light here.
+    pub(crate) connectable: bool,
+    /// Whether the vertex before reflected ideally, so that no connection could
+    /// have made this edge.
+    pub(crate) after_delta: bool,
+    pub(crate) m: f64,
+    pub(crate) c: f64,
+}
+
+/// What the next vertex needs to know of this one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tail {
+    pub(crate) position: Vec3,
+    /// Cosine of the leaving edge at this vertex; zero where no walk from the
+    /// other end can arrive.
+    pub(crate) cosine: f32,
+    /// Density of the leaving direction.
+    pub(crate) pdf: SolidAnglePdf,
+    pub(crate) is_delta: bool,
+    /// `m` of the next vertex is this over its density.
+    pub(crate) m_factor: f64,
+    /// `c` of the next vertex is this times P(cosine/(pdf·its cosine)).
+    pub(crate) c_factor: f64,
+}
+
+impl Tail {
+    /// The vertex at `point`, reached from this one.
+    pub(crate) fn arrive<'scene>(
+        &self,
+        point: SurfacePoint<'scene>,
+        wo: Vec3,
+        throughput: Rgb,
+        numbers: VertexNumbers,
+        heuristic: Heuristic,
+    ) -> Vertex<'scene> {
+        let distance_squared = (point.site.position - self.position).length_squared();
+        let cosine = point.normal.dot(wo).abs();
+        let pdf = self.pdf.to_area(solid_angle_per_area(cosine, distance_squared));
+        // Both densities of an ideal reflection carry the same chance; without
+        // it only the cosines are left.
+        let choice = if self.is_delta { 1.0 } else { f64::from(self.pdf.0) };
+        let back_over_forth = f64::from(self.cosine) / (choice * f64::from(cosine));
+        Vertex {
+            point,
+            wo,
+            throughput,
+            numbers,
+            pdf,
+            conversion_back: solid_angle_per_area(self.cosine, distance_squared),
+            pdf_back: SolidAnglePdf(0.0),
+            connectable: point.model.has_smooth_part(),
+            after_delta: self.is_delta,
+            m: self.m_factor / f64::from(pdf.0),
+            c: raise(heuristic, back_over_forth) * self.c_factor,
+        }
+    }
+}
+
+impl Vertex<'_> {
+    /// The sum, over all techniques that connect further back than the last edge
+    /// of this subpath, of (their density / that of connecting at the edge from
+    /// here), raised: P(B)·(M + P(pdf back)·C), with B the density of finding
+    /// this vertex from the other side of the edge.
+    pub(crate) fn competition(
+        &self,
+        density_from_other_side: f64,
+        pdf_back: SolidAnglePdf,
+        heuristic: Heuristic,
+    ) -> f64 {
+        raise(heuristic, density_from_other_side * self.m)
+            + raise(heuristic, density_from_other_side * f64::from(pdf_back.0)) * self.c
+    }
+
+    /// Notes how the walk went on, and what the next vertex needs to know.
+    /// `connections` is whether connecting at the next edge takes part at all.
+    pub(crate) fn leave(
+        &mut self,
+        sample: &BsdfSample,
+        connections: bool,
+        heuristic: Heuristic,
+    ) -> Tail {
+        let BsdfSample { wi, pdf, pdf_reverse, is_delta, .. } = *sample;
+        self.pdf_back = pdf_reverse;
+        let c_factor = if is_delta {
+            self.c
+        } else {
+            raise(heuristic, self.m) + raise(heuristic, f64::from(pdf_reverse.0)) * self.c
+        };
+        Tail {
+            position: self.point.site.position,
+            cosine: self.point.normal.dot(wi).abs(),
+            pdf,
+            is_delta,
+            m_factor: if connections && !is_delta { 1.0 } else { 0.0 },
+            c_factor,
+        }
+    }
+}
+
+/// P(x) for ratios whose square may leave the range of single precision.
+pub(crate) fn raise(heuristic: Heuristic, ratio: f64) -> f64 {
+    match heuristic {
+        Heuristic::Balance => ratio,
+        Heuristic::Power => ratio * ratio,
+    }
+}
+
+/// What a vertex makes of a connecting edge.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End {
+    /// BRDF and densities from `wo` to the other end.
+    pub(crate) scattering: Scattering,
+    /// Steradians per area of *this* vertex, seen from the other end.
+    pub(crate) conversion: f32,
+}

@@ -1,0 +1,120 @@
+//! The two walks.
+
+use super::vertex::{Tail, Vertex, raise};
+use super::{Bdpt, Techniques};
+use crate::Limits;
+use crate::chunk::pixel_corner;
+use crate::emission::{Emitted, emit};
+use crate::step::next_step;
+use crate::tracer::Tracer;
+use traylib_math::{Heuristic, Rgb, Sampler};
+use traylib_scene::{LightDensities, LightPoint, Walk};
+
+/// Where a light subpath started: x₀.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LightStart {
+    pub(crate) x0: LightPoint,
+    pub(crate) densities: LightDensities,
+}
+
+/// Walks subpaths from either end.
+pub(crate) struct Walker {
+    limits: Limits,
+    heuristic: Heuristic,
+    techniques: Techniques,
+    light_paths: u32,
+}
+
+impl Walker {
+    pub(crate) fn new(bdpt: &Bdpt, light_paths: u32) -> Self {
+        let Bdpt { limits, heuristic, techniques, .. } = *bdpt;
+        Self { limits, heuristic, techniques, light_paths }
+    }
+
+    /// The vertices of a light subpath after x₀; nothing if it left the scene at
+    /// once.
+    pub(crate) fn light_subpath<'scene>(
+        &self,
+        tracer: &mut Tracer<'scene>,
+        sampler: &mut Sampler,
+        vertices: &mut Vec<Vertex<'scene>>,
+    ) -> Option<LightStart> {
+        let emitted = emit(tracer, sampler)?;
+        let tail = self.light_tail(&emitted);
+        let (wo, numbers) = (-emitted.direction, sampler.next_vertex());
+        let Emitted { x0, x1, throughput, densities, .. } = emitted;
+        vertices.push(tail.arrive(x1, wo, throughput, numbers, self.heuristic));
+        // One more edge must fit behind each vertex, to join it to the camera.
+        self.walk_on(Walk::FromLight, 1, tracer, sampler, vertices);
+        Some(LightStart { x0, densities })
+    }
+
+    /// What the first surface needs to know of x₀: the techniques that could have
+    /// found it otherwise are light sampling and, if the lamp has an area, a hit.
+    pub(crate) fn light_tail(&self, emitted: &Emitted<'_>) -> Tail {
+        let Emitted { x0, direction, densities, .. } = emitted;
+        let emission = f64::from(densities.emission);
+        let sampled = self.techniques.samples_light(x0.is_point);
+        let hit = self.techniques.hits && !x0.is_point;
+        Tail {
+            position: x0.site.position,
+            cosine: if x0.is_point { 0.0 } else { x0.cosine(*direction) },
+            pdf: densities.direction,
+            is_delta: false,
+            m_factor: if sampled { f64::from(densities.toward) / emission } else { 0.0 },
+            c_factor: if hit { raise(self.heuristic, 1.0 / emission) } else { 0.0 },
+        }
+    }
+
+    /// The vertices of the camera subpath of a pixel, after the pinhole.
+    pub(crate) fn camera_subpath<'scene>(
+        &self,
+        tracer: &mut Tracer<'scene>,
+        pixel: u32,
+        sampler: &mut Sampler,
+        vertices: &mut Vec<Vertex<'scene>>,
+    ) {
+        let camera = *tracer.scene.camera();
+        let ray = camera.ray(pixel_corner(tracer.scene, pixel) + sampler.next_2d());
+        let Some(point) = tracer.camera_ray(&ray) else { return };
+        let splats = if self.techniques.splats { f64::from(self.light_paths) } else { 0.0 };
+        let tail = Tail {
+            position: camera.position(),
+            cosine: 0.0,
+            pdf: camera.pdf(ray.direction),
+            is_delta: false,
+            m_factor: splats,
+            c_factor: 0.0,
+        };
+        let (wo, numbers) = (-ray.direction, sampler.next_vertex());
+        vertices.push(tail.arrive(point, wo, Rgb::WHITE, numbers, self.heuristic));
+        self.walk_on(Walk::FromCamera, 0, tracer, sampler, vertices);
+    }
+
+    /// Extends a subpath whose first edge is walked. `joining` edges must still
+    /// fit behind its last vertex.
+    fn walk_on<'scene>(
+        &self,
+        walk: Walk,
+        joining: u32,
+        tracer: &mut Tracer<'scene>,
+        sampler: &mut Sampler,
+        vertices: &mut Vec<Vertex<'scene>>,
+    ) {
+        let roulette = self.limits.roulette;
+        for edge in 2.. {
+            let Some(last) = vertices.last_mut() else { return };
+            if !self.limits.allow(edge + joining) {
+                return;
+            }
+            let step = next_step(walk, &last.point, last.wo, &last.numbers, roulette, edge);
+            let Some(step) = step else { return };
+            let sample = step.sample;
+            let tail = last.leave(&sample, self.techniques.connections, self.heuristic);
+            let throughput = last.throughput * step.weight;
+            let Some(point) = tracer.bounce_ray(&step.ray) else { return };
+            let (wo, numbers) = (-sample.wi, sampler.next_vertex());
+            vertices.push(tail.arrive(point, wo, throughput, numbers, self.heuristic));
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! The weight of a path by the recursive form: one over the sum of all
+//! techniques' densities over that of the one that found it, each raised.
+//!
+//! All four take the numbers of the two subpath ends alone; see
+//! [`vertex`](super::vertex) for M and C. Held equal to
+//! [`direct_sum`](super::direct_sum) in tests.
+
+use super::Techniques;
+use super::vertex::{End, Vertex, raise};
+use traylib_math::{Heuristic, SolidAnglePdf};
+use traylib_scene::LightDensities;
+
+/// s = 0: the camera path's last vertex is the lamp's point x₀. Not for a lamp
+/// seen directly, which nothing else can find.
+pub(crate) fn hit(
+    x0: &Vertex<'_>,
+    densities: &LightDensities,
+    techniques: Techniques,
+    heuristic: Heuristic,
+) -> f64 {
+    let sampled = if x0.after_delta || !techniques.samples_light(false) {
+        0.0
+    } else {
+        raise(heuristic, f64::from(densities.toward) / f64::from(x0.pdf.0))
+    };
+    let walked = f64::from(densities.emission) * f64::from(densities.direction.0);
+    1.0 / (1.0 + sampled + raise(heuristic, walked) * x0.c)
+}
+
+/// s = 1: a lamp's point was sampled from the camera path's last vertex x₁.
+/// `hit_pdf` is the density with which x₁ would have hit it.
+pub(crate) fn light_sample(
+    x1: &Vertex<'_>,
+    end: &End,
+    densities: &LightDensities,
+    hit_pdf: f32,
+    techniques: Techniques,
+    heuristic: Heuristic,
+) -> f64 {
+    let toward = f64::from(densities.toward);
+    let hit = if techniques.hits { f64::from(hit_pdf) / toward } else { 0.0 };
+    let arrive = f64::from(densities.direction.0) * f64::from(end.conversion);
+    let walked = f64::from(densities.emission) * arrive / toward;
+    let back = end.scattering.pdf_reverse;
+    1.0 / (1.0 + raise(heuristic, hit) + x1.competition(walked, back, heuristic))
+}
+
+/// s ≥ 2, t ≥ 2: `light` and `camera` were connected.
+pub(crate) fn connection(
+    light: (&Vertex<'_>, &End),
+    camera: (&Vertex<'_>, &End),
+    heuristic: Heuristic,
+) -> f64 {
+    let side = |(vertex, end): (&Vertex<'_>, &End), other: &End| {
+        let arrive = f64::from(other.scattering.pdf.0) * f64::from(end.conversion);
+        vertex.competition(arrive, end.scattering.pdf_reverse, heuristic)
+    };
+    1.0 / (1.0 + side(light, camera.1) + side(camera, light.1))
+}
+
+/// t = 1: the light path's last vertex was joined to the camera, which would
+/// have found it with density `camera_pdf`; each of `light_paths` might have.
+pub(crate) fn splat(
+    vertex: &Vertex<'_>,
+    camera_pdf: f32,
+    pdf_back: SolidAnglePdf,
+    light_paths: u32,
+    heuristic: Heuristic,
+) -> f64 {
+    let arrive = f64::from(camera_pdf) / f64::from(light_paths);
+    1.0 / (1.0 + vertex.competition(arrive, pdf_back, heuristic))
+}

@@ -1,0 +1,80 @@
+//! A part of a pass, and what came of it.
+
+use crate::tracer::{Statistics, Tracer};
+use std::ops::Range;
+use traylib_math::{Purpose, Rgb, Sampler, Vec2};
+use traylib_scene::Scene;
+
+/// Some pixels and some light paths of one pass.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chunk {
+    /// Seed of the whole rendering.
+    pub seed: u64,
+    /// Number of the pass.
+    pub pass: u64,
+    /// Row-major indices of the pixels.
+    pub pixels: Range<u32>,
+    /// Numbers of the light paths within the pass.
+    pub light_paths: Range<u32>,
+}
+
+impl Chunk {
+    /// The random numbers of a pixel's camera path.
+    pub fn camera_sampler(&self, pixel: u32) -> Sampler {
+        Sampler::new(self.seed, Purpose::Camera, self.pass, u64::from(pixel))
+    }
+
+    /// The random numbers of a light path.
+    pub fn light_sampler(&self, path: u32) -> Sampler {
+        Sampler::new(self.seed, Purpose::Light, self.pass, u64::from(path))
+    }
+
+    /// Gives each pixel of the chunk one sample: `estimate` of a film point drawn
+    /// uniformly in the pixel, with the random numbers of its path.
+    pub(crate) fn sample_pixels<'s>(
+        &self,
+        scene: &'s Scene,
+        out: &mut ChunkOutput,
+        mut estimate: impl FnMut(&mut Tracer<'s>, Vec2, &mut Sampler) -> Rgb,
+    ) {
+        let mut tracer = Tracer::new(scene);
+        for pixel in self.pixels.clone() {
+            let mut sampler = self.camera_sampler(pixel);
+            let film_point = pixel_corner(scene, pixel) + sampler.next_2d();
+            let radiance = estimate(&mut tracer, film_point, &mut sampler);
+            out.add(pixel, radiance);
+        }
+        out.statistics += tracer.statistics;
+    }
+}
+
+/// The film point at the top left corner of a pixel.
+pub(crate) fn pixel_corner(scene: &Scene, pixel: u32) -> Vec2 {
+    let width = scene.camera().width();
+    Vec2::new((pixel % width) as f32, (pixel / width) as f32)
+}
+
+/// What one chunk adds to its pass.
+#[derive(Debug, Default)]
+pub struct ChunkOutput {
+    /// Radiance for pixels, in the order in which it was found.
+    pub(crate) light: Vec<(u32, Rgb)>,
+    /// Radiance for pixels of further pictures that a report asked for.
+    pub(crate) layers: Vec<(u16, u32, Rgb)>,
+    /// Text that a report asked for.
+    pub(crate) notes: Vec<String>,
+    /// Tally of the work.
+    pub(crate) statistics: Statistics,
+}
+
+impl ChunkOutput {
+    /// Adds radiance to a pixel. What is negative or not finite is counted and
+    /// left out.
+    pub fn add(&mut self, pixel: u32, radiance: Rgb) {
+        if !radiance.is_finite() || radiance.min_band() < 0.0 {
+            self.statistics.rejected += 1;
+        } else if !radiance.is_black() {
+            self.light.push((pixel, radiance));
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Light sampling: one point on one lamp for a vertex of a camera path.
+
+use crate::tracer::Tracer;
+use traylib_materials::Scattering;
+use traylib_math::{Rgb, Vec3, VertexNumbers, solid_angle_per_area};
+use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
+
+/// A way from a lamp to a vertex that carries light, if nothing stands in it.
+pub(crate) struct LightSample {
+    pub(crate) id: LightId,
+    pub(crate) x0: LightPoint,
+    /// Unit direction from the vertex to the lamp.
+    pub(crate) wi: Vec3,
+    pub(crate) distance_squared: f32,
+    /// What the vertex makes of this direction.
+    pub(crate) scattering: Scattering,
+    /// Radiance toward `wo` that this sample estimates.
+    pub(crate) radiance: Rgb,
+}
+
+/// Draws a lamp and a point on it. `None` where no light can come that way.
+pub(crate) fn sample_light(
+    scene: &Scene,
+    point: &SurfacePoint<'_>,
+    wo: Vec3,
+    numbers: &VertexNumbers,
+) -> Option<LightSample> {
+    if !point.model.has_smooth_part() {
+        return None;
+    }
+    let choice = scene.choose_light(numbers.light_pick);
+    let (x0, pdf) = choice.light.sample_toward(point.site.position, numbers.light_point);
+    let mut sample = aim(point, wo, choice.id, x0)?;
+    sample.radiance *= 1.0 / (choice.probability * pdf.0);
+    Some(sample)
+}
+
+/// What every point light gives a vertex, one sample each.
+pub(crate) fn sample_point_lights<'a>(
+    scene: &'a Scene,
+    point: &'a SurfacePoint<'a>,
+    wo: Vec3,
+) -> impl Iterator<Item = LightSample> + 'a {
+    scene.light_ids().filter(|&id| scene.light(id).is_point()).filter_map(move |id| {
+        let (x0, _) = scene.light(id).sample_toward(point.site.position, Default::default());
+        aim(point, wo, id, x0)
+    })
+}
+
+/// The light that a given point of a lamp sends by way of the vertex, per area
+/// of the lamp: f·cos_s·Le·cos₀/d².
+fn aim(point: &SurfacePoint<'_>, wo: Vec3, id: LightId, x0: LightPoint) -> Option<LightSample> {
+    let offset = x0.site.position - point.site.position;
+    let distance_squared = offset.length_squared();
+    let wi = offset.try_normalize()?;
+    let cos_0 = x0.cosine(-wi);
+    if cos_0 <= 0.0 {
+        return None;
+    }
+    let scattering = point.evaluate(wo, wi);
+    let cosine = point.cosine(Walk::FromCamera, wo, wi);
+    let radiance =
+        scattering.f * x0.emitted * (cosine * solid_angle_per_area(cos_0, distance_squared));
+    (!radiance.is_black()).then_some(LightSample {
+        id,
+        x0,
+        wi,
+        distance_squared,
+        scattering,
+        radiance,
+    })
+}
+
+impl LightSample {
+    /// Whether the lamp's point sees the vertex.
+    pub(crate) fn is_visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint<'_>) -> bool {
+        tracer.is_free(&self.x0.segment_from(&point.site))
+    }
+
+    /// Density with which the vertex's own sampling would have found the lamp's
+    /// point, per m²; zero for a point light.
+    pub(crate) fn hit_pdf(&self) -> f32 {
+        if self.x0.is_point {
+            return 0.0;
+        }
+        let conversion = solid_angle_per_area(self.x0.cosine(-self.wi), self.distance_squared);
+        self.scattering.pdf.to_area(conversion).0
+    }
+
+    /// The densities of the lamp's point for the vertex at `x1`.
+    pub(crate) fn densities(&self, scene: &Scene, x1: Vec3) -> LightDensities {
+        scene.light_densities(self.id, &self.x0, x1, -self.wi)
+    }
+}

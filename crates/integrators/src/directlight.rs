@@ -1,0 +1,111 @@
+//! Lamps sampled at every vertex (sections 2.2 and 2.3 of the paper).
+
+use crate::direct::{LightSample, sample_light};
+use crate::step::next_step;
+use crate::tracer::Tracer;
+use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
+use traylib_geometry::Ray;
+use traylib_math::{Heuristic, Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
+use traylib_scene::{Scene, SurfacePoint, Walk};
+
+/// Walks from the camera and aims at a lamp from every vertex.
+///
+/// Strictly, a lamp that the walk hits by itself counts only where no light
+/// sample could have been drawn: seen directly, or after a perfect mirror. (The
+/// paper does not count it there either, which leaves lamps black in mirrors.)
+/// With `combine`, both ways count everywhere, weighted.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct DirectLight {
+    /// How long paths get.
+    pub limits: Limits,
+    /// Combine light sampling with hits by this heuristic.
+    pub combine: Option<Heuristic>,
+}
+
+/// How the walk came to where it is.
+#[derive(Clone, Copy)]
+enum Arrival {
+    /// From the camera or a perfect mirror: no light sample competes.
+    Alone,
+    /// From a surface at this place, drawn with this density.
+    Sampled(Vec3, SolidAnglePdf),
+}
+
+impl Integrator for DirectLight {
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
+        chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
+            self.radiance(tracer, scene.camera().ray(film_point), sampler)
+        });
+    }
+
+    fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
+        facts.point_light_caustics()
+    }
+}
+
+impl DirectLight {
+    fn radiance(&self, tracer: &mut Tracer<'_>, mut ray: Ray, sampler: &mut Sampler) -> Rgb {
+        let scene = tracer.scene;
+        let mut radiance = Rgb::BLACK;
+        let mut throughput = Rgb::WHITE;
+        let mut arrival = Arrival::Alone;
+        let mut hit = tracer.camera_ray(&ray);
+        for edges in 1.. {
+            let Some(point) = hit else { break };
+            let wo = -ray.direction;
+            let numbers = sampler.next_vertex();
+            radiance += throughput * self.hit_emission(scene, &point, wo, arrival);
+            if !self.limits.allow(edges + 1) {
+                break;
+            }
+            if let Some(light) = sample_light(scene, &point, wo, &numbers)
+                && light.is_visible(tracer, &point)
+            {
+                let weight = self.light_weight(scene, &point, &light);
+                radiance += throughput * light.radiance * weight;
+            }
+            let roulette = self.limits.roulette;
+            let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);
+            let Some(step) = step else { break };
+            throughput *= step.weight;
+            arrival = if step.sample.is_delta {
+                Arrival::Alone
+            } else {
+                Arrival::Sampled(point.site.position, step.sample.pdf)
+            };
+            ray = step.ray;
+            hit = tracer.bounce_ray(&ray);
+        }
+        radiance
+    }
+
+    /// Emission of a lamp that the walk hit, times the weight of having hit it.
+    fn hit_emission(
+        &self,
+        scene: &Scene,
+        point: &SurfacePoint<'_>,
+        wo: Vec3,
+        arrival: Arrival,
+    ) -> Rgb {
+        let Some((id, x0)) = scene.emitting_point(point) else { return Rgb::BLACK };
+        let weight = match (arrival, self.combine) {
+            (Arrival::Alone, _) => 1.0,
+            (Arrival::Sampled(..), None) => 0.0,
+            (Arrival::Sampled(from, pdf), Some(heuristic)) => {
+                let distance_squared = (x0.site.position - from).length_squared();
+                let conversion = solid_angle_per_area(x0.cosine(wo), distance_squared);
+                let toward = scene.light_densities(id, &x0, from, wo).toward;
+                heuristic.weight(pdf.to_area(conversion).0, toward)
+            }
+        };
+        x0.emitted * weight
+    }
+
+    /// The weight of a light sample against hitting the same point.
+    fn light_weight(&self, scene: &Scene, point: &SurfacePoint<'_>, light: &LightSample) -> f32 {
+        self.combine.map_or(1.0, |heuristic| {
+            let toward = light.densities(scene, point.site.position).toward;
+            heuristic.weight(toward, light.hit_pdf())
+        })
+    }
+}

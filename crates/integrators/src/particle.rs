@@ -1,0 +1,75 @@
+//! The particle tracer: light paths alone.
+
+use crate::emission::emit;
+use crate::splat::aim_at_camera;
+use crate::step::next_step;
+use crate::tracer::Tracer;
+use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
+use traylib_math::{Rgb, Sampler};
+use traylib_scene::{Scene, Walk};
+
+/// Walks from the lamps; every vertex that the camera sees is splatted into the
+/// pixel it appears in. Lamps seen directly come from a camera ray a pixel.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Particle {
+    /// How long paths get.
+    pub limits: Limits,
+}
+
+impl Integrator for Particle {
+    fn light_paths(&self, pixels: u32) -> u32 {
+        pixels
+    }
+
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
+        chunk.sample_pixels(scene, out, |tracer, film_point, _| {
+            tracer
+                .camera_ray(&scene.camera().ray(film_point))
+                .map_or(Rgb::BLACK, |point| scene.emitted(&point))
+        });
+        let mut tracer = Tracer::new(scene);
+        let share = 1.0 / (scene.camera().width() * scene.camera().height()) as f32;
+        for path in chunk.light_paths.clone() {
+            self.trace_light_path(&mut tracer, share, &mut chunk.light_sampler(path), out);
+        }
+        out.statistics += tracer.statistics;
+    }
+
+    fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
+        if facts.mirrors { vec![BlindSpot::SeenInMirrors] } else { Vec::new() }
+    }
+}
+
+impl Particle {
+    /// Traces one light path, which carries `share` of the lamps' power.
+    fn trace_light_path(
+        &self,
+        tracer: &mut Tracer<'_>,
+        share: f32,
+        sampler: &mut Sampler,
+        out: &mut ChunkOutput,
+    ) {
+        let scene = tracer.scene;
+        let Some(start) = emit(tracer, sampler) else { return };
+        let mut throughput = start.throughput * share;
+        let (mut wo, mut hit) = (-start.direction, Some(start.x1));
+        for edges in 1.. {
+            let Some(point) = hit else { return };
+            let numbers = sampler.next_vertex();
+            if !self.limits.allow(edges + 1) {
+                return;
+            }
+            if let Some(splat) = aim_at_camera(scene, &point, wo)
+                && splat.is_visible(tracer, &point)
+            {
+                out.add(splat.pixel(scene), throughput * splat.value);
+            }
+            let roulette = self.limits.roulette;
+            let step = next_step(Walk::FromLight, &point, wo, &numbers, roulette, edges + 1);
+            let Some(step) = step else { return };
+            throughput *= step.weight;
+            wo = -step.ray.direction;
+            hit = tracer.bounce_ray(&step.ray);
+        }
+    }
+}

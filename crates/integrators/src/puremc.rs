@@ -1,0 +1,61 @@
+//! Pure Monte Carlo path tracing (section 2.1 of the paper).
+
+use crate::direct::sample_light;
+use crate::step::next_step;
+use crate::tracer::Tracer;
+use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
+use traylib_geometry::Ray;
+use traylib_math::{Rgb, Sampler};
+use traylib_scene::{Scene, Walk};
+
+/// Walks from the camera and adds what the walk happens to hit.
+///
+/// Point lights cannot be hit; they are sampled at every vertex.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PureMc {
+    /// How long paths get.
+    pub limits: Limits,
+}
+
+impl Integrator for PureMc {
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
+        chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
+            self.radiance(tracer, scene.camera().ray(film_point), sampler)
+        });
+    }
+
+    fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
+        facts.point_light_caustics()
+    }
+}
+
+impl PureMc {
+    fn radiance(&self, tracer: &mut Tracer<'_>, mut ray: Ray, sampler: &mut Sampler) -> Rgb {
+        let scene = tracer.scene;
+        let mut radiance = Rgb::BLACK;
+        let mut throughput = Rgb::WHITE;
+        let mut hit = tracer.camera_ray(&ray);
+        for edges in 1.. {
+            let Some(point) = hit else { break };
+            let wo = -ray.direction;
+            let numbers = sampler.next_vertex();
+            radiance += throughput * scene.emitted(&point);
+            if !self.limits.allow(edges + 1) {
+                break;
+            }
+            if let Some(light) = sample_light(scene, &point, wo, &numbers)
+                && light.x0.is_point
+                && light.is_visible(tracer, &point)
+            {
+                radiance += throughput * light.radiance;
+            }
+            let roulette = self.limits.roulette;
+            let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);
+            let Some(step) = step else { break };
+            throughput *= step.weight;
+            ray = step.ray;
+            hit = tracer.bounce_ray(&ray);
+        }
+        radiance
+    }
+}

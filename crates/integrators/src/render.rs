@@ -1,0 +1,141 @@
+//! The driver: passes, threads, the film. The only place that starts threads.
+
+use crate::{Chunk, ChunkOutput, Integrator, Statistics};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::ops::{ControlFlow, Range};
+use traylib_scene::{Film, PassImage, Scene};
+
+/// Pixels in a chunk. Part of the result: sums are formed chunk by chunk.
+const CHUNK_PIXELS: u32 = 256;
+
+/// How to render, whatever the algorithm.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Settings {
+    /// Passes, each with one sample a pixel.
+    pub spp: u32,
+    /// The same seed gives the same picture.
+    pub seed: u64,
+    /// Threads; 0 for one a processor. Does not change the picture.
+    pub threads: usize,
+}
+
+/// What the driver tells after each pass.
+#[derive(Debug)]
+pub struct Progress<'a> {
+    /// All light so far.
+    pub film: &'a Film,
+    /// Tally so far.
+    pub statistics: Statistics,
+    /// Passes asked for.
+    pub spp: u32,
+}
+
+/// What came of it.
+#[derive(Debug)]
+pub struct Rendering {
+    /// The picture.
+    pub film: Film,
+    /// Further pictures that the integrator was asked for, by number; sums over
+    /// all passes.
+    pub layers: BTreeMap<u16, PassImage>,
+    /// Text that the integrator was asked for.
+    pub notes: Vec<String>,
+    /// Tally of the work.
+    pub statistics: Statistics,
+}
+
+/// The threads could not be started.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ThreadError(String);
+
+impl std::fmt::Display for ThreadError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "cannot start threads: {}; ask for fewer with --threads", self.0)
+    }
+}
+
+impl std::error::Error for ThreadError {}
+
+/// Renders `settings.spp` passes, or fewer if `observe`, called after each pass,
+/// says stop.
+///
+/// The result depends on scene, integrator, seed and number of passes, and on
+/// nothing else: every path has random numbers of its own, and chunks are
+/// summed in their order.
+///
+/// # Errors
+/// [`ThreadError`] if the system refuses the threads.
+pub fn render(
+    scene: &Scene,
+    integrator: &dyn Integrator,
+    settings: &Settings,
+    observe: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
+) -> Result<Rendering, ThreadError> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(settings.threads)
+        .build()
+        .map_err(|error| ThreadError(error.to_string()))?;
+    let (width, height) = (scene.camera().width(), scene.camera().height());
+    let mut rendering = Rendering {
+        film: Film::new(width, height),
+        layers: BTreeMap::new(),
+        notes: Vec::new(),
+        statistics: Statistics::default(),
+    };
+    for pass in 0..settings.spp {
+        let chunks = chunks(scene, integrator, settings.seed, u64::from(pass));
+        let outputs: Vec<ChunkOutput> = pool.install(|| {
+            chunks
+                .into_par_iter()
+                .map(|chunk| {
+                    let mut out = ChunkOutput::default();
+                    integrator.render_chunk(scene, &chunk, &mut out);
+                    out
+                })
+                .collect()
+        });
+        rendering.add_pass(outputs, width, height);
+        let progress =
+            Progress { film: &rendering.film, statistics: rendering.statistics, spp: settings.spp };
+        if observe(&progress).is_break() {
+            break;
+        }
+    }
+    Ok(rendering)
+}
+
+/// Cuts a pass into chunks, its light paths in proportion to its pixels.
+fn chunks(scene: &Scene, integrator: &dyn Integrator, seed: u64, pass: u64) -> Vec<Chunk> {
+    let pixels = scene.camera().width() * scene.camera().height();
+    let light_paths = integrator.light_paths(pixels);
+    let share = |pixel: u32| {
+        (u64::from(pixel) * u64::from(light_paths)).div_euclid(u64::from(pixels)) as u32
+    };
+    (0..pixels)
+        .step_by(CHUNK_PIXELS as usize)
+        .map(|start| {
+            let range: Range<u32> = start..(start + CHUNK_PIXELS).min(pixels);
+            let light_paths = share(range.start)..share(range.end);
+            Chunk { seed, pass, pixels: range, light_paths }
+        })
+        .collect()
+}
+
+impl Rendering {
+    fn add_pass(&mut self, outputs: Vec<ChunkOutput>, width: u32, height: u32) {
+        let mut image = PassImage::new(width, height);
+        for mut output in outputs {
+            for (pixel, radiance) in output.light {
+                image.add(pixel, radiance);
+            }
+            for (layer, pixel, radiance) in output.layers {
+                let sum = self.layers.entry(layer);
+                sum.or_insert_with(|| PassImage::new(width, height)).add(pixel, radiance);
+            }
+            self.notes.append(&mut output.notes);
+            self.statistics += output.statistics;
+        }
+        self.film.add_pass(&image);
+    }
+}

@@ -1,0 +1,54 @@
+//! Joining a vertex of a light path to the camera (t = 1).
+
+use crate::tracer::Tracer;
+use traylib_materials::Scattering;
+use traylib_math::{Rgb, Vec3, solid_angle_per_area};
+use traylib_scene::{Projection, Scene, SurfacePoint, Walk};
+
+/// A way from a vertex to the camera that carries light, if nothing stands in
+/// it.
+pub(crate) struct Splat {
+    pub(crate) projection: Projection,
+    /// What the vertex makes of the direction to the camera.
+    pub(crate) scattering: Scattering,
+    /// What the throughput of one of one light path is multiplied with to give
+    /// the radiance of the pixel: f·cos·We.
+    pub(crate) value: Rgb,
+}
+
+/// Aims at the camera from a vertex that a light path reached from `wo`. In
+/// front of the camera, inside the picture, facing: the shadow ray comes last.
+pub(crate) fn aim_at_camera(scene: &Scene, point: &SurfacePoint<'_>, wo: Vec3) -> Option<Splat> {
+    if !point.model.has_smooth_part() {
+        return None;
+    }
+    let projection = scene.camera().project(point.site.position)?;
+    let scattering = point.evaluate(wo, projection.to_camera);
+    if scattering.f.is_black() {
+        return None;
+    }
+    // The vertex's own cosine stands in the kernel; the camera's is in We.
+    let cosine = point.cosine(Walk::FromLight, wo, projection.to_camera);
+    let value = scattering.f * (cosine * projection.pdf.0 / projection.distance_squared);
+    Some(Splat { projection, scattering, value })
+}
+
+impl Splat {
+    /// Row-major index of the pixel.
+    pub(crate) fn pixel(&self, scene: &Scene) -> u32 {
+        self.projection.y * scene.camera().width() + self.projection.x
+    }
+
+    /// Density with which a camera path would have found the vertex, per m².
+    pub(crate) fn camera_pdf(&self, point: &SurfacePoint<'_>) -> f32 {
+        let cosine = point.normal.dot(self.projection.to_camera);
+        let conversion = solid_angle_per_area(cosine, self.projection.distance_squared);
+        self.projection.pdf.to_area(conversion).0
+    }
+
+    /// Whether the camera sees the vertex.
+    pub(crate) fn is_visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint<'_>) -> bool {
+        let pinhole = tracer.scene.camera().position();
+        tracer.is_free(&point.site.segment_to_point(pinhole))
+    }
+}

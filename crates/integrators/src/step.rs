@@ -1,0 +1,32 @@
+//! How a walk goes on: the same for walks from either end.
+
+use crate::limits::Roulette;
+use traylib_geometry::Ray;
+use traylib_materials::BsdfSample;
+use traylib_math::{Rgb, Vec3, VertexNumbers};
+use traylib_scene::{SurfacePoint, Walk};
+
+/// The next edge of a walk.
+pub(crate) struct Step {
+    pub(crate) ray: Ray,
+    /// What the throughput is multiplied with, roulette included.
+    pub(crate) weight: Rgb,
+    pub(crate) sample: BsdfSample,
+}
+
+/// The edge with number `edge` of a walk that arrived at `point` from `wo`;
+/// `None` where the walk ends.
+pub(crate) fn next_step(
+    walk: Walk,
+    point: &SurfacePoint<'_>,
+    wo: Vec3,
+    numbers: &VertexNumbers,
+    roulette: Roulette,
+    edge: u32,
+) -> Option<Step> {
+    let sample = point.sample(wo, numbers.bsdf)?;
+    let weight = point.walk_weight(walk, wo, &sample);
+    let chance = roulette.survive(edge, weight, numbers.roulette)?;
+    let ray = Ray::new(point.site.ray_origin(sample.wi), sample.wi);
+    Some(Step { ray, weight: weight / chance, sample })
+}

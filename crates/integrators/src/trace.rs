@@ -1,0 +1,49 @@
+//! One ray a pixel, light from point lights alone (section 3.2 of the paper).
+
+use crate::chunk::pixel_corner;
+use crate::direct::sample_point_lights;
+use crate::tracer::Tracer;
+use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts};
+use traylib_math::{Rgb, Vec2};
+use traylib_scene::Scene;
+
+/// Emission seen directly, and one shadow ray to each point light; no other
+/// light, no interreflection. Without `jitter` the ray goes through the middle
+/// of the pixel and nothing is random.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Trace {
+    /// Draw the film point uniformly in its pixel, for pictures of several
+    /// samples.
+    pub jitter: bool,
+}
+
+impl Integrator for Trace {
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
+        let mut tracer = Tracer::new(scene);
+        for pixel in chunk.pixels.clone() {
+            let inside =
+                if self.jitter { chunk.camera_sampler(pixel).next_2d() } else { Vec2::splat(0.5) };
+            out.add(pixel, radiance(&mut tracer, pixel_corner(scene, pixel) + inside));
+        }
+        out.statistics += tracer.statistics;
+    }
+
+    fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
+        let mut blind = vec![BlindSpot::Interreflection];
+        if facts.area_lights {
+            blind.push(BlindSpot::AreaLights);
+        }
+        blind
+    }
+}
+
+fn radiance(tracer: &mut Tracer<'_>, film_point: Vec2) -> Rgb {
+    let scene = tracer.scene;
+    let ray = scene.camera().ray(film_point);
+    let Some(point) = tracer.camera_ray(&ray) else { return Rgb::BLACK };
+    let lit = sample_point_lights(scene, &point, -ray.direction)
+        .filter(|sample| sample.is_visible(tracer, &point))
+        .map(|sample| sample.radiance)
+        .sum::<Rgb>();
+    scene.emitted(&point) + lit
+}

@@ -1,0 +1,150 @@
+//! From parts to a scene.
+
+use crate::light::check_emission;
+use crate::scene::{LightId, Surface};
+use crate::{Camera, Error, Light, PointLight, Scene};
+use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides};
+use traylib_materials::SurfaceModel;
+use traylib_math::{DiscreteDistribution, Rgb, Vec3};
+
+/// Names a material of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MaterialId(u32);
+
+/// What an object looks like.
+#[derive(Clone, Debug)]
+pub enum ObjectShape {
+    /// One shape.
+    Primitive(Primitive),
+    /// Triangles; those without area are left out.
+    Mesh(Mesh),
+}
+
+/// A thing in the scene.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// Its shape.
+    pub shape: ObjectShape,
+    /// The sides it has. Through a side it does not have, rays pass.
+    pub sides: Sides,
+    /// What it is made of.
+    pub material: MaterialId,
+    /// Radiance of its front in W/m²/sr; black for a thing that is no lamp.
+    pub emission: Rgb,
+}
+
+/// Collects the parts of a [`Scene`] and checks them.
+#[derive(Debug)]
+pub struct SceneBuilder {
+    camera: Camera,
+    shapes: Vec<SidedPrimitive>,
+    surfaces: Vec<Surface>,
+    materials: Vec<SurfaceModel>,
+    meshes: Vec<Mesh>,
+    lights: Vec<Light>,
+}
+
+impl SceneBuilder {
+    /// An empty scene seen by `camera`.
+    pub fn new(camera: Camera) -> Self {
+        Self {
+            camera,
+            shapes: Vec::new(),
+            surfaces: Vec::new(),
+            materials: Vec::new(),
+            meshes: Vec::new(),
+            lights: Vec::new(),
+        }
+    }
+
+    /// Adds a material for objects to name.
+    pub fn add_material(&mut self, model: SurfaceModel) -> MaterialId {
+        self.materials.push(model);
+        MaterialId(self.materials.len() as u32 - 1)
+    }
+
+    /// Adds an object.
+    ///
+    /// # Errors
+    /// [`Error::Emission`] for radiance that is negative or not finite,
+    /// [`Error::EmptyMesh`] for a mesh without area.
+    pub fn add_object(&mut self, object: Object) -> Result<(), Error> {
+        check_emission("emission", object.emission)?;
+        let (material, sides, emission) = (object.material, object.sides, object.emission);
+        match object.shape {
+            ObjectShape::Primitive(primitive) => {
+                self.add_primitive(primitive, sides, material, emission, None);
+            }
+            ObjectShape::Mesh(mesh) => {
+                let before = self.shapes.len();
+                let id = self.meshes.len() as u32;
+                for index in 0..mesh.triangle_count() {
+                    let Some(triangle) = mesh.triangle(index) else { continue };
+                    let smooth = mesh
+                        .shading_normal(index, 0.0, 0.0)
+                        .is_some()
+                        .then_some((id, index as u32));
+                    let primitive = Primitive::Triangle(triangle);
+                    self.add_primitive(primitive, sides, material, emission, smooth);
+                }
+                if self.shapes.len() == before {
+                    return Err(Error::EmptyMesh);
+                }
+                self.meshes.push(mesh);
+            }
+        }
+        Ok(())
+    }
+
+    fn add_primitive(
+        &mut self,
+        primitive: Primitive,
+        sides: Sides,
+        material: MaterialId,
+        radiance: Rgb,
+        smooth: Option<(u32, u32)>,
+    ) {
+        let light = (!radiance.is_black()).then(|| {
+            self.lights.push(Light::Area { primitive, radiance });
+            LightId(self.lights.len() as u32 - 1)
+        });
+        self.shapes.push(SidedPrimitive { primitive, sides });
+        self.surfaces.push(Surface { material: material.0, light, smooth });
+    }
+
+    /// Adds a point light of this intensity in W/sr.
+    ///
+    /// # Errors
+    /// [`Error::Position`] or [`Error::Emission`] for values that are not finite
+    /// or negative.
+    pub fn add_point_light(&mut self, position: Vec3, intensity: Rgb) -> Result<(), Error> {
+        if !position.is_finite() {
+            return Err(Error::Position(position.to_array()));
+        }
+        check_emission("intensity", intensity)?;
+        if !intensity.is_black() {
+            self.lights.push(Light::Point(PointLight { position, intensity }));
+        }
+        Ok(())
+    }
+
+    /// The scene.
+    ///
+    /// # Errors
+    /// [`Error::Dark`] if nothing emits light, [`Error::Geometry`] if the shapes
+    /// cannot be stored.
+    pub fn build(self) -> Result<Scene, Error> {
+        let powers: Vec<f32> = self.lights.iter().map(|l| l.power().luminance()).collect();
+        let light_by_power = DiscreteDistribution::new(&powers).ok_or(Error::Dark)?;
+        let shapes = Bvh::build(self.shapes)?;
+        Ok(Scene {
+            camera: self.camera,
+            shapes,
+            surfaces: self.surfaces,
+            materials: self.materials,
+            meshes: self.meshes,
+            lights: self.lights,
+            light_by_power,
+        })
+    }
+}

@@ -1,0 +1,156 @@
+//! Things that emit light.
+
+use crate::Error;
+use std::f32::consts::{FRAC_1_PI, PI};
+use traylib_geometry::{Primitive, Ray, SurfaceSite};
+use traylib_math::{AreaPdf, Rgb, SolidAnglePdf, Vec2, Vec3, warp};
+
+/// A lamp.
+#[derive(Clone, Copy, Debug)]
+pub enum Light {
+    /// A surface that emits the same radiance (W/m²/sr) from every point of its
+    /// front side into every direction.
+    Area {
+        /// The surface.
+        primitive: Primitive,
+        /// What it emits.
+        radiance: Rgb,
+    },
+    /// A point that emits the same intensity (W/sr) into every direction.
+    Point(PointLight),
+}
+
+/// A lamp without extent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointLight {
+    /// Where it is.
+    pub position: Vec3,
+    /// W/sr.
+    pub intensity: Rgb,
+}
+
+/// A point on a lamp: the first vertex x₀ of a light path.
+#[derive(Clone, Copy, Debug)]
+pub struct LightPoint {
+    /// Where; the normal is meaningless on a point light.
+    pub site: SurfaceSite,
+    /// Emitted radiance in W/m²/sr, or a point light's intensity in W/sr.
+    pub emitted: Rgb,
+    /// Whether the lamp is a point.
+    pub is_point: bool,
+}
+
+/// A start of a light path.
+#[derive(Clone, Copy, Debug)]
+pub struct Emission {
+    /// Where the path starts.
+    pub point: LightPoint,
+    /// The unit direction it takes.
+    pub direction: Vec3,
+}
+
+impl LightPoint {
+    /// The cosine that emission in the unit `direction` carries: that to the
+    /// front normal, zero behind it; one for a point light.
+    pub fn cosine(&self, direction: Vec3) -> f32 {
+        if self.is_point { 1.0 } else { self.site.normal.dot(direction).max(0.0) }
+    }
+
+    /// Density of [`Light::sample_emission`] choosing `direction` here.
+    pub fn direction_pdf(&self, direction: Vec3) -> SolidAnglePdf {
+        let pdf = if self.is_point {
+            0.25 * FRAC_1_PI
+        } else {
+            warp::cosine_hemisphere_pdf(self.cosine(direction))
+        };
+        SolidAnglePdf(pdf)
+    }
+
+    /// The segment to this point from one on a surface.
+    pub fn segment_from(&self, site: &SurfaceSite) -> Ray {
+        if self.is_point {
+            site.segment_to_point(self.site.position)
+        } else {
+            site.segment_to(&self.site)
+        }
+    }
+
+    /// Where a ray toward `direction` starts.
+    pub fn ray_origin(&self, direction: Vec3) -> Vec3 {
+        if self.is_point { self.site.position } else { self.site.ray_origin(direction) }
+    }
+}
+
+impl Light {
+    /// Emitted power in W.
+    pub fn power(&self) -> Rgb {
+        match self {
+            Self::Area { primitive, radiance } => *radiance * (PI * primitive.area()),
+            Self::Point(light) => light.intensity * (4.0 * PI),
+        }
+    }
+
+    /// Whether the lamp is a point, which no ray can hit.
+    pub fn is_point(&self) -> bool {
+        matches!(self, Self::Point(_))
+    }
+
+    /// A point for a light path to start at and a direction for it to take.
+    pub fn sample_emission(&self, u_point: Vec2, u_direction: Vec2) -> Emission {
+        match self {
+            Self::Area { primitive, radiance } => {
+                let site = primitive.sample_area(u_point);
+                let point = LightPoint { site, emitted: *radiance, is_point: false };
+                Emission { point, direction: warp::cosine_hemisphere(site.normal, u_direction) }
+            }
+            Self::Point(light) => {
+                Emission { point: light.point(), direction: warp::uniform_sphere(u_direction) }
+            }
+        }
+    }
+
+    /// Density with which [`sample_emission`](Self::sample_emission) starts at a
+    /// point of this lamp (F₀ without the choice of the lamp); one for a point.
+    pub fn emission_pdf(&self) -> AreaPdf {
+        match self {
+            Self::Area { primitive, .. } => AreaPdf(1.0 / primitive.area()),
+            Self::Point(_) => AreaPdf(1.0),
+        }
+    }
+
+    /// A point of the lamp to light `from` with, and its density; one for a
+    /// point.
+    pub fn sample_toward(&self, from: Vec3, u: Vec2) -> (LightPoint, AreaPdf) {
+        match self {
+            Self::Area { primitive, radiance } => {
+                let (site, pdf) = primitive.sample_toward(from, u);
+                (LightPoint { site, emitted: *radiance, is_point: false }, pdf)
+            }
+            Self::Point(light) => (light.point(), AreaPdf(1.0)),
+        }
+    }
+
+    /// Density with which [`sample_toward`](Self::sample_toward) chooses `point`
+    /// of this lamp for `from`.
+    pub fn toward_pdf(&self, from: Vec3, point: &LightPoint) -> AreaPdf {
+        match self {
+            Self::Area { primitive, .. } => {
+                primitive.pdf_toward(from, point.site.position, point.site.normal)
+            }
+            Self::Point(_) => AreaPdf(1.0),
+        }
+    }
+}
+
+impl PointLight {
+    fn point(&self) -> LightPoint {
+        let site = SurfaceSite { position: self.position, error: Vec3::ZERO, normal: Vec3::ZERO };
+        LightPoint { site, emitted: self.intensity, is_point: true }
+    }
+}
+
+/// Refuses light that is negative or not a number.
+pub(crate) fn check_emission(what: &'static str, value: Rgb) -> Result<(), Error> {
+    let sound = value.is_finite() && value.min_band() >= 0.0;
+    if sound { Ok(()) } else { Err(Error::Emission { what, value: value.to_array() }) }
+}

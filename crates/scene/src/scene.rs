@@ -1,0 +1,162 @@
+//! The finished scene and the questions a renderer asks of it.
+
+use crate::{Camera, Light, LightPoint, SurfacePoint};
+use traylib_geometry::{Bvh, Mesh, Primitive, Ray, SidedPrimitive};
+use traylib_materials::SurfaceModel;
+use traylib_math::{DiscreteDistribution, Rgb, SolidAnglePdf, Vec3};
+
+/// Names a lamp of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LightId(pub(crate) u32);
+
+/// What the scene knows of one primitive beside its shape.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Surface {
+    pub(crate) material: u32,
+    pub(crate) light: Option<LightId>,
+    /// Mesh and triangle that hold the vertex normals, if it has any.
+    pub(crate) smooth: Option<(u32, u32)>,
+}
+
+/// Camera, lamps and surfaces, ready to be rendered. Immutable.
+#[derive(Debug)]
+pub struct Scene {
+    pub(crate) camera: Camera,
+    pub(crate) shapes: Bvh<SidedPrimitive>,
+    pub(crate) surfaces: Vec<Surface>,
+    pub(crate) materials: Vec<SurfaceModel>,
+    pub(crate) meshes: Vec<Mesh>,
+    pub(crate) lights: Vec<Light>,
+    pub(crate) light_by_power: DiscreteDistribution,
+}
+
+/// A lamp that was drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct LightChoice<'scene> {
+    /// Its name.
+    pub id: LightId,
+    /// The lamp.
+    pub light: &'scene Light,
+    /// The chance to draw it.
+    pub probability: f32,
+}
+
+/// The densities of one point on a lamp as the first vertex x₀ of a path, each
+/// with the chance to choose the lamp.
+///
+/// Area densities are per m²; those of a point light are plain probabilities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightDensities {
+    /// F₀: a light path starts here.
+    pub emission: f32,
+    /// A light path from here takes the direction to x₁, per steradian.
+    pub direction: SolidAnglePdf,
+    /// pN₀: light sampling for x₁ chooses this point.
+    pub toward: f32,
+}
+
+impl Scene {
+    /// The camera.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// All lamps; every emitting primitive is one.
+    pub fn lights(&self) -> &[Light] {
+        &self.lights
+    }
+
+    /// All materials.
+    pub fn materials(&self) -> &[SurfaceModel] {
+        &self.materials
+    }
+
+    /// How many primitives there are.
+    pub fn primitive_count(&self) -> usize {
+        self.surfaces.len()
+    }
+
+    /// The first surface that a ray meets. The direction must be unit.
+    pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint<'_>> {
+        let hit = self.shapes.nearest(ray)?;
+        let surface = &self.surfaces[hit.primitive as usize];
+        let site = self.shapes.shapes()[hit.primitive as usize].primitive.site(ray, &hit);
+        let front_shading = surface
+            .smooth
+            .and_then(|(mesh, triangle)| {
+                self.meshes[mesh as usize].shading_normal(triangle as usize, hit.u, hit.v)
+            })
+            .unwrap_or(site.normal);
+        let side = if site.normal.dot(ray.direction) <= 0.0 { 1.0 } else { -1.0 };
+        Some(SurfacePoint {
+            site,
+            normal: site.normal * side,
+            shading_normal: front_shading * side,
+            model: &self.materials[surface.material as usize],
+            light: surface.light,
+        })
+    }
+
+    /// Whether nothing stands in the way of a segment, made by
+    /// [`SurfaceSite::segment_to`](traylib_geometry::SurfaceSite::segment_to)
+    /// or its like: it has no slack of its own.
+    pub fn is_free(&self, segment: &Ray) -> bool {
+        !self.shapes.any_hit(segment)
+    }
+
+    /// A lamp, drawn in proportion to its power.
+    pub fn choose_light(&self, u: f32) -> LightChoice<'_> {
+        let (index, probability) = self.light_by_power.choose(u);
+        LightChoice { id: LightId(index as u32), light: &self.lights[index], probability }
+    }
+
+    /// The names of all lamps.
+    pub fn light_ids(&self) -> impl Iterator<Item = LightId> + use<> {
+        (0..self.lights.len() as u32).map(LightId)
+    }
+
+    /// The lamp of this name.
+    pub fn light(&self, id: LightId) -> &Light {
+        &self.lights[id.0 as usize]
+    }
+
+    /// The point as one of a lamp, if it emits toward the side it is seen from.
+    pub fn emitting_point(&self, point: &SurfacePoint<'_>) -> Option<(LightId, LightPoint)> {
+        let id = point.light?;
+        match self.light(id) {
+            Light::Area { radiance, .. } if point.is_front() => {
+                let site = point.site;
+                Some((id, LightPoint { site, emitted: *radiance, is_point: false }))
+            }
+            _ => None,
+        }
+    }
+
+    /// Radiance that a surface emits toward the side it is seen from.
+    pub fn emitted(&self, point: &SurfacePoint<'_>) -> Rgb {
+        self.emitting_point(point).map_or(Rgb::BLACK, |(_, point)| point.emitted)
+    }
+
+    /// The densities of a lamp's point x₀ for a path that goes on to `x1` in the
+    /// unit `direction`.
+    pub fn light_densities(
+        &self,
+        id: LightId,
+        x0: &LightPoint,
+        x1: Vec3,
+        direction: Vec3,
+    ) -> LightDensities {
+        let light = self.light(id);
+        let choice = self.light_by_power.probability(id.0 as usize);
+        LightDensities {
+            emission: choice * light.emission_pdf().0,
+            direction: x0.direction_pdf(direction),
+            toward: choice * light.toward_pdf(x1, x0).0,
+        }
+    }
+
+    /// The shapes, in the order in which objects were added.
+    pub fn primitives(&self) -> impl Iterator<Item = &Primitive> {
+        self.shapes.shapes().iter().map(|shape| &shape.primitive)
+    }
+}
