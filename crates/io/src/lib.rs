@@ -1,1 +1,32 @@
-//! Placeholder.
+//! Scene and picture files.
+//!
+//! A decoder turns bytes into a plain document and knows nothing else
+//! ([`ron_scene`], [`three_ds`]); importing turns documents into a scene
+//! ([`load_scene`]). Pictures go out through [`save_picture`].
+//!
+//! ```
+//! let loaded = traylib_io::load_scene("cornell")?;
+//! assert_eq!(loaded.scene.camera().width(), 400);
+//! # Ok::<(), traylib_io::Error>(())
+//! ```
+//!
+//! Nothing here prints, and no input makes it panic: what makes no sense is an
+//! [`Error`], what is skipped or repaired is a [`Warning`] handed back beside the
+//! result.
+
+mod builtin;
+mod error;
+mod import;
+mod load;
+pub mod picture;
+pub mod report;
+pub mod ron_scene;
+mod source;
+mod srgb;
+mod suggest;
+pub mod three_ds;
+
+pub use builtin::builtin_names;
+pub use error::{Error, Warning};
+pub use load::{LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
+pub use picture::{PictureInfo, check_writable, load_exr, save_picture};

@@ -1,0 +1,103 @@
+//! What can go wrong with files, and what is worth a word.
+
+use crate::report::Report;
+use crate::suggest::{nearest, quoted_list};
+use std::fmt;
+use std::path::PathBuf;
+
+/// A file that cannot be read, makes no sense, or cannot be written.
+///
+/// The text begins without "error:", for a program to put before it. It may
+/// have several lines.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// Neither a file nor a built-in scene has this name.
+    #[error("{}", unknown_scene(.name, .known))]
+    UnknownScene {
+        /// What was asked for.
+        name: String,
+        /// The names of the built-in scenes.
+        known: &'static [&'static str],
+    },
+    /// A file cannot be read.
+    #[error("{file}: cannot be read: {cause}")]
+    Read {
+        /// The file.
+        file: String,
+        /// The system's reason.
+        cause: std::io::Error,
+    },
+    /// A scene file makes no sense; every place where it does not, with the
+    /// lines shown.
+    #[error("{0}")]
+    Scene(Report),
+    /// The ending of a picture's name says no format that is known.
+    #[error("{}: pictures are written as .png or .exr, and the name must end so", .0.display())]
+    PictureFormat(PathBuf),
+    /// A file cannot be written.
+    #[error("{}: cannot be written: {cause}", .file.display())]
+    Write {
+        /// The file.
+        file: PathBuf,
+        /// The system's or the encoder's reason.
+        cause: Box<dyn std::error::Error + Send + Sync>,
+    },
+    /// A picture cannot be read.
+    #[error("{}: cannot be read as a picture: {cause}", .file.display())]
+    ReadPicture {
+        /// The file.
+        file: PathBuf,
+        /// The decoder's reason.
+        cause: Box<dyn std::error::Error + Send + Sync>,
+    },
+}
+
+fn unknown_scene(name: &str, known: &[&str]) -> String {
+    let guess = nearest(name, known.iter().copied())
+        .map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
+    let list = quoted_list(known.iter().copied());
+    format!("no file and no built-in scene is named `{name}`{guess}\n  built in: {list}")
+}
+
+/// Something in a file that was skipped or repaired. The scene can be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// The file.
+    pub file: String,
+    /// What was met.
+    pub what: String,
+    /// How often.
+    pub count: u32,
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.file, self.what)?;
+        if self.count > 1 {
+            write!(f, " ({} times)", self.count)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_misspelt_scene_gets_a_suggestion() {
+        let error =
+            Error::UnknownScene { name: "cornel".to_string(), known: &["cornell", "furnace"] };
+        let expected = "no file and no built-in scene is named `cornel`; did you mean `cornell`?\
+                        \n  built in: `cornell`, `furnace`";
+        assert_eq!(error.to_string(), expected);
+    }
+
+    #[test]
+    fn warnings_are_one_line_with_a_count() {
+        let warning = |count| Warning { file: "a.3ds".into(), what: "light skipped".into(), count };
+        assert_eq!(warning(1).to_string(), "a.3ds: light skipped");
+        assert_eq!(warning(3).to_string(), "a.3ds: light skipped (3 times)");
+    }
+}

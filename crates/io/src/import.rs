@@ -1,0 +1,153 @@
+//! From documents to a scene.
+//!
+//! Everything that makes no sense is collected, with its place in the text, and
+//! reported together.
+
+mod files;
+mod material;
+mod mesh;
+mod object;
+mod place;
+mod placement;
+mod shape;
+
+pub(crate) use files::{SceneFile, gather};
+
+use crate::load::{LoadOptions, SceneSettings};
+use crate::report::{Problem, Report};
+use crate::ron_scene::Light;
+use crate::ron_scene::locate::{Path, Step};
+use crate::{Error, Warning};
+use material::Materials;
+use mesh::MeshFiles;
+use traylib_math::{Rgb, Vec3};
+use traylib_scene::{Camera, CameraSettings, Object, Scene, SceneBuilder};
+
+/// A scene and what came with it.
+pub(crate) struct Imported {
+    pub(crate) scene: Scene,
+    pub(crate) settings: SceneSettings,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+/// Larger pictures are taken for a slip: 2²⁸ pixels are 3 GiB of film.
+const MAX_PIXELS: u64 = 1 << 28;
+
+/// Builds the scene of these files; the last one is the scene itself, the
+/// others are included.
+pub(crate) fn import(files: &[SceneFile], options: LoadOptions) -> Result<Imported, Error> {
+    let mut problems = Vec::new();
+    let Some(root) = files.last() else { return Err(Error::Scene(Report(problems))) };
+    let camera = camera(root, options, &mut problems);
+    let settings = settings(root, &mut problems);
+    let materials = Materials::collect(files, &mut problems);
+    let mut meshes = MeshFiles::default();
+    let parts = object::collect(files, &materials, &mut meshes, &mut problems);
+    let points = point_lights(files, &mut problems);
+    check_for_light(files, &mut problems);
+    match camera {
+        Some(camera) if problems.is_empty() => {
+            let scene = build(root, camera, &materials, parts, points)?;
+            Ok(Imported { scene, settings, warnings: meshes.into_warnings() })
+        }
+        _ => Err(Error::Scene(Report(problems))),
+    }
+}
+
+fn camera(root: &SceneFile, options: LoadOptions, problems: &mut Vec<Problem>) -> Option<Camera> {
+    let Some(camera) = &root.document.camera else {
+        let help = "add for instance `camera: (position: (0, 1, 4), target: (0, 1, 0), fov: 40, \
+                    resolution: (400, 300))`";
+        problems
+            .push(root.place(Path::default()).missing("the scene has no camera").with_help(help));
+        return None;
+    };
+    let place = root.place(Path::of("camera"));
+    let (width, height) = options.resolution.unwrap_or(camera.resolution);
+    if u64::from(width) * u64::from(height) > MAX_PIXELS {
+        problems.push(place.field("resolution").problem("the picture has more than 2^28 pixels"));
+    }
+    let settings = CameraSettings {
+        position: Vec3::from(camera.position),
+        target: Vec3::from(camera.target),
+        up: Vec3::from(camera.up),
+        fov_degrees: camera.fov,
+        width,
+        height,
+    };
+    place.note(Camera::new(settings), problems)
+}
+
+fn settings(root: &SceneFile, problems: &mut Vec<Problem>) -> SceneSettings {
+    let spp = root.document.spp.unwrap_or(64);
+    let exposure = root.document.exposure.unwrap_or(1.0);
+    if spp == 0 {
+        problems.push(root.place(Path::of("spp")).problem("at least 1 sample per pixel is needed"));
+    }
+    if !(exposure > 0.0 && exposure.is_finite()) {
+        let place = root.place(Path::of("exposure"));
+        problems.push(place.problem("the exposure must be positive and finite"));
+    }
+    SceneSettings { spp, exposure }
+}
+
+fn point_lights(files: &[SceneFile], problems: &mut Vec<Problem>) -> Vec<(Vec3, Rgb)> {
+    let mut points = Vec::new();
+    for file in files {
+        for (index, Light::Point(light)) in file.document.lights.iter().enumerate() {
+            let place = file.place(Path::of("lights").then(Step::Index(index)));
+            let intensity = Rgb::from(light.intensity);
+            let position = Vec3::from(light.position);
+            if !position.is_finite() {
+                problems.push(place.field("position").problem("the position must be finite"));
+            }
+            place.field("intensity").check_light("intensity", intensity, problems);
+            points.push((position, intensity));
+        }
+    }
+    points
+}
+
+/// Refuses a scene that would be black.
+fn check_for_light(files: &[SceneFile], problems: &mut Vec<Problem>) {
+    let shines = |light: [f32; 3]| light != [0.0; 3];
+    let lit = files.iter().any(|file| {
+        let document = &file.document;
+        document.objects.iter().any(|object| object.emission.is_some_and(shines))
+            || document.lights.iter().any(|Light::Point(light)| shines(light.intensity))
+    });
+    if let (false, Some(root)) = (lit, files.last()) {
+        let problem = root.place(Path::default()).missing("nothing in the scene emits light");
+        let help = "give an object `emission: (4, 4, 4)`, or add \
+                    `lights: [Point(position: (0, 2, 0), intensity: (10, 10, 10))]`";
+        problems.push(problem.with_help(help));
+    }
+}
+
+/// What the checks before have let through can only fail in ways that depend
+/// on the whole.
+fn build(
+    root: &SceneFile,
+    camera: Camera,
+    materials: &Materials,
+    parts: Vec<object::Part>,
+    points: Vec<(Vec3, Rgb)>,
+) -> Result<Scene, Error> {
+    let mut builder = SceneBuilder::new(camera);
+    let ids: Vec<_> = materials.models().iter().map(|&m| builder.add_material(m)).collect();
+    let mut problems = Vec::new();
+    for object::Part { place, shape, sides, material, emission } in parts {
+        let id = match material {
+            object::PartMaterial::Named(index) => ids[index],
+            object::PartMaterial::Own(model) => builder.add_material(model),
+        };
+        let object = Object { shape, sides, material: id, emission };
+        place.note(builder.add_object(object), &mut problems);
+    }
+    let whole = root.place(Path::default());
+    for (position, intensity) in points {
+        whole.note(builder.add_point_light(position, intensity), &mut problems);
+    }
+    let scene = whole.note(builder.build(), &mut problems);
+    scene.filter(|_| problems.is_empty()).ok_or(Error::Scene(Report(problems)))
+}

@@ -1,0 +1,108 @@
+use super::*;
+use std::fs;
+use std::path::PathBuf;
+
+/// A folder that is removed at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(test: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("traylib-{}-{test}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn files(&self) -> Vec<String> {
+        let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name();
+        fs::read_dir(&self.0).unwrap().map(|e| name(e).to_string_lossy().into_owned()).collect()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn info() -> PictureInfo {
+    PictureInfo {
+        exposure: 0.5,
+        program: "tests 1.0".to_string(),
+        integrator: "none".to_string(),
+        scene: "snow ☃".to_string(),
+        seed: u64::MAX,
+        spp: 16,
+        seconds: 1.5,
+        rejected_samples: 0,
+    }
+}
+
+/// More rows than one compressed block holds, and values PNG cannot hold.
+fn picture() -> Grid<Rgb> {
+    let value = |i: usize| Rgb::new(i as f32 * 0.37 - 1.0, 1e-20 * i as f32, 3e30 / (i + 1) as f32);
+    Grid::from_values(7, 41, (0..7 * 41).map(value).collect()).unwrap()
+}
+
+#[test]
+fn exr_keeps_every_bit_and_repeats_its_pixels() {
+    let folder = Folder::new("exr");
+    let paths = [folder.0.join("a.exr"), folder.0.join("b.EXR")];
+    for path in &paths {
+        check_writable(path).unwrap();
+        save_picture(path, &picture(), &info()).unwrap();
+        assert_eq!(load_exr(path).unwrap(), picture());
+    }
+    let [a, b] = paths.map(|path| fs::read(path).unwrap());
+    // The header lists its attributes in any order; the pixels follow it.
+    let header = a.len() - 12 * picture().values().len();
+    assert!(a.len() == b.len() && a[header..] == b[header..]);
+    assert_eq!(folder.files().len(), 2);
+}
+
+#[test]
+fn the_header_says_how_the_picture_was_made() {
+    let folder = Folder::new("header");
+    let path = folder.0.join("a.exr");
+    save_picture(&path, &picture(), &info()).unwrap();
+    let bytes = fs::read(&path).unwrap();
+    for words in ["tests 1.0", "integrator", "snow ?", "18446744073709551615"] {
+        assert!(bytes.windows(words.len()).any(|w| w == words.as_bytes()), "{words}");
+    }
+}
+
+#[test]
+fn png_has_the_exposure_applied() {
+    let folder = Folder::new("png");
+    let path = folder.0.join("a.png");
+    let radiance = Grid::from_values(2, 1, vec![Rgb::new(0.0, 1.0, 9.0), Rgb::WHITE]).unwrap();
+    save_picture(&path, &radiance, &info()).unwrap();
+    let read = image::load_from_memory(&fs::read(&path).unwrap()).unwrap().to_rgb8();
+    assert_eq!((read.width(), read.height()), (2, 1));
+    assert_eq!(read.into_raw(), [0, 188, 255, 188, 188, 188]);
+}
+
+#[test]
+fn unknown_formats_and_folders_are_refused_beforehand() {
+    let folder = Folder::new("refused");
+    for name in ["a.jpg", "a", ".png"] {
+        let checked = check_writable(&folder.0.join(name));
+        assert!(matches!(checked, Err(Error::PictureFormat(_))), "{name}: {checked:?}");
+    }
+    let missing = check_writable(&folder.0.join("no-such-folder/a.png")).unwrap_err();
+    assert!(matches!(missing, Error::Write { .. }), "{missing}");
+    fs::create_dir(folder.0.join("dir.png")).unwrap();
+    assert!(check_writable(&folder.0.join("dir.png")).is_err());
+}
+
+#[test]
+fn a_failure_leaves_what_was_there() {
+    let folder = Folder::new("failure");
+    let path = folder.0.join("a.png");
+    fs::write(&path, "before").unwrap();
+    check_writable(&path).unwrap();
+    // A picture without pixels cannot be encoded.
+    let nothing = Grid::from_values(0, 0, Vec::new()).unwrap();
+    assert!(save_picture(&path, &nothing, &info()).is_err());
+    assert_eq!(fs::read(&path).unwrap(), b"before");
+    assert_eq!(folder.files(), ["a.png"]);
+}

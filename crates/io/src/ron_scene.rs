@@ -1,0 +1,309 @@
+//! Our own scene files: what they may say, as plain types.
+//!
+//! The types *are* the grammar; `docs/scene-format.md` explains it by example.
+//! Nothing is checked here beyond the form: materials are not looked up, numbers
+//! may make no sense. That is the importer's part, which asks [`locate`] where in
+//! the text a value stands.
+
+pub mod locate;
+pub(crate) mod syntax;
+
+use serde::Deserialize as Derive;
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use std::fmt;
+
+/// A file. Lengths are metres, angles degrees, y is up.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields, rename = "Scene")]
+pub struct Document {
+    /// Scene files whose materials, objects and lights belong to this one.
+    #[serde(default)]
+    pub include: Vec<String>,
+    /// Where the picture is taken from.
+    pub camera: Option<Camera>,
+    /// Factor on radiance in 8-bit pictures.
+    pub exposure: Option<f32>,
+    /// Samples per pixel.
+    pub spp: Option<u32>,
+    /// Materials by name.
+    #[serde(default)]
+    pub materials: Named<Material>,
+    /// What is to be seen.
+    #[serde(default)]
+    pub objects: Vec<Object>,
+    /// Lights that are not objects.
+    #[serde(default)]
+    pub lights: Vec<Light>,
+}
+
+/// A pinhole camera.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Camera {
+    /// The pinhole.
+    pub position: [f32; 3],
+    /// A point in the middle of the picture.
+    pub target: [f32; 3],
+    /// A direction that points up in the picture.
+    #[serde(default = "y_axis")]
+    pub up: [f32; 3],
+    /// Horizontal field of view in degrees.
+    pub fov: f32,
+    /// Width and height in pixels.
+    pub resolution: (u32, u32),
+}
+
+fn y_axis() -> [f32; 3] {
+    [0.0, 1.0, 0.0]
+}
+
+/// How a surface scatters light. Reflectances are in 0..1.
+#[derive(Clone, Debug, PartialEq, Derive)]
+pub enum Material {
+    /// Ideal diffuse.
+    Lambert(Lambert),
+    /// Modified Phong.
+    Phong(Phong),
+    /// Max-Phong, a metal.
+    MaxPhong(MaxPhong),
+    /// Ideal mirror.
+    Mirror(Mirror),
+}
+
+/// Ideal diffuse.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Lambert {
+    /// Part of the light reflected.
+    pub reflectance: [f32; 3],
+}
+
+/// Modified Phong.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Phong {
+    /// kd.
+    pub diffuse: [f32; 3],
+    /// ks.
+    pub specular: [f32; 3],
+    /// n.
+    pub exponent: f32,
+}
+
+/// Max-Phong, a metal.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct MaxPhong {
+    /// ks.
+    pub specular: [f32; 3],
+    /// n.
+    pub exponent: f32,
+}
+
+/// Ideal mirror.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Mirror {
+    /// Part of the light mirrored.
+    pub reflectance: [f32; 3],
+    /// Part of the light reflected diffusely.
+    #[serde(default)]
+    pub diffuse: [f32; 3],
+}
+
+/// A shape with a material.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Object {
+    /// Its form.
+    pub shape: Shape,
+    /// Name of its material. Only a mesh may do without.
+    pub material: Option<String>,
+    /// Radiance that its front emits, W/(m²·sr).
+    pub emission: Option<[f32; 3]>,
+    /// Which sides are there for light.
+    pub sides: Option<Sides>,
+}
+
+/// Which sides of a surface are there for light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Derive)]
+pub enum Sides {
+    /// Both.
+    Both,
+    /// The front; rays that meet the back pass.
+    Front,
+}
+
+/// A form in space.
+#[derive(Clone, Debug, PartialEq, Derive)]
+pub enum Shape {
+    /// A parallelogram.
+    Quad(Quad),
+    /// A sphere.
+    Sphere(Sphere),
+    /// A disk.
+    Disk(Disk),
+    /// A triangle.
+    Triangle(Triangle),
+    /// Six rectangles around a room or a block.
+    Box(Block),
+    /// Triangles from a file.
+    Mesh(Mesh),
+}
+
+/// A parallelogram. Its front is the side `edge_u` × `edge_v` points to.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Quad {
+    /// A corner.
+    pub corner: [f32; 3],
+    /// From the corner to a neighbour.
+    pub edge_u: [f32; 3],
+    /// From the corner to the other neighbour.
+    pub edge_v: [f32; 3],
+}
+
+/// A sphere.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Sphere {
+    /// Its middle.
+    pub center: [f32; 3],
+    /// Its radius.
+    pub radius: f32,
+    /// Where its front is.
+    #[serde(default)]
+    pub facing: Facing,
+}
+
+/// Where the front of a sphere is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Derive)]
+pub enum Facing {
+    /// Outside.
+    #[default]
+    Outward,
+    /// Inside.
+    Inward,
+}
+
+/// A disk.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Disk {
+    /// Its middle.
+    pub center: [f32; 3],
+    /// The direction its front faces; any length.
+    pub normal: [f32; 3],
+    /// Its radius.
+    pub radius: f32,
+}
+
+/// A triangle. Its front is the side from which a, b, c turn counter-clockwise.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Triangle {
+    /// First corner.
+    pub a: [f32; 3],
+    /// Second corner.
+    pub b: [f32; 3],
+    /// Third corner.
+    pub c: [f32; 3],
+}
+
+/// A block along the axes. The fronts of its six rectangles are outside.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields, rename = "Box")]
+pub struct Block {
+    /// The corner with the smallest coordinates.
+    pub min: [f32; 3],
+    /// The corner with the largest coordinates.
+    pub max: [f32; 3],
+}
+
+/// Triangles from a file: scaled, then turned, then moved.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// A 3DS file, relative to the scene file.
+    pub file: String,
+    /// Metres a unit of the file.
+    #[serde(default = "one")]
+    pub scale: f32,
+    /// Degrees about x, then about y, then about z.
+    #[serde(default)]
+    pub rotate: [f32; 3],
+    /// Where the file's origin goes.
+    #[serde(default)]
+    pub translate: [f32; 3],
+}
+
+fn one() -> f32 {
+    1.0
+}
+
+/// A light that is not an object.
+#[derive(Clone, Debug, PartialEq, Derive)]
+pub enum Light {
+    /// A point that shines evenly in all directions.
+    Point(PointLight),
+}
+
+/// A point that shines evenly in all directions.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields, rename = "Point")]
+pub struct PointLight {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// Radiant intensity, W/sr.
+    pub intensity: [f32; 3],
+}
+
+/// A map from names that keeps the order of the file, and names that occur
+/// twice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Named<T>(pub Vec<(String, T)>);
+
+impl<T> Default for Named<T> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(NamedVisitor(std::marker::PhantomData))
+    }
+}
+
+struct NamedVisitor<T>(std::marker::PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for NamedVisitor<T> {
+    type Value = Named<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a map from names, `{ \"name\": … }`")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let mut entries = Vec::new();
+        while let Some(entry) = map.next_entry()? {
+            entries.push(entry);
+        }
+        Ok(Named(entries))
+    }
+}
+
+/// Reads the text of a scene file.
+///
+/// # Errors
+/// If the text is not of the form that the types describe.
+pub fn decode(text: &str) -> Result<Document, ron::error::SpannedError> {
+    use ron::extensions::Extensions;
+    ron::Options::default()
+        .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES)
+        .with_default_extension(Extensions::IMPLICIT_SOME)
+        .from_str(text)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,71 @@
+//! Where files come from: a folder on disk, or the set compiled in.
+
+use crate::builtin;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::{fmt, fs, io};
+
+/// A file that may be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Location {
+    /// On disk.
+    Disk(PathBuf),
+    /// Compiled in, named relative to the folder of built-in scenes.
+    BuiltIn(String),
+}
+
+impl Location {
+    pub(crate) fn read(&self) -> io::Result<Cow<'static, [u8]>> {
+        match self {
+            Self::Disk(path) => fs::read(path).map(Cow::Owned),
+            Self::BuiltIn(name) => builtin::file(name)
+                .map(Cow::Borrowed)
+                .ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "no such built-in file")),
+        }
+    }
+
+    pub(crate) fn read_text(&self) -> io::Result<String> {
+        let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8 text");
+        String::from_utf8(self.read()?.into_owned()).map_err(not_text)
+    }
+
+    /// The file that a scene file here calls `file`. All built-in scene files
+    /// stand in one folder.
+    pub(crate) fn beside(&self, file: &str) -> Self {
+        match self {
+            Self::Disk(path) => Self::Disk(path.parent().unwrap_or(Path::new("")).join(file)),
+            Self::BuiltIn(_) => Self::BuiltIn(file.to_string()),
+        }
+    }
+
+    /// The same for all names of one file.
+    pub(crate) fn identity(&self) -> Self {
+        match self {
+            Self::Disk(path) => Self::Disk(path.canonicalize().unwrap_or_else(|_| path.clone())),
+            Self::BuiltIn(_) => self.clone(),
+        }
+    }
+}
+
+impl fmt::Display for Location {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Disk(path) => path.display().fmt(f),
+            Self::BuiltIn(name) => write!(f, "built-in {name}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_looked_up_beside_the_one_that_names_them() {
+        let disk = Location::Disk(PathBuf::from("rooms/a.ron")).beside("models/x.3ds");
+        assert_eq!(disk, Location::Disk(PathBuf::from("rooms/models/x.3ds")));
+        let bare = Location::Disk(PathBuf::from("a.ron")).beside("b.ron");
+        assert_eq!(bare, Location::Disk(PathBuf::from("b.ron")));
+        assert!(Location::BuiltIn("cornell.ron".into()).beside("spheres.ron").read().is_ok());
+    }
+}

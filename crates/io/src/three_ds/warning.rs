@@ -1,0 +1,102 @@
+//! What the decoder skips or repairs, counted by kind.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// A kind of thing that was skipped or repaired.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum WarningKind {
+    /// A chunk says it is longer than what holds it; cut to fit.
+    ChunkCut,
+    /// A chunk says it is shorter than its own header; the rest of what holds
+    /// it is lost.
+    ChunkTooShort,
+    /// A list says it has more entries than there are bytes.
+    ListCut,
+    /// A face names a vertex that does not exist.
+    FaceWithoutVertex,
+    /// A face uses a vertex that is infinite or not a number.
+    FaceNotFinite,
+    /// A face has no area.
+    FaceWithoutArea,
+    /// A material group names a face that does not exist.
+    GroupBeyondFaces,
+    /// A face is in several material groups; the last one counts.
+    FaceInTwoGroups,
+    /// A material group names a material that does not exist.
+    UnknownMaterial,
+    /// The texture coordinates are not one per vertex.
+    UvCount,
+    /// A texture coordinate is infinite or not a number.
+    UvNotFinite,
+    /// A colour is infinite or not a number.
+    ColourNotFinite,
+    /// A vertex joins faces of more smoothing masks than are told apart.
+    TooManySmoothingMasks,
+    /// A texture, bump, reflection or other map.
+    MapSkipped,
+    /// A material that lets light through.
+    TransparencySkipped,
+    /// A material that shines by itself.
+    SelfIlluminationSkipped,
+    /// A light.
+    LightSkipped,
+    /// A camera.
+    CameraSkipped,
+    /// The animation part of the file.
+    KeyframerSkipped,
+}
+
+impl fmt::Display for WarningKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::ChunkCut => "chunk longer than what holds it, cut to fit",
+            Self::ChunkTooShort => "chunk shorter than its header, the rest of its parent is lost",
+            Self::ListCut => "list with fewer entries than it says",
+            Self::FaceWithoutVertex => "face dropped: it names a vertex that does not exist",
+            Self::FaceNotFinite => "face dropped: a vertex is infinite or not a number",
+            Self::FaceWithoutArea => "face dropped: it has no area",
+            Self::GroupBeyondFaces => "material given to a face that does not exist",
+            Self::FaceInTwoGroups => "face with two materials, the last one counts",
+            Self::UnknownMaterial => "material group of an unknown material, left grey",
+            Self::UvCount => "mesh whose texture coordinates are not one per vertex",
+            Self::UvNotFinite => "texture coordinate infinite or not a number, set to 0",
+            Self::ColourNotFinite => "colour infinite or not a number, not used",
+            Self::TooManySmoothingMasks => "vertex with too many smoothing masks, left flat",
+            Self::MapSkipped => "texture or other map skipped (maps are not read)",
+            Self::TransparencySkipped => "transparency skipped (surfaces are opaque)",
+            Self::SelfIlluminationSkipped => "self-illumination skipped (it has no unit)",
+            Self::LightSkipped => "light skipped (lights are not read)",
+            Self::CameraSkipped => "camera skipped (cameras are not read)",
+            Self::KeyframerSkipped => "keyframer section skipped (animation is not read)",
+        })
+    }
+}
+
+/// How often each kind was met.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Warnings(BTreeMap<WarningKind, u32>);
+
+impl Warnings {
+    /// How often a kind was met.
+    pub fn count(&self, kind: WarningKind) -> u32 {
+        self.0.get(&kind).copied().unwrap_or(0)
+    }
+
+    /// Every kind that was met, with its count, in a fixed order.
+    pub fn iter(&self) -> impl Iterator<Item = (WarningKind, u32)> {
+        self.0.iter().map(|(&kind, &count)| (kind, count))
+    }
+
+    pub(super) fn add(&mut self, kind: WarningKind) {
+        self.add_many(kind, 1);
+    }
+
+    pub(super) fn add_many(&mut self, kind: WarningKind, times: usize) {
+        if times > 0 {
+            let count = self.0.entry(kind).or_insert(0);
+            *count = count.saturating_add(u32::try_from(times).unwrap_or(u32::MAX));
+        }
+    }
+}
