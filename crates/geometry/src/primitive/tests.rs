@@ -1,1 +1,121 @@
-//! Tests.
+use super::*;
+use crate::Facing;
+use crate::testing::Random;
+use std::f64::consts::TAU;
+use traylib_math::solid_angle_per_area;
+
+/// Mean of `f` over the centres of an n × n grid on the unit square.
+fn mean(n: usize, f: impl Fn(Vec2) -> f32) -> f64 {
+    let centre = |i: usize| (i as f32 + 0.5) / n as f32;
+    let values = (0..n * n).map(|i| f64::from(f(Vec2::new(centre(i % n), centre(i / n)))));
+    values.sum::<f64>() / (n * n) as f64
+}
+
+fn sphere(radius: f32, facing: Facing) -> Primitive {
+    Primitive::Sphere(Sphere::new(Vec3::new(1.0, -2.0, 0.5), radius, facing).unwrap())
+}
+
+/// Seen from 10⁴ radii to a hundredth of a radius away.
+const DISTANCES: [f32; 5] = [1e4, 30.0, 2.0, 1.1, 1.01];
+
+fn viewpoint(distance: f32) -> Vec3 {
+    Vec3::new(1.0, -2.0, 0.5) + 0.25 * distance * Vec3::new(0.36, 0.48, -0.8)
+}
+
+/// The density of the cone is what its samples have: weighted by solid angle
+/// over density they give the solid angle of the sphere,
+/// 2π(1 − cosθ) with sinθ = r/d, each exactly.
+#[test]
+fn cone_samples_fill_the_solid_angle() {
+    for distance in DISTANCES {
+        let from = viewpoint(distance);
+        let lamp = sphere(0.25, Facing::Outward);
+        let sin = 1.0 / f64::from(distance);
+        let exact = TAU * sin * sin / (1.0 + (1.0 - sin * sin).sqrt());
+        let seen = mean(32, |u| {
+            let (site, pdf) = lamp.sample_toward(from, u);
+            let back = from - site.position;
+            let cosine = site.normal.dot(back) / back.length();
+            assert!(cosine > 0.0, "{distance} {u}: {cosine}");
+            assert_eq!(pdf, lamp.pdf_toward(from, site.position, site.normal));
+            solid_angle_per_area(cosine, back.length_squared()) / pdf.0
+        });
+        assert!((seen / exact - 1.0).abs() < 1e-3, "{distance}: {seen} {exact}");
+    }
+}
+
+/// Over points uniform by area the density has mean 1/area.
+#[test]
+fn the_density_toward_a_point_integrates_to_one() {
+    for distance in [4.0, 2.0, 1.5] {
+        let from = viewpoint(distance);
+        for lamp in [sphere(0.25, Facing::Outward), sphere(0.25, Facing::Inward)] {
+            let integral = mean(512, |u| {
+                let site = lamp.sample_area(u);
+                lamp.area() * lamp.pdf_toward(from, site.position, site.normal).0
+            });
+            assert!((integral - 1.0).abs() < 2e-2, "{distance}: {integral}");
+        }
+    }
+}
+
+/// The cone's samples lie evenly in angle: the share of them within half the
+/// solid angle is a half.
+#[test]
+fn cone_samples_are_uniform_in_angle() {
+    for distance in DISTANCES {
+        let from = viewpoint(distance);
+        let axis = (viewpoint(0.0) - from).normalize();
+        let sin = 1.0 / distance;
+        let rim = sin * sin / (1.0 + (1.0 - sin * sin).sqrt());
+        let lamp = sphere(0.25, Facing::Outward);
+        let inner = mean(64, |u| {
+            let toward = (lamp.sample_toward(from, u).0.position - from).normalize();
+            let one_minus_cos = 0.5 * (toward - axis).length_squared();
+            f32::from(one_minus_cos < 0.5 * rim)
+        });
+        assert!((inner - 0.5).abs() < 0.05, "{distance}: {inner}");
+    }
+}
+
+#[test]
+fn all_else_is_sampled_by_area() {
+    let mut random = Random::new(1);
+    for _ in 0..2000 {
+        let shape = random.primitive(Vec3::ZERO);
+        let cone = matches!(shape, Primitive::Sphere(s) if s.facing() == Facing::Outward);
+        let from = if cone { shape.bounds().centre() } else { 3.0 * random.point() };
+        let (site, pdf) = shape.sample_toward(from, random.square());
+        assert_eq!(pdf.0, 1.0 / shape.area());
+        assert!(shape.bounds().grown(site.error).contains(site.position));
+    }
+}
+
+/// Points uniform by area have the centroid of the shape; on disks and spheres
+/// the mean square of their distance from it is r²/2 and r².
+#[test]
+fn area_samples_are_uniform() {
+    let (a, b, c) = (Vec3::X, Vec3::new(0.0, 3.0, 1.0), Vec3::new(-1.0, 0.0, 2.0));
+    let shapes = [
+        (Primitive::Triangle(Triangle::new(a, b, c).unwrap()), (a + b + c) / 3.0, None),
+        (Primitive::Quad(Quad::new(a, b, c).unwrap()), a + 0.5 * (b + c), None),
+        (Primitive::Disk(Disk::new(a, b, 2.0).unwrap()), a, Some(2.0)),
+        (Primitive::Sphere(Sphere::new(c, 2.0, Facing::Outward).unwrap()), c, Some(4.0)),
+    ];
+    for (shape, centre, square) in shapes {
+        let position = |axis: usize| mean(64, |u| shape.sample_area(u).position[axis]) as f32;
+        let found = Vec3::new(position(0), position(1), position(2));
+        assert!(found.distance(centre) < 3e-3, "{shape:?}: {found}");
+        let spread = mean(64, |u| shape.sample_area(u).position.distance_squared(centre));
+        assert!(square.is_none_or(|s: f64| (spread / s - 1.0).abs() < 1e-2), "{shape:?}");
+    }
+}
+
+#[test]
+fn areas_are_known() {
+    let quad = Primitive::Quad(Quad::new(Vec3::ONE, 2.0 * Vec3::X, Vec3::ONE).unwrap());
+    assert_eq!(quad.area(), 8.0_f32.sqrt());
+    let triangle = Triangle::new(Vec3::ZERO, 3.0 * Vec3::X, 4.0 * Vec3::Y).unwrap();
+    assert_eq!(Primitive::Triangle(triangle).area(), 6.0);
+    assert!((sphere(0.5, Facing::Inward).area() - std::f32::consts::PI).abs() < 1e-6);
+}

@@ -1,1 +1,52 @@
-//! Tests.
+use super::*;
+use crate::{Hit, Primitive};
+
+fn ball(facing: Facing) -> Sphere {
+    Sphere::new(Vec3::new(1.0, 2.0, 3.0), 0.5, facing).unwrap()
+}
+
+#[test]
+fn both_crossings_are_found() {
+    let (inside, outside) = (Vec3::new(1.25, 2.0, 3.0), Vec3::new(-1.0, 2.0, 3.0));
+    let from = |origin, sides, facing| {
+        ball(facing).intersect(&Ray::new(origin, 0.5 * Vec3::X), sides).map(|h| h.t)
+    };
+    for facing in [Facing::Outward, Facing::Inward] {
+        assert_eq!(from(outside, Sides::Both, facing), Some(3.0));
+        assert_eq!(from(inside, Sides::Both, facing), Some(0.5));
+    }
+    assert_eq!(from(outside, Sides::Front, Facing::Outward), Some(3.0));
+    assert_eq!(from(outside, Sides::Front, Facing::Inward), Some(5.0));
+    assert_eq!(from(inside, Sides::Front, Facing::Outward), None);
+    assert_eq!(from(inside, Sides::Front, Facing::Inward), Some(0.5));
+}
+
+#[test]
+fn a_segment_that_ends_inside_meets_once() {
+    let sphere = ball(Facing::Inward);
+    let centre = sphere.centre();
+    let segment = Ray::segment(centre - Vec3::Y, centre);
+    assert_eq!(sphere.intersect(&segment, Sides::Both).map(|h| h.t), Some(0.5));
+    assert_eq!(sphere.intersect(&segment, Sides::Front), None);
+    let short = Ray::segment(centre, centre + 0.25 * Vec3::Y);
+    assert_eq!(sphere.intersect(&short, Sides::Both), None);
+}
+
+/// From 10⁵ radii away the textbook discriminant has lost all its digits.
+#[test]
+fn far_cameras_see_round_spheres() {
+    let sphere = Sphere::new(Vec3::ZERO, 1.0, Facing::Outward).unwrap();
+    let at = |y: f32| {
+        let ray = Ray::new(Vec3::new(-1e5, y, 0.0), 3.0 * Vec3::X);
+        let hit = sphere.intersect(&ray, Sides::Both)?;
+        let hit = Hit { t: hit.t, primitive: 0, u: 0.0, v: 0.0 };
+        Some(Primitive::Sphere(sphere).site(&ray, &hit))
+    };
+    for y in [0.0, 0.5, 0.99, 0.9999] {
+        let site = at(y).unwrap();
+        // The ray's own t is good to 10⁵·2⁻²³ ≈ 0.01; the site is on the sphere.
+        assert!((site.position.length() - 1.0).abs() < 3e-7, "{site:?}");
+        assert!((site.position.y - y).abs() < 2e-2, "{site:?}");
+    }
+    assert!(at(1.0001).is_none());
+}
