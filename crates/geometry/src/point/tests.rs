@@ -1,6 +1,6 @@
 use super::*;
 use crate::testing::Random;
-use crate::{Facing, Hit, Primitive, Sides};
+use crate::{Disk, Facing, Hit, Primitive, Quad, Sides, Sphere, Triangle};
 
 /// A unit direction on the side of `normal`, often almost along the surface.
 fn leaving(normal: Vec3, random: &mut Random) -> Vec3 {
@@ -46,6 +46,36 @@ fn rays_never_meet_the_surface_they_leave() {
             let again = shape.intersect(&ray, Sides::Both);
             // Almost along the surface, rounding decides the side.
             if is_final(&shape, out.dot(site.normal)) {
+                assert_eq!(again, None, "{shape:?} {site:?} {out}");
+            }
+        }
+    }
+}
+
+/// A shape of size one that passes through the origin up to rounding, and the
+/// site there: its coordinates are nothing but rounding errors.
+fn through_origin(kind: u32, random: &mut Random) -> (Primitive, SurfaceSite) {
+    let (a, b, at) = (random.point(), random.point(), 0.4 * random.square());
+    let corner = -(at.x * a + at.y * b);
+    let nowhere = Hit { t: 0.0, primitive: 0, u: at.x, v: at.y };
+    let shape = match kind % 4 {
+        0 => Primitive::Quad(Quad::new(corner, a, b).unwrap()),
+        1 => Primitive::Triangle(Triangle::new(corner, corner + a, corner + b).unwrap()),
+        2 => Primitive::Sphere(Sphere::new(a, a.length(), Facing::Outward).unwrap()),
+        _ => Primitive::Disk(Disk::new(a, a.any_orthogonal_vector(), 2.0).unwrap()),
+    };
+    (shape, shape.site(&Ray::new(Vec3::ZERO, b), &nowhere))
+}
+
+#[test]
+fn rays_leave_surfaces_at_the_origin() {
+    let mut random = Random::new(6);
+    for kind in 0..100_000 {
+        let (shape, site) = through_origin(kind, &mut random);
+        for side in [1.0, -1.0] {
+            let out = leaving(side * site.normal, &mut random);
+            if is_final(&shape, out.dot(site.normal)) {
+                let again = shape.intersect(&Ray::new(site.ray_origin(out), out), Sides::Both);
                 assert_eq!(again, None, "{shape:?} {site:?} {out}");
             }
         }
