@@ -1,1 +1,38 @@
-//! Placeholder.
+//! What the demo programs have in common: options, loading, progress, saving
+//! and the words of every message. Each program names its integrator and its own
+//! options, and nothing more.
+#![allow(clippy::print_stdout, reason = "file names are a program's result")]
+
+mod duration;
+mod interrupt;
+mod messages;
+mod options;
+mod outcome;
+mod progress;
+mod run;
+mod technique_pictures;
+
+pub use messages::print_notes;
+pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions};
+pub use outcome::Failure;
+pub use run::{Done, Job, run};
+pub use technique_pictures::save_techniques;
+
+/// The examples that end a program's long help.
+#[macro_export]
+macro_rules! examples {
+    ($program:literal) => {
+        concat!(
+            "Examples:\n",
+            "  ",
+            $program,
+            "                                  the built-in scene `cornell`\n",
+            "  ",
+            $program,
+            " pyramid --spp 256 -o out.exr     a built-in scene, linear radiance\n",
+            "  ",
+            $program,
+            " my.ron --time-limit 5m           a file, for five minutes",
+        )
+    };
+}

@@ -1,7 +1,8 @@
 //! What an integrator cannot see.
 
 use std::fmt;
-use traylib_scene::Scene;
+use traylib_materials::SurfaceModel;
+use traylib_scene::{Light, Scene};
 
 /// What decides which kinds of light there are in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,14 +35,14 @@ impl SceneFacts {
     pub fn of(scene: &Scene) -> Self {
         Self {
             area_lights: scene.lights().iter().any(|light| !light.is_point()),
-            point_lights: scene.lights().iter().any(|light| light.is_point()),
-            mirrors: scene.materials().iter().any(|model| model.has_delta_part()),
+            point_lights: scene.lights().iter().any(Light::is_point),
+            mirrors: scene.materials().iter().any(SurfaceModel::has_delta_part),
         }
     }
 
     /// What every walk from the camera misses: a point light cannot be hit after
     /// a mirror, nor aimed at from it.
-    pub(crate) fn point_light_caustics(&self) -> Vec<BlindSpot> {
+    pub(crate) fn point_light_caustics(self) -> Vec<BlindSpot> {
         if self.point_lights && self.mirrors {
             vec![BlindSpot::PointLightCaustics]
         } else {

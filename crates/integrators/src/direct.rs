@@ -2,7 +2,7 @@
 
 use crate::tracer::Tracer;
 use traylib_materials::Scattering;
-use traylib_math::{Rgb, Vec3, VertexNumbers, solid_angle_per_area};
+use traylib_math::{Rgb, Vec2, Vec3, VertexNumbers, solid_angle_per_area};
 use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
 /// A way from a lamp to a vertex that carries light, if nothing stands in it.
@@ -42,7 +42,7 @@ pub(crate) fn sample_point_lights<'a>(
     wo: Vec3,
 ) -> impl Iterator<Item = LightSample> + 'a {
     scene.light_ids().filter(|&id| scene.light(id).is_point()).filter_map(move |id| {
-        let (x0, _) = scene.light(id).sample_toward(point.site.position, Default::default());
+        let (x0, _) = scene.light(id).sample_toward(point.site.position, Vec2::ZERO);
         aim(point, wo, id, x0)
     })
 }

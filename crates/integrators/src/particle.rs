@@ -60,7 +60,7 @@ impl Particle {
                 return;
             }
             if let Some(splat) = aim_at_camera(scene, &point, wo)
-                && splat.is_visible(tracer, &point)
+                && tracer.seen_by_camera(&point)
             {
                 out.add(splat.pixel(scene), throughput * splat.value);
             }

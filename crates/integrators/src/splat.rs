@@ -1,6 +1,5 @@
 //! Joining a vertex of a light path to the camera (t = 1).
 
-use crate::tracer::Tracer;
 use traylib_materials::Scattering;
 use traylib_math::{Rgb, Vec3, solid_angle_per_area};
 use traylib_scene::{Projection, Scene, SurfacePoint, Walk};
@@ -44,11 +43,5 @@ impl Splat {
         let cosine = point.normal.dot(self.projection.to_camera);
         let conversion = solid_angle_per_area(cosine, self.projection.distance_squared);
         self.projection.pdf.to_area(conversion).0
-    }
-
-    /// Whether the camera sees the vertex.
-    pub(crate) fn is_visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint<'_>) -> bool {
-        let pinhole = tracer.scene.camera().position();
-        tracer.is_free(&point.site.segment_to_point(pinhole))
     }
 }

@@ -70,6 +70,12 @@ impl<'scene> Tracer<'scene> {
         self.scene.intersect(ray)
     }
 
+    /// Whether the camera sees a point.
+    pub(crate) fn seen_by_camera(&mut self, point: &SurfacePoint<'_>) -> bool {
+        let pinhole = self.scene.camera().position();
+        self.is_free(&point.site.segment_to_point(pinhole))
+    }
+
     /// Whether nothing stands in the way of a segment.
     pub(crate) fn is_free(&mut self, segment: &Ray) -> bool {
         self.statistics.shadow_rays += 1;

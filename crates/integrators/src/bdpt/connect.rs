@@ -187,7 +187,7 @@ impl<'a> Joiner<'a> {
         let pdf_back = splat.scattering.pdf_reverse;
         let heuristic = self.bdpt.heuristic;
         let weight = weight::splat(y, camera_pdf, pdf_back, self.light_paths, heuristic);
-        if splat.is_visible(tracer, &y.point) {
+        if tracer.seen_by_camera(&y.point) {
             let value = y.throughput * splat.value * (1.0 / self.light_paths as f32);
             let path = start.path(light, &[], Joint::Splat { pdf_back, camera_pdf });
             self.add(splat.pixel(tracer.scene), &Found { path, value, weight }, out);

@@ -56,7 +56,6 @@ impl Report {
         all_weights: impl FnOnce() -> Vec<f64>,
     ) {
         match self {
-            Self::None => {}
             Self::Techniques => {
                 let (s, t) = path.technique();
                 let [s, t] = [s, t].map(|n| n.min(MOST_VERTICES) as u8);
@@ -68,7 +67,7 @@ impl Report {
             Self::Pixel(wanted) if wanted == pixel => {
                 out.notes.push(describe(path, value, weight, &all_weights()));
             }
-            Self::Pixel(_) => {}
+            Self::None | Self::Pixel(_) => {}
         }
     }
 }

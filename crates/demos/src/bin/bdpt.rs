@@ -1,0 +1,58 @@
+//! Bidirectional path tracing.
+
+use clap::Parser;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use traylib_demos::{
+    Failure, HeuristicName, Job, PathOptions, PixelName, RenderOptions, print_notes, run,
+    save_techniques,
+};
+use traylib_integrators::{Bdpt, Report, Weighting};
+
+/// Bidirectional path tracing: all ways to join walks from both ends, weighted
+#[derive(Parser)]
+#[command(version, after_long_help = traylib_demos::examples!("bdpt"))]
+struct Options {
+    #[command(flatten)]
+    render: RenderOptions,
+    #[command(flatten)]
+    paths: PathOptions,
+    /// How densities become weights
+    #[arg(long, value_enum, default_value_t)]
+    heuristic: HeuristicName,
+    /// Compute weights by summing over all techniques: slow, for comparison
+    #[arg(long)]
+    direct_sum: bool,
+    /// Write a picture of each technique (s, t), raw and weighted, into a folder
+    #[arg(long, value_name = "DIR", conflicts_with = "pixel")]
+    techniques: Option<PathBuf>,
+    /// Print the paths that add to a pixel, with densities and weights, instead
+    /// of writing a picture
+    #[arg(long, value_name = "X,Y")]
+    pixel: Option<PixelName>,
+}
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    let job = Job {
+        wants_picture: options.pixel.is_none(),
+        ..Job::new("bdpt", &options.render, Some(&options.paths))
+    };
+    let weighting = if options.direct_sum { Weighting::DirectSum } else { Weighting::Recursive };
+    run(
+        &job,
+        |scene, limits| {
+            let report = match (&options.techniques, options.pixel) {
+                (Some(_), _) => Report::Techniques,
+                (None, Some(pixel)) => Report::Pixel(pixel.index_in(scene.camera())?),
+                (None, None) => Report::None,
+            };
+            let heuristic = options.heuristic.into();
+            Ok(Bdpt { limits, heuristic, weighting, report, ..Bdpt::default() })
+        },
+        |done| -> Result<(), Failure> {
+            print_notes(&done.rendering);
+            options.techniques.iter().try_for_each(|folder| save_techniques(folder, &job, done))
+        },
+    )
+}

@@ -1,0 +1,123 @@
+//! What people read. All of it goes to the standard error stream, where a
+//! closed terminal is no reason to stop.
+
+use crate::options::RenderOptions;
+use std::fmt::Display;
+use std::io::Write;
+use std::time::Duration;
+use traylib_integrators::{Integrator, Limits, Rendering, SceneFacts};
+use traylib_io::Loaded;
+use traylib_scene::Scene;
+
+/// Prints one line.
+pub(crate) fn say(line: impl Display) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
+/// Prints the text that an integrator was asked for: a program's result.
+pub fn print_notes(rendering: &Rendering) {
+    let mut out = std::io::stdout().lock();
+    for note in &rendering.notes {
+        // A reader that has seen enough closes the pipe.
+        if writeln!(out, "{note}").is_err() {
+            return;
+        }
+    }
+}
+
+/// What to know before the start.
+pub(crate) fn announce(
+    program: &str,
+    loaded: &Loaded,
+    integrator: &dyn Integrator,
+    limits: Limits,
+) {
+    for warning in &loaded.warnings {
+        say(format_args!("warning: {warning}"));
+    }
+    if cfg!(debug_assertions) {
+        say("warning: this is a debug build, many times slower; use cargo run --release");
+    }
+    for blind in integrator.blind_spots(&SceneFacts::of(&loaded.scene)) {
+        say(format_args!("note: {program} cannot produce {blind}"));
+    }
+    if let Some(edges) = limits.max_depth {
+        let (bounces, vertices) = (edges - 1, edges + 1);
+        say(format_args!(
+            "note: paths of more than {edges} edges ({bounces} bounces, {vertices} vertices) are left out: the picture is darker for it"
+        ));
+    }
+}
+
+/// One line on what a scene holds.
+pub(crate) fn describe(name: &str, scene: &Scene) -> String {
+    let camera = scene.camera();
+    let points = scene.lights().iter().filter(|light| light.is_point()).count();
+    format!(
+        "{name}: {} primitives, {} materials, {} area lamps, {points} point lights, {}x{} pixels",
+        scene.primitive_count(),
+        scene.materials().len(),
+        scene.lights().len() - points,
+        camera.width(),
+        camera.height(),
+    )
+}
+
+/// What was done, and why it ended.
+pub(crate) fn summarise(
+    program: &str,
+    name: &str,
+    rendering: &Rendering,
+    elapsed: Duration,
+    end: &str,
+) {
+    let statistics = &rendering.statistics;
+    let seconds = elapsed.as_secs_f64();
+    let error = match rendering.film.relative_error() {
+        Some(error) => format!("estimated error {:.2} %", 100.0 * error),
+        None => String::from("error unknown"),
+    };
+    let passes = rendering.film.passes();
+    say(format_args!("{program} {name}: {passes} spp in {seconds:.2} s, {error}; ended by {end}"));
+    say(format_args!(
+        "  rays: {} camera, {} bounce, {} shadow; {} a second",
+        count(statistics.camera_rays),
+        count(statistics.bounce_rays),
+        count(statistics.shadow_rays),
+        count((statistics.rays() as f64 / seconds) as u64),
+    ));
+    say(format_args!(
+        "  paths: {} camera, {} light; {} a second",
+        count(statistics.camera_paths),
+        count(statistics.light_paths),
+        count((statistics.camera_paths as f64 / seconds) as u64),
+    ));
+    let rejected = statistics.rejected;
+    if rejected > 0 {
+        say(format_args!(
+            "warning: {rejected} samples were negative or not finite and were left out; please report the scene"
+        ));
+    } else {
+        say("  non-finite samples: 0");
+    }
+}
+
+/// A number short enough to read.
+pub(crate) fn count(n: u64) -> String {
+    match n as f64 {
+        x if x >= 1e9 => format!("{:.2} G", x / 1e9),
+        x if x >= 1e6 => format!("{:.2} M", x / 1e6),
+        x if x >= 1e4 => format!("{:.1} k", x / 1e3),
+        _ => n.to_string(),
+    }
+}
+
+/// What to try next, for those who started a program without any option.
+pub(crate) fn suggest(options: &RenderOptions) {
+    if std::env::args_os().len() == 1 {
+        say(format_args!(
+            "next: try another scene, as `-- pyramid --time-limit 30s`, or `-- --help` (this was {})",
+            options.scene
+        ));
+    }
+}

@@ -1,0 +1,168 @@
+//! Options that all programs understand.
+
+use crate::duration::parse_duration;
+use crate::outcome::Failure;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::time::Duration;
+use traylib_integrators::{Limits, Roulette};
+use traylib_math::Heuristic;
+use traylib_scene::Camera;
+
+/// What to render and how much.
+#[derive(Args, Clone, Debug)]
+pub struct RenderOptions {
+    /// Scene file (.ron) or name of a built-in scene
+    #[arg(default_value = "cornell")]
+    pub scene: String,
+
+    /// Picture to write, .png or .exr; repeat it for several [default: PROGRAM.png]
+    #[arg(short, long = "outfile", visible_alias = "output", value_name = "FILE")]
+    pub outfile: Vec<PathBuf>,
+
+    /// Samples per pixel [default: the scene's, 1 in trace, no end with --time-limit]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub spp: Option<u32>,
+
+    /// Size of the picture in pixels [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = parse_resolution)]
+    pub resolution: Option<(u32, u32)>,
+
+    /// Seed of the random numbers; the same seed gives the same picture
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+
+    /// Threads, 0 for one a processor; does not change the picture
+    #[arg(short, long, value_name = "N", default_value_t = 0)]
+    pub threads: usize,
+
+    /// Stop after the pass that is running at this time, as 90s, 5m or 1h [default: none]
+    #[arg(long, value_name = "TIME", value_parser = parse_duration)]
+    pub time_limit: Option<Duration>,
+
+    /// Print errors alone
+    #[arg(short, long)]
+    pub quiet: bool,
+
+    /// Read and check the scene, render nothing
+    #[arg(long)]
+    pub check: bool,
+}
+
+/// How long paths get.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct PathOptions {
+    /// Longest path in edges: 1 is a lamp seen directly, 2 direct light; loses
+    /// the light of longer paths [default: none, roulette ends paths]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub max_depth: Option<u32>,
+
+    /// First edge of a walk that roulette may prevent, or `off` (wants --max-depth)
+    #[arg(long, value_name = "EDGE", default_value = "3", value_parser = parse_roulette)]
+    pub roulette: Roulette,
+}
+
+impl PathOptions {
+    /// The limits that these options ask for.
+    ///
+    /// # Errors
+    /// Roulette off without a longest path might never end.
+    pub fn limits(&self) -> Result<Limits, Failure> {
+        if self.roulette == Roulette::OFF && self.max_depth.is_none() {
+            let text = "--roulette off wants a --max-depth: some paths would never end";
+            return Err(Failure::usage(text));
+        }
+        Ok(Limits { max_depth: self.max_depth, roulette: self.roulette })
+    }
+}
+
+/// How densities become weights.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum HeuristicName {
+    /// In proportion to the densities
+    Balance,
+    /// In proportion to their squares
+    #[default]
+    Power,
+}
+
+impl From<HeuristicName> for Heuristic {
+    fn from(name: HeuristicName) -> Self {
+        match name {
+            HeuristicName::Balance => Self::Balance,
+            HeuristicName::Power => Self::Power,
+        }
+    }
+}
+
+/// A pixel, as `X,Y` from the top left corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PixelName {
+    x: u32,
+    y: u32,
+}
+
+impl PixelName {
+    /// The row-major index of the pixel.
+    ///
+    /// # Errors
+    /// The picture has no such pixel.
+    pub fn index_in(self, camera: &Camera) -> Result<u32, Failure> {
+        let (width, height) = (camera.width(), camera.height());
+        if self.x < width && self.y < height {
+            return Ok(self.y * width + self.x);
+        }
+        let Self { x, y } = self;
+        Err(Failure::usage(format_args!("--pixel {x},{y} is outside the {width}x{height} picture")))
+    }
+}
+
+impl FromStr for PixelName {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        text.split_once(',')
+            .and_then(|(x, y)| Some(Self { x: x.trim().parse().ok()?, y: y.trim().parse().ok()? }))
+            .ok_or("wanted as X,Y")
+    }
+}
+
+const LARGEST_SIDE: u32 = 32_768;
+
+fn parse_resolution(text: &str) -> Result<(u32, u32), String> {
+    let side = |text: &str| text.parse().ok().filter(|side| (1..=LARGEST_SIDE).contains(side));
+    text.split_once('x')
+        .and_then(|(width, height)| Some((side(width)?, side(height)?)))
+        .ok_or_else(|| format!("wanted as 640x480, each side from 1 to {LARGEST_SIDE}"))
+}
+
+fn parse_roulette(text: &str) -> Result<Roulette, String> {
+    match text {
+        "off" => Ok(Roulette::OFF),
+        _ => match text.parse() {
+            Ok(from_edge) if from_edge >= 2 => Ok(Roulette { from_edge }),
+            _ => Err("wanted: an edge from 2 on, or `off`".into()),
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn resolutions_have_two_sides() {
+        assert_eq!(parse_resolution("640x480"), Ok((640, 480)));
+        for bad in ["640", "640x", "x480", "0x480", "640x-1", "1e3x2", "99999x1"] {
+            assert!(parse_resolution(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn roulette_spares_the_first_edge() {
+        assert_eq!(parse_roulette("off"), Ok(Roulette::OFF));
+        assert_eq!(parse_roulette("5"), Ok(Roulette { from_edge: 5 }));
+        assert!(parse_roulette("1").is_err() && parse_roulette("on").is_err());
+    }
+}

@@ -1,0 +1,50 @@
+//! How a program ends.
+
+use std::fmt::{self, Display};
+use std::process::ExitCode;
+
+/// Why a program could not do what it was asked, and its exit status.
+#[derive(Debug)]
+pub struct Failure {
+    status: u8,
+    message: String,
+}
+
+impl Failure {
+    /// The command line makes no sense: status 2.
+    pub fn usage(message: impl Display) -> Self {
+        Self::new(2, message)
+    }
+
+    /// A scene could not be read or makes no sense: status 3.
+    pub(crate) fn scene(message: impl Display) -> Self {
+        Self::new(3, message)
+    }
+
+    /// Something could not be written, or the system refused: status 4.
+    pub(crate) fn output(message: impl Display) -> Self {
+        Self::new(4, message)
+    }
+
+    /// Interrupted: status 130.
+    pub(crate) fn interrupted(message: impl Display) -> Self {
+        Self::new(130, message)
+    }
+
+    fn new(status: u8, message: impl Display) -> Self {
+        Self { status, message: message.to_string() }
+    }
+
+    /// The exit status.
+    pub(crate) fn code(&self) -> ExitCode {
+        ExitCode::from(self.status)
+    }
+}
+
+impl Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // A scene's report brings its own first word.
+        let word = if self.message.starts_with("error") { "" } else { "error: " };
+        write!(f, "{word}{}", self.message)
+    }
+}

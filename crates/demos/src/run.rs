@@ -1,0 +1,184 @@
+//! From a command line to a picture.
+
+use crate::interrupt::stop_flag;
+use crate::messages::{announce, describe, say, suggest, summarise};
+use crate::options::{PathOptions, RenderOptions};
+use crate::outcome::Failure;
+use crate::progress::Line;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+use traylib_integrators::{Integrator, Limits, Rendering, Settings, render};
+use traylib_io::{LoadOptions, Loaded, PictureInfo, check_writable, load_scene_with, save_picture};
+use traylib_scene::Scene;
+
+/// What a program was asked to do.
+#[derive(Debug)]
+pub struct Job<'a> {
+    /// The program's name.
+    pub program: &'static str,
+    /// Options that all programs have.
+    pub options: &'a RenderOptions,
+    /// Options of programs whose paths may be long.
+    pub paths: Option<&'a PathOptions>,
+    /// Samples a pixel where the command line names none; `None` for the
+    /// scene's number.
+    pub default_spp: Option<u32>,
+    /// Whether a picture is wanted, or only what `finish` makes of it.
+    pub wants_picture: bool,
+}
+
+impl<'a> Job<'a> {
+    /// The usual: a picture by an integrator of long paths.
+    pub fn new(
+        program: &'static str,
+        options: &'a RenderOptions,
+        paths: Option<&'a PathOptions>,
+    ) -> Self {
+        Self { program, options, paths, default_spp: None, wants_picture: true }
+    }
+}
+
+/// What came of a job.
+#[derive(Debug)]
+pub struct Done {
+    /// The scene and its settings.
+    pub loaded: Loaded,
+    /// The picture and what else was asked for.
+    pub rendering: Rendering,
+    /// Seconds of rendering.
+    pub seconds: f64,
+}
+
+/// Loads, renders and saves with the integrator that `prepare` makes for the
+/// scene and the limits on its paths, then hands everything to `finish`. Ends the program's `main`.
+pub fn run<I: Integrator>(
+    job: &Job<'_>,
+    prepare: impl FnOnce(&Scene, Limits) -> Result<I, Failure>,
+    finish: impl FnOnce(&Done) -> Result<(), Failure>,
+) -> ExitCode {
+    match try_run(job, prepare, finish) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            say(&failure);
+            failure.code()
+        }
+    }
+}
+
+fn try_run<I: Integrator>(
+    job: &Job<'_>,
+    prepare: impl FnOnce(&Scene, Limits) -> Result<I, Failure>,
+    finish: impl FnOnce(&Done) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let options = job.options;
+    let limits = job.paths.map_or(Ok(Limits::default()), PathOptions::limits)?;
+    let load = LoadOptions { resolution: options.resolution };
+    let loaded = load_scene_with(&options.scene, load).map_err(Failure::scene)?;
+    let integrator = prepare(&loaded.scene, limits)?;
+    if !options.quiet {
+        announce(job.program, &loaded, &integrator, limits);
+    }
+    if options.check {
+        println!("{}", describe(&loaded.name, &loaded.scene));
+        return Ok(());
+    }
+    let outfiles = outfiles(job);
+    for file in &outfiles {
+        check_writable(file).map_err(Failure::output)?;
+    }
+    let stop = stop_flag();
+    let (rendering, elapsed, end) = render_job(job, &loaded, &integrator, &stop)?;
+    let done = Done { loaded, rendering, seconds: elapsed.as_secs_f64() };
+    for file in &outfiles {
+        save_picture(file, &done.rendering.film.develop(), &done.info(job))
+            .map_err(Failure::output)?;
+        println!("{}", file.display());
+    }
+    finish(&done)?;
+    if !options.quiet {
+        summarise(job.program, &done.loaded.name, &done.rendering, elapsed, end.words());
+        suggest(options);
+    }
+    match end {
+        End::Interrupt => Err(Failure::interrupted(format_args!(
+            "interrupted; the picture has {} spp",
+            done.rendering.film.passes()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+fn outfiles(job: &Job<'_>) -> Vec<PathBuf> {
+    if !job.wants_picture {
+        Vec::new()
+    } else if job.options.outfile.is_empty() {
+        vec![PathBuf::from(format!("{}.png", job.program))]
+    } else {
+        job.options.outfile.clone()
+    }
+}
+
+/// What ended a rendering.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    Spp,
+    TimeLimit,
+    Interrupt,
+}
+
+impl End {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Spp => "--spp",
+            Self::TimeLimit => "--time-limit",
+            Self::Interrupt => "interrupt",
+        }
+    }
+}
+
+fn render_job(
+    job: &Job<'_>,
+    loaded: &Loaded,
+    integrator: &dyn Integrator,
+    stop: &std::sync::atomic::AtomicBool,
+) -> Result<(Rendering, Duration, End), Failure> {
+    let options = job.options;
+    let default_spp = job.default_spp.unwrap_or(loaded.settings.spp);
+    let spp = options.spp.or(options.time_limit.is_none().then_some(default_spp));
+    let title = format!("{} {}", job.program, loaded.name);
+    let line = Line::new(&title, spp, options.time_limit, options.quiet);
+    let settings =
+        Settings { spp: spp.unwrap_or(u32::MAX), seed: options.seed, threads: options.threads };
+    let (mut end, mut last_update) = (End::Spp, None);
+    let rendering = render(&loaded.scene, integrator, &settings, &mut |progress| {
+        line.update(progress, &mut last_update);
+        end = match (stop.load(Ordering::Relaxed), line.is_late()) {
+            (true, _) => End::Interrupt,
+            (false, true) => End::TimeLimit,
+            (false, false) => return ControlFlow::Continue(()),
+        };
+        ControlFlow::Break(())
+    })
+    .map_err(Failure::output)?;
+    line.clear();
+    Ok((rendering, line.elapsed(), end))
+}
+
+impl Done {
+    /// What a picture of this job says of itself.
+    pub fn info(&self, job: &Job<'_>) -> PictureInfo {
+        PictureInfo {
+            exposure: self.loaded.settings.exposure,
+            program: concat!("TrayLib ", env!("CARGO_PKG_VERSION")).into(),
+            integrator: job.program.into(),
+            scene: self.loaded.name.clone(),
+            seed: job.options.seed,
+            spp: u64::from(self.rendering.film.passes()),
+            seconds: self.seconds,
+            rejected_samples: self.rendering.statistics.rejected,
+        }
+    }
+}
