@@ -28,6 +28,12 @@ pub enum Error {
         /// The system's reason.
         cause: std::io::Error,
     },
+    /// A mesh was given where a scene is wanted.
+    #[error(
+        "{0}: a 3DS file is a mesh without camera and lamps; \
+         write a scene file with an object of the shape Mesh(file: \"{0}\")"
+    )]
+    MeshAsScene(String),
     /// A scene file makes no sense; every place where it does not, with the
     /// lines shown.
     #[error("{0}")]

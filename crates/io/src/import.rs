@@ -151,3 +151,6 @@ fn build(
     let scene = whole.note(builder.build(), &mut problems);
     scene.filter(|_| problems.is_empty()).ok_or(Error::Scene(Report(problems)))
 }
+
+#[cfg(test)]
+mod tests;

@@ -40,8 +40,8 @@ pub struct Loaded {
 /// Loads a scene file, or a built-in scene where no file has this name.
 ///
 /// # Errors
-/// [`Error::UnknownScene`], [`Error::Read`], or [`Error::Scene`] with every
-/// place where the scene makes no sense.
+/// [`Error::UnknownScene`], [`Error::Read`], [`Error::MeshAsScene`], or
+/// [`Error::Scene`] with every place where the scene makes no sense.
 pub fn load_scene(name_or_path: &str) -> Result<Loaded, Error> {
     load_scene_with(name_or_path, LoadOptions::default())
 }
@@ -58,7 +58,11 @@ pub fn load_scene_with(name_or_path: &str, options: LoadOptions) -> Result<Loade
 }
 
 fn find(name: &str) -> Result<Location, Error> {
-    if Path::new(name).is_file() {
+    let path = Path::new(name);
+    if path.is_file() {
+        if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("3ds")) {
+            return Err(Error::MeshAsScene(name.to_string()));
+        }
         return Ok(Location::Disk(PathBuf::from(name)));
     }
     if builtin_names().contains(&name) {

@@ -43,9 +43,10 @@ fn every_built_in_scene_loads() {
 fn settings_come_from_the_file_and_resolution_from_the_caller() {
     let options = LoadOptions { resolution: Some((12, 34)) };
     let loaded = load_scene_with("furnace", options).unwrap();
-    assert_eq!(loaded.settings, SceneSettings { spp: 16, exposure: 0.25 });
     let camera = loaded.scene.camera();
     assert_eq!((camera.width(), camera.height()), (12, 34));
+    let said = load_text("settings", &lit("spp: 3, exposure: 0.25"), &[]);
+    assert_eq!(said.unwrap().settings, SceneSettings { spp: 3, exposure: 0.25 });
     let plain = load_text("defaults", &lit(""), &[]);
     // A light and nothing to see is a scene, if a dull one.
     assert_eq!(plain.unwrap().settings, SceneSettings { spp: 64, exposure: 1.0 });
@@ -64,6 +65,12 @@ fn a_file_that_is_not_text_is_refused() {
     let error = load_scene(&path.to_string_lossy()).unwrap_err();
     fs::remove_file(&path).unwrap();
     assert!(error.to_string().ends_with("cannot be read: it is not UTF-8 text"), "{error}");
+}
+
+#[test]
+fn a_mesh_is_not_a_scene() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/models/cube.3ds");
+    assert!(matches!(load_scene(path), Err(Error::MeshAsScene(_))));
 }
 
 #[test]
@@ -194,4 +201,26 @@ fn meshes_bring_their_materials_and_warnings() {
         "built-in models/enemy01.3ds: keyframer section skipped (animation is not read)",
     ];
     assert_eq!(warnings, expected);
+}
+
+#[test]
+fn the_example_in_the_manual_loads() {
+    let manual = include_str!("../../../../docs/scene-format.md");
+    let text = manual.split("```ron\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let loaded = load_text("manual", text, &[]).unwrap();
+    assert_eq!((loaded.scene.primitive_count(), loaded.scene.lights().len()), (3, 1));
+}
+
+#[test]
+fn every_snippet_in_the_manual_is_understood() {
+    let manual = include_str!("../../../../docs/scene-format.md");
+    for snippet in manual.split("```ron\n").skip(2) {
+        let text = snippet.split("```").next().unwrap();
+        let whole = if text.contains("objects") || !text.contains("shape") {
+            format!("({text})")
+        } else {
+            format!("(objects: [{text}])")
+        };
+        crate::ron_scene::decode(&whole).unwrap_or_else(|error| panic!("{error}\n{whole}"));
+    }
 }
