@@ -23,6 +23,7 @@ pub use techniques::{LightSampling, Techniques};
 use crate::tracer::Tracer;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use connect::Joiner;
+use std::ops::Range;
 use traylib_math::Heuristic;
 use traylib_scene::Scene;
 use vertex::Vertex;
@@ -54,10 +55,29 @@ pub struct Bdpt {
     pub report: Report,
 }
 
-/// A light path of the chunk: where it started, and the vertices after that.
-struct LightPath<'scene> {
-    start: LightStart,
+/// A light path: where it started, and the vertices after that.
+#[derive(Clone, Copy)]
+struct LightPath<'a, 'scene> {
+    start: &'a LightStart,
+    vertices: &'a [Vertex<'scene>],
+}
+
+/// The light paths of a chunk, their vertices in one list.
+#[derive(Default)]
+struct LightPaths<'scene> {
     vertices: Vec<Vertex<'scene>>,
+    /// Start and vertices of each path; `None` for one that left the scene at
+    /// once.
+    paths: Vec<Option<(LightStart, Range<usize>)>>,
+}
+
+impl<'scene> LightPaths<'scene> {
+    /// The path that a camera path is joined with, by its place in the chunk.
+    fn partner(&self, camera_path: usize) -> Option<LightPath<'_, 'scene>> {
+        let index = camera_path.checked_rem(self.paths.len())?;
+        let (start, range) = self.paths[index].as_ref()?;
+        Some(LightPath { start, vertices: &self.vertices[range.clone()] })
+    }
 }
 
 impl Integrator for Bdpt {
@@ -72,16 +92,14 @@ impl Integrator for Bdpt {
         let walker = Walker::new(self, light_paths);
         let joiner = Joiner::new(self, light_paths);
 
-        let mut paths = Vec::with_capacity(chunk.light_paths.len());
+        let mut light = LightPaths::default();
         for path in chunk.light_paths.clone() {
-            let mut vertices = Vec::new();
+            let first = light.vertices.len();
             let mut sampler = chunk.light_sampler(path);
-            if let Some(start) = walker.light_subpath(&mut tracer, &mut sampler, &mut vertices) {
-                let path = LightPath { start, vertices };
-                joiner.splat_all(&mut tracer, &path, out);
-                paths.push(Some(path));
-            } else {
-                paths.push(None);
+            let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light.vertices);
+            light.paths.push(start.map(|start| (start, first..light.vertices.len())));
+            if let Some(path) = light.partner(light.paths.len() - 1) {
+                joiner.splat_all(&mut tracer, path, out);
             }
         }
 
@@ -90,8 +108,7 @@ impl Integrator for Bdpt {
             camera.clear();
             let mut sampler = chunk.camera_sampler(pixel);
             walker.camera_subpath(&mut tracer, pixel, &mut sampler, &mut camera);
-            let light = if paths.is_empty() { None } else { paths[i % paths.len()].as_ref() };
-            joiner.join_all(&mut tracer, pixel, &camera, light, out);
+            joiner.join_all(&mut tracer, pixel, &camera, light.partner(i), out);
         }
         out.statistics += tracer.statistics;
     }
@@ -104,3 +121,6 @@ impl Integrator for Bdpt {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

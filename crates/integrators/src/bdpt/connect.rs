@@ -37,7 +37,7 @@ impl<'a> Joiner<'a> {
     pub(crate) fn splat_all(
         &self,
         tracer: &mut Tracer<'_>,
-        path: &LightPath<'_>,
+        path: LightPath<'_, '_>,
         out: &mut ChunkOutput,
     ) {
         if !self.bdpt.techniques.splats {
@@ -46,7 +46,7 @@ impl<'a> Joiner<'a> {
         for last in 0..path.vertices.len() {
             // x₀, `last + 1` vertices more, and the camera.
             if self.limits().allow(last as u32 + 2) {
-                self.splat(tracer, &path.start, &path.vertices[..=last], out);
+                self.splat(tracer, path.start, &path.vertices[..=last], out);
             }
         }
     }
@@ -57,7 +57,7 @@ impl<'a> Joiner<'a> {
         tracer: &mut Tracer<'_>,
         pixel: u32,
         camera: &[Vertex<'_>],
-        light: Option<&LightPath<'_>>,
+        light: Option<LightPath<'_, '_>>,
         out: &mut ChunkOutput,
     ) {
         for last in 0..camera.len() {
@@ -72,7 +72,7 @@ impl<'a> Joiner<'a> {
             for light_last in 0..light.vertices.len() {
                 if self.limits().allow(edges + light_last as u32 + 2) {
                     let vertices = &light.vertices[..=light_last];
-                    self.connection(tracer, pixel, (&light.start, vertices), camera, out);
+                    self.connection(tracer, pixel, (light.start, vertices), camera, out);
                 }
             }
         }
@@ -150,14 +150,18 @@ impl<'a> Joiner<'a> {
             return;
         }
         let offset = z.point.site.position - y.point.site.position;
-        let Some(direction) = offset.try_normalize() else { return };
+        let facing = y.point.normal.dot(offset) > 0.0 && z.point.normal.dot(offset) < 0.0;
+        let distance_squared = offset.length_squared();
+        if !facing || distance_squared == 0.0 {
+            return;
+        }
+        let direction = offset / distance_squared.sqrt();
         let from_light = y.point.evaluate(y.wo, direction);
         let from_camera = z.point.evaluate(z.wo, -direction);
         let f = from_light.f * from_camera.f;
         if f.is_black() {
             return;
         }
-        let distance_squared = offset.length_squared();
         let end = |vertex: &Vertex<'_>, scattering| {
             let cosine = vertex.point.normal.dot(direction);
             End { scattering, conversion: solid_angle_per_area(cosine, distance_squared) }

@@ -1,0 +1,93 @@
+//! The weights: recursive against direct sum, and their sum over all ways to
+//! find one path.
+
+mod replay;
+mod room;
+
+use super::*;
+use replay::FullPath;
+use room::room;
+use traylib_math::{Purpose, Rgb, Sampler};
+
+const HEURISTICS: [Heuristic; 2] = [Heuristic::Balance, Heuristic::Power];
+
+fn render(scene: &Scene, bdpt: &Bdpt) -> ChunkOutput {
+    let mut out = ChunkOutput::default();
+    let chunk = Chunk { seed: 3, pass: 0, pixels: 0..1024, light_paths: 0..1024 };
+    bdpt.render_chunk(scene, &chunk, &mut out);
+    out
+}
+
+/// Every single contribution of a rendering, by both forms. What differs by more
+/// than rounding would show as a ratio of weights.
+#[test]
+fn recursive_weights_equal_the_direct_sum() {
+    let scene = room();
+    for heuristic in HEURISTICS {
+        let plain = Bdpt { heuristic, weighting: Weighting::DirectSum, ..Bdpt::default() };
+        let fast = Bdpt { weighting: Weighting::Recursive, ..plain.clone() };
+        let (plain, fast) = (render(&scene, &plain).light, render(&scene, &fast).light);
+        assert!(plain.len() > 20_000, "{} contributions", plain.len());
+        let brightest = plain.iter().map(|(_, value)| value.max_band()).fold(0.0, f32::max);
+        let large = |light: &[(u32, Rgb)]| -> Vec<(u32, Rgb)> {
+            // Weights that underflow single precision in one form may not in
+            // the other.
+            light.iter().copied().filter(|(_, v)| v.max_band() > 1e-20 * brightest).collect()
+        };
+        let (plain, fast) = (large(&plain), large(&fast));
+        assert_eq!(plain.len(), fast.len());
+        for ((pixel, a), (other, b)) in plain.into_iter().zip(fast) {
+            assert_eq!(pixel, other);
+            let (a, b) = (a.max_band(), b.max_band());
+            assert!((a - b).abs() <= 1e-4 * a, "{heuristic:?}: {a} {b}");
+        }
+    }
+}
+
+/// 10⁵ random paths through a room with mirrors, glossy surfaces, a spherical
+/// lamp (whose sampling and emission densities differ) and a point lamp: each as
+/// every technique would have found it.
+#[test]
+fn weights_of_all_techniques_sum_to_one() {
+    let scene = room();
+    for heuristic in HEURISTICS {
+        let bdpt = Bdpt { heuristic, ..Bdpt::default() };
+        let light_paths = 777;
+        let walker = Walker::new(&bdpt, light_paths);
+        let (mut paths, mut with_mirrors, mut from_points) = (0, 0, 0);
+        for index in 0.. {
+            if paths >= 50_000 {
+                break;
+            }
+            for path in random_paths(&scene, &walker, index) {
+                let sum: f64 = path.weights(&scene, &walker, &bdpt, light_paths).sum();
+                assert!((sum - 1.0).abs() < 1e-4, "{heuristic:?}: {sum}, {path:?}");
+                paths += 1;
+                with_mirrors += usize::from(path.has_mirror());
+                from_points += usize::from(path.starts_at_point());
+            }
+        }
+        assert!(with_mirrors > 5_000 && from_points > 5_000, "{with_mirrors} {from_points}");
+    }
+}
+
+/// All paths that one light and one camera subpath make by connection or hit,
+/// whether or not something stands between.
+fn random_paths<'s>(scene: &'s Scene, walker: &Walker, index: u64) -> Vec<FullPath<'s>> {
+    let mut tracer = Tracer::new(scene);
+    let (mut light, mut camera) = (Vec::new(), Vec::new());
+    let mut sampler = Sampler::new(1, Purpose::Light, 0, index);
+    let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light);
+    let mut sampler = Sampler::new(1, Purpose::Camera, 0, index);
+    walker.camera_subpath(&mut tracer, index as u32 % 1024, &mut sampler, &mut camera);
+    let mut paths = Vec::new();
+    for t in 1..=camera.len() {
+        paths.extend(FullPath::hit(scene, &camera[..t]));
+        for s in 1..=light.len() {
+            if let Some(start) = &start {
+                paths.extend(FullPath::connected(scene, start, &light[..s], &camera[..t]));
+            }
+        }
+    }
+    paths
+}

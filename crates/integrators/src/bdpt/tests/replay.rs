@@ -1,0 +1,237 @@
+//! A whole path, walked again from both ends.
+
+use super::super::vertex::{End, Tail, Vertex};
+use super::super::walk::{LightStart, Walker};
+use super::super::{Bdpt, weight};
+use crate::emission::Emitted;
+use traylib_materials::BsdfSample;
+use traylib_math::{Purpose, Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
+use traylib_scene::{LightId, LightPoint, Scene, SurfacePoint};
+
+/// x₀ … x_k; surfaces holds x₁ … x_{k−1}.
+#[derive(Clone, Debug)]
+pub(super) struct FullPath<'s> {
+    id: LightId,
+    x0: LightPoint,
+    surfaces: Vec<SurfacePoint<'s>>,
+    /// For each surface, whether it reflected ideally.
+    is_delta: Vec<bool>,
+    /// x₀ as a surface, where it is one of the camera subpath.
+    lamp: Option<SurfacePoint<'s>>,
+}
+
+fn delta_events(vertices: &[Vertex<'_>]) -> Vec<bool> {
+    let after = vertices.iter().skip(1).map(|next| next.after_delta);
+    after.chain([false]).collect()
+}
+
+impl<'s> FullPath<'s> {
+    /// The path of a camera subpath that ends on a lamp.
+    pub(super) fn hit(scene: &'s Scene, camera: &[Vertex<'s>]) -> Option<Self> {
+        let (last, inner) = camera.split_last()?;
+        let (id, x0) = scene.emitting_point(&last.point)?;
+        if inner.is_empty() {
+            return None;
+        }
+        let mut is_delta = delta_events(camera);
+        is_delta.pop();
+        is_delta.reverse();
+        let surfaces = inner.iter().rev().map(|vertex| vertex.point).collect();
+        Some(Self { id, x0, surfaces, is_delta, lamp: Some(last.point) })
+    }
+
+    /// The path of two subpaths with an edge between their last vertices, if it
+    /// could carry light.
+    pub(super) fn connected(
+        scene: &'s Scene,
+        start: &LightStart,
+        light: &[Vertex<'s>],
+        camera: &[Vertex<'s>],
+    ) -> Option<Self> {
+        let (y, z) = (light.last()?, camera.last()?);
+        let w = (z.point.site.position - y.point.site.position).try_normalize()?;
+        let f = y.point.evaluate(y.wo, w).f * z.point.evaluate(z.wo, -w).f;
+        // What underflows carries no light and has no technique.
+        if f.max_band() < 1e-12 {
+            return None;
+        }
+        let surfaces = light.iter().chain(camera.iter().rev()).map(|v| v.point).collect();
+        let mut camera_events = delta_events(camera);
+        camera_events.reverse();
+        let is_delta = [delta_events(light), camera_events].concat();
+        let id = scene.light_ids().find(|&id| owns(scene, id, &start.x0))?;
+        Some(Self { id, x0: start.x0, surfaces, is_delta, lamp: None })
+    }
+
+    pub(super) fn has_mirror(&self) -> bool {
+        self.is_delta.contains(&true)
+    }
+
+    pub(super) fn starts_at_point(&self) -> bool {
+        self.x0.is_point
+    }
+
+    /// The weights of all techniques that can find the path.
+    pub(super) fn weights(
+        &self,
+        scene: &'s Scene,
+        walker: &Walker,
+        bdpt: &Bdpt,
+        light_paths: u32,
+    ) -> impl Iterator<Item = f64> {
+        let heuristic = bdpt.heuristic;
+        let light = self.from_light(scene, walker, bdpt);
+        let camera = self.from_camera(scene, bdpt, light_paths);
+        let n = self.surfaces.len();
+        let free = |i: usize| !self.is_delta[i];
+        let mut weights = Vec::new();
+        if let Some(x0) = self.lamp_vertex(&camera, bdpt) {
+            let densities = self.densities(scene);
+            weights.push(weight::hit(&x0, &densities, bdpt.techniques, heuristic));
+        }
+        if free(0) {
+            weights.push(self.light_sample(scene, &camera[n - 1], bdpt));
+        }
+        for s in 1..n {
+            // Connects surfaces s − 1 and s.
+            if free(s - 1) && free(s) {
+                let (y, z) = (&light[s - 1], &camera[n - 1 - s]);
+                let (y_end, z_end) = (end(y, z), end(z, y));
+                weights.push(weight::connection((y, &y_end), (z, &z_end), heuristic));
+            }
+        }
+        if free(n - 1) {
+            let y = &light[n - 1];
+            if let Some(found) = scene.camera().project(y.point.site.position) {
+                let conversion = solid_angle_per_area(
+                    y.point.normal.dot(found.to_camera),
+                    found.distance_squared,
+                );
+                let back = y.point.evaluate(y.wo, found.to_camera).pdf_reverse;
+                let camera_pdf = found.pdf.to_area(conversion).0;
+                weights.push(weight::splat(y, camera_pdf, back, light_paths, heuristic));
+            }
+        }
+        weights.into_iter()
+    }
+
+    fn first_direction(&self) -> Vec3 {
+        (self.surfaces[0].site.position - self.x0.site.position).normalize()
+    }
+
+    fn densities(&self, scene: &Scene) -> traylib_scene::LightDensities {
+        let x1 = self.surfaces[0].site.position;
+        scene.light_densities(self.id, &self.x0, x1, self.first_direction())
+    }
+
+    fn from_light(&self, scene: &'s Scene, walker: &Walker, bdpt: &Bdpt) -> Vec<Vertex<'s>> {
+        let direction = self.first_direction();
+        let emitted = Emitted {
+            x0: self.x0,
+            direction,
+            x1: self.surfaces[0],
+            throughput: Rgb::WHITE,
+            densities: self.densities(scene),
+        };
+        let events = self.surfaces.iter().copied().zip(self.is_delta.iter().copied());
+        walk(walker.light_tail(&emitted), direction, events.collect(), bdpt)
+    }
+
+    fn from_camera(&self, scene: &'s Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex<'s>> {
+        let mut events: Vec<_> =
+            self.surfaces.iter().copied().zip(self.is_delta.iter().copied()).collect();
+        events.reverse();
+        let camera = scene.camera();
+        let direction = (events[0].0.site.position - camera.position()).normalize();
+        let tail = Tail {
+            position: camera.position(),
+            cosine: 0.0,
+            pdf: camera.pdf(direction),
+            is_delta: false,
+            m_factor: f64::from(light_paths),
+            c_factor: 0.0,
+        };
+        walk(tail, direction, events, bdpt)
+    }
+
+    /// x₀ as the camera subpath would have reached it.
+    fn lamp_vertex(&self, camera: &[Vertex<'s>], bdpt: &Bdpt) -> Option<Vertex<'s>> {
+        if self.x0.is_point {
+            return None;
+        }
+        let mut x1 = *camera.last()?;
+        let wi = -self.first_direction();
+        let sample = event(&x1.point, x1.wo, wi, self.is_delta[0]);
+        let tail = x1.leave(&sample, true, bdpt.heuristic);
+        let lamp = self.lamp.unwrap_or(SurfacePoint {
+            site: self.x0.site,
+            normal: self.x0.site.normal,
+            shading_normal: self.x0.site.normal,
+            ..x1.point
+        });
+        let numbers = Sampler::new(0, Purpose::Test, 0, 0).next_vertex();
+        Some(tail.arrive(lamp, -wi, Rgb::WHITE, numbers, bdpt.heuristic))
+    }
+
+    fn light_sample(&self, scene: &Scene, x1: &Vertex<'_>, bdpt: &Bdpt) -> f64 {
+        let direction = self.first_direction();
+        let offset = x1.point.site.position - self.x0.site.position;
+        let scattering = x1.point.evaluate(x1.wo, -direction);
+        let conversion =
+            solid_angle_per_area(x1.point.normal.dot(direction), offset.length_squared());
+        let at_lamp = solid_angle_per_area(self.x0.cosine(direction), offset.length_squared());
+        let hit_pdf = if self.x0.is_point { 0.0 } else { scattering.pdf.to_area(at_lamp).0 };
+        let end = End { scattering, conversion };
+        let densities = self.densities(scene);
+        weight::light_sample(x1, &end, &densities, hit_pdf, bdpt.techniques, bdpt.heuristic)
+    }
+}
+
+fn owns(scene: &Scene, id: LightId, x0: &LightPoint) -> bool {
+    let light = scene.light(id);
+    light.is_point() == x0.is_point && {
+        let (point, _) = light.sample_toward(Vec3::ZERO, traylib_math::Vec2::splat(0.5));
+        point.emitted == x0.emitted
+    }
+}
+
+/// A vertex's end of an edge to another.
+fn end(vertex: &Vertex<'_>, other: &Vertex<'_>) -> End {
+    let offset = other.point.site.position - vertex.point.site.position;
+    let w = offset.normalize();
+    let cosine = vertex.point.normal.dot(w);
+    End {
+        scattering: vertex.point.evaluate(vertex.wo, w),
+        conversion: solid_angle_per_area(cosine, offset.length_squared()),
+    }
+}
+
+/// What sampling would have said of a direction.
+fn event(point: &SurfacePoint<'_>, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSample {
+    let scattering = point.evaluate(wo, wi);
+    let chance = SolidAnglePdf(0.5);
+    let (pdf, pdf_reverse) =
+        if is_delta { (chance, chance) } else { (scattering.pdf, scattering.pdf_reverse) };
+    BsdfSample { wi, weight: Rgb::WHITE, pdf, pdf_reverse, is_delta }
+}
+
+fn walk<'s>(
+    mut tail: Tail,
+    first_direction: Vec3,
+    events: Vec<(SurfacePoint<'s>, bool)>,
+    bdpt: &Bdpt,
+) -> Vec<Vertex<'s>> {
+    let numbers = Sampler::new(0, Purpose::Test, 0, 0).next_vertex();
+    let mut direction = first_direction;
+    let mut vertices = Vec::new();
+    for (i, &(point, is_delta)) in events.iter().enumerate() {
+        let mut vertex = tail.arrive(point, -direction, Rgb::WHITE, numbers, bdpt.heuristic);
+        if let Some((next, _)) = events.get(i + 1) {
+            direction = (next.site.position - point.site.position).normalize();
+            let sample = event(&point, vertex.wo, direction, is_delta);
+            tail = vertex.leave(&sample, true, bdpt.heuristic);
+        }
+        vertices.push(vertex);
+    }
+    vertices
+}

@@ -1,0 +1,67 @@
+//! A closed room with everything that weights must take into account.
+
+use traylib_geometry::{Facing, Primitive, Quad, Sides, Sphere};
+use traylib_materials::{Lambert, MaxPhong, Mirror, Phong, SurfaceModel};
+use traylib_math::{Rgb, Vec3};
+use traylib_scene::{Camera, CameraSettings, MaterialId, Object, ObjectShape, Scene, SceneBuilder};
+
+fn wall(corner: Vec3, edge_u: Vec3, edge_v: Vec3) -> Primitive {
+    Primitive::Quad(Quad::new(corner, edge_u, edge_v).unwrap())
+}
+
+fn ball(centre: Vec3, radius: f32) -> Primitive {
+    Primitive::Sphere(Sphere::new(centre, radius, Facing::Outward).unwrap())
+}
+
+fn materials(builder: &mut SceneBuilder) -> [MaterialId; 4] {
+    let grey = Rgb::splat(0.7);
+    let mixed = Mirror::new(Rgb::splat(0.5), Rgb::splat(0.4)).unwrap();
+    let gloss = Phong::new(Rgb::splat(0.3), Rgb::splat(0.5), 20.0).unwrap();
+    let metal = MaxPhong::new(Rgb::splat(0.9), 200.0).unwrap();
+    [
+        SurfaceModel::Lambert(Lambert::new(grey).unwrap()),
+        SurfaceModel::Mirror(mixed),
+        SurfaceModel::Phong(gloss),
+        SurfaceModel::MaxPhong(metal),
+    ]
+    .map(|model| builder.add_material(model))
+}
+
+/// A room 2 × 2 × 2 m: a floor that is half a mirror, a pure mirror, a glossy
+/// and a metal ball, a spherical lamp, a small quad lamp and a point lamp.
+pub(crate) fn room() -> Scene {
+    let settings = CameraSettings {
+        position: Vec3::new(0.0, 0.1, 0.9),
+        target: Vec3::new(0.0, 0.0, -1.0),
+        up: Vec3::Y,
+        fov_degrees: 80.0,
+        width: 32,
+        height: 32,
+    };
+    let mut builder = SceneBuilder::new(Camera::new(settings).unwrap());
+    let [grey, mixed, gloss, metal] = materials(&mut builder);
+    let mirror = Mirror::new(Rgb::splat(0.9), Rgb::BLACK).unwrap();
+    let mirror = builder.add_material(SurfaceModel::Mirror(mirror));
+    let (x, y, z) = (Vec3::X * 2.0, Vec3::Y * 2.0, Vec3::Z * 2.0);
+    let (low, high) = (Vec3::splat(-1.0), Vec3::splat(1.0));
+    let dark = Rgb::BLACK;
+    let parts = [
+        (wall(low, z, x), mixed, dark),
+        (wall(high, -x, -z), grey, dark),
+        (wall(low, x, y), grey, dark),
+        (wall(high, -y, -x), grey, dark),
+        (wall(low, y, z), gloss, dark),
+        (wall(high, -z, -y), grey, dark),
+        (wall(Vec3::new(0.5, -0.8, -0.9), x * 0.2, y * 0.4), mirror, dark),
+        (ball(Vec3::new(-0.4, -0.6, -0.3), 0.3), metal, dark),
+        (ball(Vec3::new(0.3, -0.7, 0.0), 0.2), gloss, dark),
+        (ball(Vec3::new(0.3, 0.6, -0.4), 0.15), grey, Rgb::splat(5.0)),
+        (wall(Vec3::new(-0.5, 0.95, -0.5), x * 0.1, z * 0.1), grey, Rgb::splat(20.0)),
+    ];
+    for (primitive, material, emission) in parts {
+        let shape = ObjectShape::Primitive(primitive);
+        builder.add_object(Object { shape, sides: Sides::Both, material, emission }).unwrap();
+    }
+    builder.add_point_light(Vec3::new(-0.6, 0.5, 0.3), Rgb::splat(2.0)).unwrap();
+    builder.build().unwrap()
+}
