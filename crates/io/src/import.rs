@@ -30,8 +30,9 @@ pub(crate) struct Imported {
     pub(crate) warnings: Vec<Warning>,
 }
 
-/// Larger pictures are taken for a slip: 2²⁸ pixels are 3 GiB of film.
-const MAX_PIXELS: u64 = 1 << 28;
+/// The most pixels a picture may have. Larger ones are taken for a slip: 2²⁸
+/// pixels are 3 GiB of film.
+pub const MAX_PIXELS: u64 = 1 << 28;
 
 /// Builds the scene of these files; the last one is the scene itself, the
 /// others are included.

@@ -28,5 +28,6 @@ pub mod three_ds;
 
 pub use builtin::builtin_names;
 pub use error::{Error, Warning};
+pub use import::MAX_PIXELS;
 pub use load::{LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
 pub use picture::{PictureInfo, check_writable, load_exr, save_picture};
