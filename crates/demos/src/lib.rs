@@ -1,8 +1,8 @@
 //! What the demo programs have in common: options, loading, progress, saving
 //! and the words of every message. Each program names its integrator and its own
 //! options, and nothing more.
-#![allow(clippy::print_stdout, reason = "file names are a program's result")]
 
+mod bug;
 mod duration;
 mod interrupt;
 mod messages;

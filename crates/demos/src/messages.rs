@@ -1,28 +1,37 @@
-//! What people read. All of it goes to the standard error stream, where a
-//! closed terminal is no reason to stop.
+//! What people read: results on standard output, all else on standard error. No
+//! reader is no reason to stop.
 
 use crate::options::RenderOptions;
+use crate::outcome::Failure;
 use std::fmt::Display;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::time::Duration;
 use traylib_integrators::{Integrator, Limits, Rendering, SceneFacts};
 use traylib_io::Loaded;
 use traylib_scene::Scene;
 
-/// Prints one line.
+/// Prints one line about the work.
 pub(crate) fn say(line: impl Display) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
-/// Prints the text that an integrator was asked for: a program's result.
-pub fn print_notes(rendering: &Rendering) {
-    let mut out = std::io::stdout().lock();
-    for note in &rendering.notes {
+/// Prints one line of the program's result.
+pub(crate) fn tell(line: impl Display) -> Result<(), Failure> {
+    match writeln!(std::io::stdout(), "{line}") {
         // A reader that has seen enough closes the pipe.
-        if writeln!(out, "{note}").is_err() {
-            return;
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::output(format_args!("standard output: cannot be written: {error}")))
         }
+        _ => Ok(()),
     }
+}
+
+/// Prints the text that an integrator was asked for: a program's result.
+///
+/// # Errors
+/// Standard output takes no more, as a file on a full disk.
+pub fn print_notes(rendering: &Rendering) -> Result<(), Failure> {
+    rendering.notes.iter().try_for_each(tell)
 }
 
 /// What to know before the start.

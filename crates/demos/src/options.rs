@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
 use traylib_integrators::{Limits, Roulette};
+use traylib_io::MAX_PIXELS;
 use traylib_math::Heuristic;
 use traylib_scene::Camera;
 
@@ -17,11 +18,13 @@ pub struct RenderOptions {
     #[arg(default_value = "cornell")]
     pub scene: String,
 
-    /// Picture to write, .png or .exr; repeat it for several [default: PROGRAM.png]
+    /// Picture to write, .png or .exr; may be repeated
+    /// [default: PROGRAM.png]
     #[arg(short, long = "outfile", visible_alias = "output", value_name = "FILE")]
     pub outfile: Vec<PathBuf>,
 
-    /// Samples per pixel [default: the scene's, 1 in trace, no end with --time-limit]
+    /// Samples per pixel [default: the scene's, in `trace` 1; with --time-limit
+    /// as many as it takes]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub spp: Option<u32>,
 
@@ -29,15 +32,16 @@ pub struct RenderOptions {
     #[arg(long, value_name = "WxH", value_parser = parse_resolution)]
     pub resolution: Option<(u32, u32)>,
 
-    /// Seed of the random numbers; the same seed gives the same picture
+    /// Seed of the random numbers: same seed, same picture
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
 
-    /// Threads, 0 for one a processor; does not change the picture
+    /// Threads, 0 for one a processor; the picture stays the same
     #[arg(short, long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
 
-    /// Stop after the pass that is running at this time, as 90s, 5m or 1h [default: none]
+    /// End after the pass that runs at this time, as 90s, 5m or 1.5h
+    /// [default: none]
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
     pub time_limit: Option<Duration>,
 
@@ -53,12 +57,13 @@ pub struct RenderOptions {
 /// How long paths get.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct PathOptions {
-    /// Longest path in edges: 1 is a lamp seen directly, 2 direct light; loses
-    /// the light of longer paths [default: none, roulette ends paths]
+    /// Longest path in edges: 1 is a lamp seen directly, 2 direct light; light
+    /// of longer paths is lost [default: none, roulette ends paths]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub max_depth: Option<u32>,
 
-    /// First edge of a walk that roulette may prevent, or `off` (wants --max-depth)
+    /// First edge, from 2 on, that roulette may prevent, or `off`, which wants
+    /// --max-depth
     #[arg(long, value_name = "EDGE", default_value = "3", value_parser = parse_roulette)]
     pub roulette: Roulette,
 }
@@ -134,7 +139,12 @@ fn parse_resolution(text: &str) -> Result<(u32, u32), String> {
     let side = |text: &str| text.parse().ok().filter(|side| (1..=LARGEST_SIDE).contains(side));
     text.split_once('x')
         .and_then(|(width, height)| Some((side(width)?, side(height)?)))
-        .ok_or_else(|| format!("wanted as 640x480, each side from 1 to {LARGEST_SIDE}"))
+        .filter(|&(width, height)| u64::from(width) * u64::from(height) <= MAX_PIXELS)
+        .ok_or_else(|| {
+            format!(
+                "wanted as 640x480, each side from 1 to {LARGEST_SIDE}, at most {MAX_PIXELS} pixels"
+            )
+        })
 }
 
 fn parse_roulette(text: &str) -> Result<Roulette, String> {
@@ -154,7 +164,7 @@ mod tests {
     #[test]
     fn resolutions_have_two_sides() {
         assert_eq!(parse_resolution("640x480"), Ok((640, 480)));
-        for bad in ["640", "640x", "x480", "0x480", "640x-1", "1e3x2", "99999x1"] {
+        for bad in ["640", "640x", "x480", "0x480", "640x-1", "1e3x2", "99999x1", "32768x32768"] {
             assert!(parse_resolution(bad).is_err(), "{bad}");
         }
     }

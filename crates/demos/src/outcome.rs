@@ -26,6 +26,9 @@ impl Failure {
         Self::new(4, message)
     }
 
+    /// A bug, which has been told of: status 1.
+    pub(crate) const BUG: u8 = 1;
+
     /// Interrupted: status 130.
     pub(crate) fn interrupted(message: impl Display) -> Self {
         Self::new(130, message)
@@ -38,6 +41,16 @@ impl Failure {
     /// The exit status.
     pub(crate) fn code(&self) -> ExitCode {
         ExitCode::from(self.status)
+    }
+}
+
+impl From<traylib_io::Error> for Failure {
+    fn from(error: traylib_io::Error) -> Self {
+        match error {
+            traylib_io::Error::PictureFormat(_) => Self::usage(error),
+            traylib_io::Error::Write { .. } => Self::output(error),
+            _ => Self::scene(error),
+        }
     }
 }
 

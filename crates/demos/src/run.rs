@@ -1,12 +1,13 @@
 //! From a command line to a picture.
 
+use crate::bug::report_bugs;
 use crate::interrupt::stop_flag;
-use crate::messages::{announce, describe, say, suggest, summarise};
+use crate::messages::{announce, describe, say, suggest, summarise, tell};
 use crate::options::{PathOptions, RenderOptions};
 use crate::outcome::Failure;
 use crate::progress::Line;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
@@ -28,6 +29,8 @@ pub struct Job<'a> {
     pub default_spp: Option<u32>,
     /// Whether a picture is wanted, or only what `finish` makes of it.
     pub wants_picture: bool,
+    /// A folder for what `finish` writes.
+    pub folder: Option<&'a Path>,
 }
 
 impl<'a> Job<'a> {
@@ -37,7 +40,7 @@ impl<'a> Job<'a> {
         options: &'a RenderOptions,
         paths: Option<&'a PathOptions>,
     ) -> Self {
-        Self { program, options, paths, default_spp: None, wants_picture: true }
+        Self { program, options, paths, default_spp: None, wants_picture: true, folder: None }
     }
 }
 
@@ -53,18 +56,21 @@ pub struct Done {
 }
 
 /// Loads, renders and saves with the integrator that `prepare` makes for the
-/// scene and the limits on its paths, then hands everything to `finish`. Ends the program's `main`.
+/// scene and the limits on its paths, then hands everything to `finish`. Ends the
+/// program's `main`: prints what went wrong, a panic included, and returns the
+/// exit status.
 pub fn run<I: Integrator>(
     job: &Job<'_>,
     prepare: impl FnOnce(&Scene, Limits) -> Result<I, Failure>,
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> ExitCode {
-    match try_run(job, prepare, finish) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
+    match report_bugs(job.program, || try_run(job, prepare, finish)) {
+        Some(Ok(())) => ExitCode::SUCCESS,
+        Some(Err(failure)) => {
             say(&failure);
             failure.code()
         }
+        None => ExitCode::from(Failure::BUG),
     }
 }
 
@@ -76,26 +82,22 @@ fn try_run<I: Integrator>(
     let options = job.options;
     let limits = job.paths.map_or(Ok(Limits::default()), PathOptions::limits)?;
     let load = LoadOptions { resolution: options.resolution };
-    let loaded = load_scene_with(&options.scene, load).map_err(Failure::scene)?;
+    let loaded = load_scene_with(&options.scene, load)?;
     let integrator = prepare(&loaded.scene, limits)?;
     if !options.quiet {
         announce(job.program, &loaded, &integrator, limits);
     }
     if options.check {
-        println!("{}", describe(&loaded.name, &loaded.scene));
-        return Ok(());
+        return tell(describe(&loaded.name, &loaded.scene));
     }
     let outfiles = outfiles(job);
-    for file in &outfiles {
-        check_writable(file).map_err(Failure::output)?;
-    }
+    check_outputs(&outfiles, job.folder)?;
     let stop = stop_flag();
     let (rendering, elapsed, end) = render_job(job, &loaded, &integrator, &stop)?;
     let done = Done { loaded, rendering, seconds: elapsed.as_secs_f64() };
     for file in &outfiles {
-        save_picture(file, &done.rendering.film.develop(), &done.info(job))
-            .map_err(Failure::output)?;
-        println!("{}", file.display());
+        save_picture(file, &done.rendering.film.develop(), &done.info(job))?;
+        tell(file.display())?;
     }
     finish(&done)?;
     if !options.quiet {
@@ -104,7 +106,7 @@ fn try_run<I: Integrator>(
     }
     match end {
         End::Interrupt => Err(Failure::interrupted(format_args!(
-            "interrupted; the picture has {} spp",
+            "interrupted; what is written has {} spp",
             done.rendering.film.passes()
         ))),
         _ => Ok(()),
@@ -119,6 +121,18 @@ fn outfiles(job: &Job<'_>) -> Vec<PathBuf> {
     } else {
         job.options.outfile.clone()
     }
+}
+
+/// Finds out before the work whether its result can be kept.
+fn check_outputs(outfiles: &[PathBuf], folder: Option<&Path>) -> Result<(), Failure> {
+    for file in outfiles {
+        check_writable(file)?;
+    }
+    let Some(folder) = folder else { return Ok(()) };
+    std::fs::create_dir_all(folder).map_err(|error| {
+        Failure::output(format_args!("{}: cannot be made: {error}", folder.display()))
+    })?;
+    Ok(check_writable(&folder.join("any.png"))?)
 }
 
 /// What ended a rendering.
@@ -149,7 +163,7 @@ fn render_job(
     let default_spp = job.default_spp.unwrap_or(loaded.settings.spp);
     let spp = options.spp.or(options.time_limit.is_none().then_some(default_spp));
     let title = format!("{} {}", job.program, loaded.name);
-    let line = Line::new(&title, spp, options.time_limit, options.quiet);
+    let line = Line::new(&title, options.time_limit, options.quiet);
     let settings =
         Settings { spp: spp.unwrap_or(u32::MAX), seed: options.seed, threads: options.threads };
     let (mut end, mut last_update) = (End::Spp, None);

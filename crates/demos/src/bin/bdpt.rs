@@ -11,7 +11,7 @@ use traylib_integrators::{Bdpt, Report, Weighting};
 
 /// Bidirectional path tracing: all ways to join walks from both ends, weighted
 #[derive(Parser)]
-#[command(version, after_long_help = traylib_demos::examples!("bdpt"))]
+#[command(version, max_term_width = 80, after_long_help = traylib_demos::examples!("bdpt"))]
 struct Options {
     #[command(flatten)]
     render: RenderOptions,
@@ -23,12 +23,13 @@ struct Options {
     /// Compute weights by summing over all techniques: slow, for comparison
     #[arg(long)]
     direct_sum: bool,
-    /// Write a picture of each technique (s, t), raw and weighted, into a folder
-    #[arg(long, value_name = "DIR", conflicts_with = "pixel")]
+    /// Also write a picture of each technique (s, t), raw and weighted, into a
+    /// folder
+    #[arg(long, value_name = "DIR")]
     techniques: Option<PathBuf>,
-    /// Print the paths that add to a pixel, with densities and weights, instead
-    /// of writing a picture
-    #[arg(long, value_name = "X,Y")]
+    /// Print the paths that add to a pixel, counted from 0,0 at the top left,
+    /// with densities and weights; writes no picture
+    #[arg(long, value_name = "X,Y", conflicts_with_all = ["techniques", "outfile"])]
     pixel: Option<PixelName>,
 }
 
@@ -36,6 +37,7 @@ fn main() -> ExitCode {
     let options = Options::parse();
     let job = Job {
         wants_picture: options.pixel.is_none(),
+        folder: options.techniques.as_deref(),
         ..Job::new("bdpt", &options.render, Some(&options.paths))
     };
     let weighting = if options.direct_sum { Weighting::DirectSum } else { Weighting::Recursive };
@@ -51,8 +53,8 @@ fn main() -> ExitCode {
             Ok(Bdpt { limits, heuristic, weighting, report, ..Bdpt::default() })
         },
         |done| -> Result<(), Failure> {
-            print_notes(&done.rendering);
-            options.techniques.iter().try_for_each(|folder| save_techniques(folder, &job, done))
+            print_notes(&done.rendering)?;
+            job.folder.map_or(Ok(()), |folder| save_techniques(folder, &job, done))
         },
     )
 }

@@ -11,7 +11,7 @@ use traylib_integrators::DirectLight;
 /// aimed at: seen directly, or after a perfect mirror. With --combine both count
 /// everywhere, weighted.
 #[derive(Parser)]
-#[command(version, after_long_help = traylib_demos::examples!("directlight"))]
+#[command(version, max_term_width = 80, after_long_help = traylib_demos::examples!("directlight"))]
 struct Options {
     #[command(flatten)]
     render: RenderOptions,

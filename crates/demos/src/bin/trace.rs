@@ -7,7 +7,7 @@ use traylib_integrators::Trace;
 
 /// One ray a pixel with a shadow ray to each point lamp; no interreflection
 #[derive(Parser)]
-#[command(version, after_long_help = traylib_demos::examples!("trace"))]
+#[command(version, max_term_width = 80, after_long_help = traylib_demos::examples!("trace"))]
 struct Options {
     #[command(flatten)]
     render: RenderOptions,
