@@ -1,0 +1,82 @@
+//! What only `bdpt` can show: techniques and single pixels.
+
+use crate::common::Folder;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use traylib_integrators::{Bdpt, Report, Settings, Technique, render};
+use traylib_io::{LoadOptions, load_scene_with};
+use traylib_math::{Grid, Rgb};
+
+#[test]
+fn weighted_techniques_add_up_to_the_picture() {
+    let options = LoadOptions { resolution: Some((24, 18)) };
+    for scene in ["cornell", "pyramid"] {
+        let scene = load_scene_with(scene, options).unwrap().scene;
+        let bdpt = Bdpt { report: Report::Techniques, ..Bdpt::default() };
+        let settings = Settings { spp: 3, seed: 1, threads: 1 };
+        let rendering =
+            render(&scene, &bdpt, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+        let whole = rendering.film.develop();
+        let weighted =
+            rendering.layers.iter().filter(|&(&layer, _)| Technique::of_layer(layer).weighted);
+        let layers: Vec<_> = weighted.map(|(_, image)| image.mean_over(3)).collect();
+        assert!(layers.len() > 5);
+        for (index, whole) in whole.values().iter().enumerate() {
+            let light = |layer: &Grid<Rgb>| layer.values()[index].g;
+            let sum: f32 = layers.iter().map(light).sum();
+            // A weight is rounded to f32 in a layer: an ulp a contribution.
+            assert!((sum - whole.g).abs() <= 1e-4 * whole.g, "{index}: {sum} {}", whole.g);
+        }
+    }
+}
+
+#[test]
+fn techniques_are_written_as_pictures() {
+    let folder = Folder::new();
+    let run = folder.run("bdpt", "--resolution 16x12 --spp 1 --techniques a/b -o whole.png");
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
+    for file in run.out.lines().filter(|&file| file != "whole.png") {
+        let path = folder.path().join(file);
+        assert!(path.is_file(), "{file}");
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        let (technique, kind) = name.rsplit_once('-').unwrap();
+        assert!(technique.starts_with('s') && technique.contains("-t"), "{file}");
+        *kinds.entry(kind.to_owned()).or_default() += 1;
+    }
+    assert_eq!(kinds.keys().collect::<Vec<_>>(), ["raw", "weighted"]);
+    assert!(kinds["raw"] > 3 && kinds["raw"] == kinds["weighted"], "{kinds:?}");
+    let written = std::fs::read_dir(folder.path().join("a/b")).unwrap().count();
+    assert_eq!(written, kinds["raw"] + kinds["weighted"]);
+}
+
+/// The number that follows a word.
+fn number_after(line: &str, word: &str) -> Option<f64> {
+    line.split_once(word)?.1.split_whitespace().next()?.parse().ok()
+}
+
+#[test]
+fn the_weights_of_every_path_of_a_pixel_sum_to_one() {
+    let folder = Folder::new();
+    for options in ["cornell --pixel 5,9", "plates --pixel 16,12 --heuristic balance"] {
+        let run = folder.run("bdpt", &format!("{options} --resolution 32x24 --spp 4"));
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        let paths: Vec<&str> = run.out.split("\n\n").filter(|path| !path.is_empty()).collect();
+        assert!(paths.len() >= 4, "{options}: {}", paths.len());
+        for path in paths {
+            let (head, vertices) = path.split_once('\n').unwrap();
+            let s: usize = head.split(['=', ',']).nth(1).unwrap().parse().unwrap();
+            let weights: Vec<f64> = vertices
+                .lines()
+                .enumerate()
+                .map(|(i, line)| number_after(line, &format!("weight of s={i} ")).unwrap())
+                .collect();
+            let sum: f64 = weights.iter().sum();
+            // Six digits each.
+            assert!((sum - 1.0).abs() <= 1e-6 * weights.len() as f64, "{path}");
+            let own = number_after(head, "weight ").unwrap();
+            assert!((own - weights[s]).abs() <= 2e-6, "{path}");
+        }
+    }
+    assert_eq!(folder.names(), [""; 0], "no picture was asked for");
+}

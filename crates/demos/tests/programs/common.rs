@@ -1,0 +1,92 @@
+//! What the tests of the programs have in common.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// Name and file of every program.
+pub(crate) const PROGRAMS: [(&str, &str); 5] = [
+    ("trace", env!("CARGO_BIN_EXE_trace")),
+    ("puremc", env!("CARGO_BIN_EXE_puremc")),
+    ("directlight", env!("CARGO_BIN_EXE_directlight")),
+    ("particle", env!("CARGO_BIN_EXE_particle")),
+    ("bdpt", env!("CARGO_BIN_EXE_bdpt")),
+];
+
+/// A scene that makes sense, for tests to damage.
+pub(crate) const SCENE: &str = r#"(
+    camera: (position: (0, 0, 3), target: (0, 0, 0), fov: 40, resolution: (32, 24)),
+    materials: { "grey": Lambert(reflectance: (0.5, 0.5, 0.5)) },
+    objects: [
+        (shape: Sphere(center: (0, 0, 0), radius: 1), material: "grey"),
+        (shape: Quad(corner: (-1, 2, -1), edge_u: (2, 0, 0), edge_v: (0, 0, 2)), material: "grey", emission: (4, 4, 4)),
+    ],
+)
+"#;
+
+/// A new folder, removed with all that is in it when dropped.
+pub(crate) struct Folder(PathBuf);
+
+impl Folder {
+    pub(crate) fn new() -> Self {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let n = COUNT.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("traylib-{}-{n}", std::process::id()));
+        std::fs::create_dir(&path).unwrap();
+        Self(path)
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
+    }
+
+    pub(crate) fn write(&self, name: &str, text: &str) {
+        std::fs::write(self.0.join(name), text).unwrap();
+    }
+
+    /// Names of all that is in it, in order.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(&self.0).unwrap();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    /// A program that is to run here, with arguments separated by blanks.
+    pub(crate) fn command(&self, program: &str, arguments: &str) -> Command {
+        let (_, file) = PROGRAMS.iter().find(|(name, _)| *name == program).unwrap();
+        let mut command = Command::new(file);
+        command.current_dir(&self.0).args(arguments.split_whitespace());
+        command
+    }
+
+    /// Runs a program here.
+    pub(crate) fn run(&self, program: &str, arguments: &str) -> Run {
+        Run::from(self.command(program, arguments).output().unwrap())
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// What came of a program.
+#[derive(Debug)]
+pub(crate) struct Run {
+    pub(crate) status: Option<i32>,
+    pub(crate) out: String,
+    pub(crate) err: String,
+}
+
+impl From<Output> for Run {
+    fn from(output: Output) -> Self {
+        Self {
+            status: output.status.code(),
+            out: String::from_utf8(output.stdout).unwrap(),
+            err: String::from_utf8(output.stderr).unwrap(),
+        }
+    }
+}

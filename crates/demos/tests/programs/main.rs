@@ -1,0 +1,9 @@
+//! The programs, as their users meet them.
+#![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
+
+mod bdpt;
+mod common;
+mod errors;
+#[cfg(unix)]
+mod interrupts;
+mod pictures;
