@@ -16,6 +16,7 @@ mod techniques;
 mod vertex;
 mod walk;
 mod weight;
+mod worth;
 
 pub use report::{Report, Technique};
 pub use techniques::{LightSampling, Techniques};
@@ -108,7 +109,7 @@ impl Integrator for Bdpt {
             camera.clear();
             let mut sampler = chunk.camera_sampler(pixel);
             walker.camera_subpath(&mut tracer, pixel, &mut sampler, &mut camera);
-            joiner.join_all(&mut tracer, pixel, &camera, light.partner(i), out);
+            joiner.join_all(&mut tracer, pixel, &camera, light.partner(i), &mut sampler, out);
         }
         out.statistics += tracer.statistics;
     }

@@ -6,12 +6,13 @@
 use super::direct_sum::{JoinedPath, Joint};
 use super::vertex::{End, Vertex};
 use super::walk::LightStart;
+use super::worth::Worth;
 use super::{Bdpt, LightPath, Weighting, weight};
 use crate::direct::sample_light;
 use crate::splat::aim_at_camera;
 use crate::tracer::Tracer;
 use crate::{ChunkOutput, Limits};
-use traylib_math::{Rgb, solid_angle_per_area};
+use traylib_math::{Rgb, Sampler, solid_angle_per_area};
 use traylib_scene::Walk;
 
 /// Joins subpaths and adds what they carry.
@@ -51,28 +52,33 @@ impl<'a> Joiner<'a> {
         }
     }
 
-    /// All techniques of one camera path with one light path.
+    /// All techniques of one camera path with one light path; `sampler` goes on
+    /// after the numbers of the camera path.
     pub(crate) fn join_all(
         &self,
         tracer: &mut Tracer<'_>,
         pixel: u32,
         camera: &[Vertex<'_>],
         light: Option<LightPath<'_, '_>>,
+        sampler: &mut Sampler,
         out: &mut ChunkOutput,
     ) {
+        let mut found = Rgb::BLACK;
         for last in 0..camera.len() {
             let camera = &camera[..=last];
+            found += self.hit(tracer, pixel, camera, out).unwrap_or_default();
             // The camera path itself has `last + 1` edges.
-            let edges = last as u32 + 1;
-            self.hit(tracer, pixel, camera, out);
-            if self.limits().allow(edges + 1) {
-                self.light_sample(tracer, pixel, camera, out);
+            if self.limits().allow(last as u32 + 2) {
+                found += self.light_sample(tracer, pixel, camera, out).unwrap_or_default();
             }
-            let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { continue };
-            for light_last in 0..light.vertices.len() {
-                if self.limits().allow(edges + light_last as u32 + 2) {
-                    let vertices = &light.vertices[..=light_last];
-                    self.connection(tracer, pixel, (light.start, vertices), camera, out);
+        }
+        let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { return };
+        let mut worth = Worth::beside(found, sampler);
+        for t in 1..=camera.len() {
+            for s in 1..=light.vertices.len() {
+                if self.limits().allow((s + t + 1) as u32) {
+                    let light = (light.start, &light.vertices[..s]);
+                    self.connection(tracer, pixel, light, &camera[..t], &mut worth, out);
                 }
             }
         }
@@ -83,12 +89,18 @@ impl<'a> Joiner<'a> {
     }
 
     /// s = 0: the camera path's last vertex is on a lamp.
-    fn hit(&self, tracer: &Tracer<'_>, pixel: u32, camera: &[Vertex<'_>], out: &mut ChunkOutput) {
-        let [.., x0] = camera else { return };
-        let Some((id, on_lamp)) = tracer.scene.emitting_point(&x0.point) else { return };
+    fn hit(
+        &self,
+        tracer: &Tracer<'_>,
+        pixel: u32,
+        camera: &[Vertex<'_>],
+        out: &mut ChunkOutput,
+    ) -> Option<Rgb> {
+        let x0 = camera.last()?;
+        let (id, on_lamp) = tracer.scene.emitting_point(&x0.point)?;
         let seen_directly = camera.len() == 1;
         if !seen_directly && !self.bdpt.techniques.hits {
-            return;
+            return None;
         }
         let x1 = camera
             .len()
@@ -101,7 +113,8 @@ impl<'a> Joiner<'a> {
             weight::hit(x0, &densities, self.bdpt.techniques, self.bdpt.heuristic)
         };
         let path = JoinedPath { light: &[], camera, densities, is_point: false, joint: Joint::Hit };
-        self.add(pixel, &Found { path, value: x0.throughput * on_lamp.emitted, weight }, out);
+        let value = x0.throughput * on_lamp.emitted;
+        Some(self.add(pixel, &Found { path, value, weight }, out))
     }
 
     /// s = 1: a fresh point of a lamp for the camera path's last vertex.
@@ -111,13 +124,13 @@ impl<'a> Joiner<'a> {
         pixel: u32,
         camera: &[Vertex<'_>],
         out: &mut ChunkOutput,
-    ) {
-        let [.., x1] = camera else { return };
+    ) -> Option<Rgb> {
+        let x1 = camera.last()?;
         let scene = tracer.scene;
-        let Some(light) = sample_light(scene, &x1.point, x1.wo, &x1.numbers) else { return };
+        let light = sample_light(scene, &x1.point, x1.wo, &x1.numbers)?;
         let is_point = light.x0.is_point;
         if !self.bdpt.techniques.samples_light(is_point) {
-            return;
+            return None;
         }
         let densities = light.densities(scene, x1.point.site.position);
         let cosine = x1.point.normal.dot(light.wi);
@@ -130,10 +143,10 @@ impl<'a> Joiner<'a> {
         let weight = weight::light_sample(x1, &end, &densities, hit_pdf, techniques, heuristic);
         let joint = Joint::LightSample { end, hit_pdf };
         let path = JoinedPath { light: &[], camera, densities, is_point, joint };
-        if light.is_visible(tracer, &x1.point) {
+        light.is_visible(tracer, &x1.point).then(|| {
             let value = x1.throughput * light.radiance;
-            self.add(pixel, &Found { path, value, weight }, out);
-        }
+            self.add(pixel, &Found { path, value, weight }, out)
+        })
     }
 
     /// s ≥ 2, t ≥ 2: an edge between the last vertices of both subpaths.
@@ -143,6 +156,7 @@ impl<'a> Joiner<'a> {
         pixel: u32,
         (start, light): (&LightStart, &[Vertex<'_>]),
         camera: &[Vertex<'_>],
+        worth: &mut Worth<'_>,
         out: &mut ChunkOutput,
     ) {
         let ([.., y], [.., z]) = (light, camera) else { return };
@@ -171,10 +185,11 @@ impl<'a> Joiner<'a> {
         let cosines = y.point.cosine(Walk::FromLight, y.wo, direction)
             * z.point.cosine(Walk::FromCamera, z.wo, -direction);
         let value = y.throughput * z.throughput * f * (cosines / distance_squared);
+        let Some(chance) = worth.try_it(value * weight as f32) else { return };
         if tracer.is_free(&y.point.site.segment_to(&z.point.site)) {
             let joint = Joint::Connection { light: light_end, camera: camera_end };
             let path = start.path(light, camera, joint);
-            self.add(pixel, &Found { path, value, weight }, out);
+            self.add(pixel, &Found { path, value: value / chance, weight }, out);
         }
     }
 
@@ -198,7 +213,8 @@ impl<'a> Joiner<'a> {
         }
     }
 
-    fn add(&self, pixel: u32, found: &Found<'_, '_>, out: &mut ChunkOutput) {
+    /// Adds what was found, and returns it.
+    fn add(&self, pixel: u32, found: &Found<'_, '_>, out: &mut ChunkOutput) -> Rgb {
         let Found { path, value, weight } = found;
         let Bdpt { techniques, heuristic, weighting, report, .. } = *self.bdpt;
         let all_weights = || path.path_densities().weights(self.light_paths, techniques, heuristic);
@@ -208,6 +224,9 @@ impl<'a> Joiner<'a> {
         };
         out.add(pixel, *value * weight as f32);
         report.record(out, pixel, path, *value, weight, all_weights);
+        // By the recursive weight in either case, so that both forms try the
+        // same connections.
+        *value * found.weight as f32
     }
 }
 

@@ -80,8 +80,8 @@ impl<'s> FullPath<'s> {
         light_paths: u32,
     ) -> impl Iterator<Item = f64> {
         let heuristic = bdpt.heuristic;
-        let light = self.from_light(scene, walker, bdpt);
-        let camera = self.from_camera(scene, bdpt, light_paths);
+        let light = self.light_vertices(scene, walker, bdpt);
+        let camera = self.camera_vertices(scene, bdpt, light_paths);
         let n = self.surfaces.len();
         let free = |i: usize| !self.is_delta[i];
         let mut weights = Vec::new();
@@ -124,7 +124,7 @@ impl<'s> FullPath<'s> {
         scene.light_densities(self.id, &self.x0, x1, self.first_direction())
     }
 
-    fn from_light(&self, scene: &'s Scene, walker: &Walker, bdpt: &Bdpt) -> Vec<Vertex<'s>> {
+    fn light_vertices(&self, scene: &'s Scene, walker: &Walker, bdpt: &Bdpt) -> Vec<Vertex<'s>> {
         let direction = self.first_direction();
         let emitted = Emitted {
             x0: self.x0,
@@ -134,10 +134,10 @@ impl<'s> FullPath<'s> {
             densities: self.densities(scene),
         };
         let events = self.surfaces.iter().copied().zip(self.is_delta.iter().copied());
-        walk(walker.light_tail(&emitted), direction, events.collect(), bdpt)
+        walk(walker.light_tail(&emitted), direction, &events.collect::<Vec<_>>(), bdpt)
     }
 
-    fn from_camera(&self, scene: &'s Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex<'s>> {
+    fn camera_vertices(&self, scene: &'s Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex<'s>> {
         let mut events: Vec<_> =
             self.surfaces.iter().copied().zip(self.is_delta.iter().copied()).collect();
         events.reverse();
@@ -151,7 +151,7 @@ impl<'s> FullPath<'s> {
             m_factor: f64::from(light_paths),
             c_factor: 0.0,
         };
-        walk(tail, direction, events, bdpt)
+        walk(tail, direction, &events, bdpt)
     }
 
     /// x₀ as the camera subpath would have reached it.
@@ -218,7 +218,7 @@ fn event(point: &SurfacePoint<'_>, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSa
 fn walk<'s>(
     mut tail: Tail,
     first_direction: Vec3,
-    events: Vec<(SurfacePoint<'s>, bool)>,
+    events: &[(SurfacePoint<'s>, bool)],
     bdpt: &Bdpt,
 ) -> Vec<Vertex<'s>> {
     let numbers = Sampler::new(0, Purpose::Test, 0, 0).next_vertex();
