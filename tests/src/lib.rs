@@ -1,1 +1,10 @@
-//! Helpers.
+//! What the tests of the whole share: scenes with known answers, and the
+//! statistics that compare pictures with them and with one another.
+
+pub mod analytic;
+pub mod furnace;
+pub mod measure;
+pub mod programs;
+pub mod scenes;
+pub mod statistics;
+pub mod still_life;
