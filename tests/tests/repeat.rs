@@ -1,0 +1,119 @@
+//! The same picture again: on other numbers of threads, at another scale, by
+//! another program that does the same, with other roulette.
+
+use std::ops::ControlFlow;
+use traylib_integrators::{
+    Bdpt, DirectLight, Integrator, Limits, Particle, Progress, PureMc, Roulette, Settings,
+    Statistics, Techniques, render,
+};
+use traylib_math::{Grid, Heuristic};
+use traylib_scene::Scene;
+use traylib_tests::measure::each_pass;
+use traylib_tests::programs::Program::{self, BdptPower, Combined, PureMc as Walks};
+use traylib_tests::statistics::{Sample, sidak, tile_means, welch};
+use traylib_tests::still_life::still_life;
+
+const PROGRAMS: [Program; 4] = [Walks, Combined, BdptPower, Program::Particle];
+
+fn picture(scene: &Scene, integrator: &dyn Integrator, settings: Settings) -> Grid<[f64; 3]> {
+    let observe = &mut |_: &Progress<'_>| ControlFlow::Continue(());
+    let rendering = render(scene, integrator, &settings, observe).expect("a few threads");
+    assert_eq!(rendering.statistics.rejected, 0);
+    rendering.film.mean()
+}
+
+fn bits(image: &Grid<[f64; 3]>) -> Vec<[u64; 3]> {
+    image.values().iter().map(|pixel| pixel.map(f64::to_bits)).collect()
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    let scene = still_life(1.0);
+    for program in PROGRAMS {
+        let integrator = program.integrator(None);
+        let on =
+            |threads| picture(&scene, integrator.as_ref(), Settings { spp: 4, seed: 3, threads });
+        let one = bits(&on(1));
+        assert!(one.iter().flatten().any(|&bits| bits != 0), "{program:?}: black");
+        for threads in [2, 7] {
+            assert!(one == bits(&on(threads)), "{program:?} on {threads} threads");
+        }
+    }
+}
+
+/// No length is compared with a constant, and powers of two scale exactly.
+#[test]
+fn scale_does_not_change_a_bit() {
+    let settings = Settings { spp: 8, seed: 4, threads: 1 };
+    for program in PROGRAMS {
+        let integrator = program.integrator(None);
+        let at = |scale| bits(&picture(&still_life(scale), integrator.as_ref(), settings));
+        let plain = at(1.0);
+        for exponent in [10, -14] {
+            let scaled = at(2.0_f32.powi(exponent));
+            let different = plain.iter().zip(&scaled).filter(|(a, b)| a != b).count();
+            assert_eq!(different, 0, "{program:?} at 2^{exponent}: pixels that differ");
+        }
+    }
+}
+
+/// Bidirectional path tracing with the techniques of another program finds the
+/// same paths from the same numbers, and weighs them alike up to rounding.
+#[test]
+fn bdpt_with_the_techniques_of_another_program_is_that_program() {
+    let scene = still_life(1.0);
+    let heuristic = Heuristic::Power;
+    let combined = DirectLight { combine: Some(heuristic), ..DirectLight::default() };
+    let others: [(Techniques, Box<dyn Integrator>); 3] = [
+        (Techniques::PURE_MC, Box::new(PureMc::default())),
+        (Techniques::COMBINED, Box::new(combined)),
+        (Techniques::PARTICLE, Box::new(Particle::default())),
+    ];
+    let settings = Settings { spp: 16, seed: 5, threads: 1 };
+    for (techniques, other) in others {
+        let bdpt = Bdpt { techniques, heuristic, ..Bdpt::default() };
+        let [bdpt, other] = [&bdpt as &dyn Integrator, other.as_ref()]
+            .map(|integrator| picture(&scene, integrator, settings));
+        for (i, (a, b)) in bdpt.values().iter().zip(other.values()).enumerate() {
+            let close = (a[1] - b[1]).abs() <= 1e-4 * b[1];
+            assert!(close, "{techniques:?}, pixel {i}: {} {}", a[1], b[1]);
+        }
+    }
+}
+
+/// The means of 8 × 8 blocks, over all passes.
+fn blocks(integrator: &dyn Integrator, settings: Settings) -> Vec<Sample> {
+    let mut blocks: Vec<Vec<f64>> = Vec::new();
+    let statistics: Statistics = each_pass(&still_life(1.0), integrator, &settings, |pass| {
+        let means = tile_means(&pass.map(|bands| bands[1]), 8);
+        blocks.resize(means.len(), Vec::new());
+        for (block, mean) in blocks.iter_mut().zip(means) {
+            block.push(mean);
+        }
+    });
+    assert_eq!(statistics.rejected, 0);
+    blocks.iter().map(|values| Sample::of(values)).collect()
+}
+
+/// Roulette changes the noise and not the picture: two comparisons of 20 blocks
+/// with independent numbers, false alarm 10⁻³ for all of them.
+#[test]
+fn roulette_does_not_change_the_picture() {
+    let render = |roulette, seed| {
+        let limits = Limits { max_depth: Some(12), roulette };
+        blocks(&Bdpt { limits, ..Bdpt::default() }, Settings { spp: 96, seed, threads: 1 })
+    };
+    let without = render(Roulette::OFF, 61);
+    let level = sidak(1e-3, 2 * without.len());
+    for (from_edge, seed) in [(3, 62), (5, 63)] {
+        let with = render(Roulette { from_edge }, seed);
+        for (i, (a, b)) in without.iter().zip(&with).enumerate() {
+            let p = welch(a, b);
+            assert!(p > level, "from edge {from_edge}, block {i}: {a:?} {b:?}, p = {p:e}");
+        }
+        // The test sees what it should: the picture is known to two per cent.
+        for block in without.iter().chain(&with) {
+            assert!(block.variance_of_mean.sqrt() < 0.02 * block.mean, "{block:?}");
+        }
+    }
+}
