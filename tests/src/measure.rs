@@ -108,6 +108,18 @@ pub fn holds(case: &Case, program: Program, passes: u32, seed: u64) -> Result<In
     Err(format!("{name}, {program:?}: {mean:.6} ± {half_width:.6}, truth {truth:.6}: {found}"))
 }
 
+/// [`holds`] for each of these programs, with its number of passes.
+///
+/// # Panics
+/// With everything that did not hold.
+pub fn all_hold(case: &Case, seed: u64, programs: &[(Program, u32)]) {
+    let failures: Vec<String> = programs
+        .iter()
+        .filter_map(|&(program, passes)| holds(case, program, passes, seed).err())
+        .collect();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
 /// The mean over the film of what is seen at the points of the plane z = 0, by
 /// the midpoint rule on 512 × 512 film points. The camera must see the plane
 /// everywhere.

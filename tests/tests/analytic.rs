@@ -12,19 +12,10 @@ use traylib_integrators::{Settings, Trace};
 use traylib_tests::analytic::{
     disk, max_phong_disk, phong_disk, point_light, point_light_wide, sphere, square, square_wide,
 };
-use traylib_tests::measure::{Case, each_pass, holds};
+use traylib_tests::measure::{Case, all_hold, each_pass};
 use traylib_tests::programs::Program::{
     self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
 };
-
-/// Fails with everything that did not hold.
-fn check(case: &Case, seed: u64, programs: &[(Program, u32)]) {
-    let failures: Vec<String> = programs
-        .iter()
-        .filter_map(|&(program, passes)| holds(case, program, passes, seed).err())
-        .collect();
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
-}
 
 /// Those that combine ways to find the lamp, and so need few passes anywhere.
 const REST: [(Program, u32); 3] = [(Combined, 80), (BdptPower, 80), (BdptBalance, 80)];
@@ -45,7 +36,7 @@ fn trace_is_exact_under_a_point_light() {
 
 #[test]
 fn a1_point_light() {
-    check(&point_light(), 11, &Program::FROM_CAMERA.map(|program| (program, 32)));
+    all_hold(&point_light(), 11, &Program::FROM_CAMERA.map(|program| (program, 32)));
 }
 
 /// Light paths find a spot by the rarest chance, so the particle tracer is asked
@@ -53,60 +44,60 @@ fn a1_point_light() {
 #[test]
 fn a1_point_light_in_a_wide_view() {
     let programs = [(Particle, 1800), (BdptPower, 900), (BdptBalance, 900), (PureMc, 128)];
-    check(&point_light_wide(), 12, &programs);
+    all_hold(&point_light_wide(), 12, &programs);
 }
 
 /// Without `puremc`: it hits so small a lamp once in a hundred times, cv = 10.
 #[test]
 fn a2_small_disk() {
     let programs = [(Strict, 32), (Combined, 32), (BdptPower, 32), (BdptBalance, 64)];
-    check(&disk(0.1), 21, &programs);
+    all_hold(&disk(0.1), 21, &programs);
 }
 
 #[test]
 fn a2_disk() {
-    check(&disk(1.0), 22, &[(PureMc, 320), (Strict, 64), REST[0], REST[1], REST[2]]);
+    all_hold(&disk(1.0), 22, &[(PureMc, 320), (Strict, 64), REST[0], REST[1], REST[2]]);
 }
 
 /// Light sampling by area has cv² = 2.7 so close under a large lamp.
 #[test]
 fn a2_large_disk() {
-    check(&disk(3.0), 23, &[(PureMc, 64), (Strict, 800), REST[0], REST[1], REST[2]]);
+    all_hold(&disk(3.0), 23, &[(PureMc, 64), (Strict, 800), REST[0], REST[1], REST[2]]);
 }
 
 #[test]
 fn a3_sphere() {
-    check(&sphere(), 31, &[(PureMc, 1200), (Strict, 64), REST[0], REST[1], REST[2]]);
+    all_hold(&sphere(), 31, &[(PureMc, 1200), (Strict, 64), REST[0], REST[1], REST[2]]);
 }
 
 #[test]
 fn a5_square() {
-    check(&square(1.0), 51, &[(PureMc, 256), (Strict, 96), REST[0], REST[1], REST[2]]);
+    all_hold(&square(1.0), 51, &[(PureMc, 256), (Strict, 96), REST[0], REST[1], REST[2]]);
 }
 
 #[test]
 fn a5_small_square() {
-    check(&square(0.5), 52, &[(PureMc, 1000), (Strict, 64), REST[0], REST[1], REST[2]]);
+    all_hold(&square(0.5), 52, &[(PureMc, 1000), (Strict, 64), REST[0], REST[1], REST[2]]);
 }
 
 #[test]
 fn a5_square_in_a_wide_view() {
     let programs = [(Particle, 1250), (BdptPower, 400), (BdptBalance, 400), (Combined, 400)];
-    check(&square_wide(), 53, &programs);
+    all_hold(&square_wide(), 53, &programs);
 }
 
 #[test]
 fn a8_phong() {
     let programs = [(PureMc, 320), (Strict, 128), REST[0], REST[1], REST[2]];
-    check(&phong_disk(10.0, 0.5), 81, &programs);
-    check(&phong_disk(1e3, 0.05), 82, &programs);
-    check(&phong_disk(1e6, 0.002), 83, &programs);
+    all_hold(&phong_disk(10.0, 0.5), 81, &programs);
+    all_hold(&phong_disk(1e3, 0.05), 82, &programs);
+    all_hold(&phong_disk(1e6, 0.002), 83, &programs);
 }
 
 #[test]
 fn a8_max_phong() {
     let programs = [(PureMc, 128), (Strict, 128), REST[0], REST[1], REST[2]];
-    check(&max_phong_disk(10.0, 0.5), 84, &programs);
-    check(&max_phong_disk(1e3, 0.05), 85, &programs);
-    check(&max_phong_disk(1e6, 0.002), 86, &programs);
+    all_hold(&max_phong_disk(10.0, 0.5), 84, &programs);
+    all_hold(&max_phong_disk(1e3, 0.05), 85, &programs);
+    all_hold(&max_phong_disk(1e6, 0.002), 86, &programs);
 }
