@@ -73,13 +73,13 @@ pub fn square(half_side: f64) -> Case {
     from_aside(format!("A5 half-side {half_side}"), square_lamp(half_side), factor)
 }
 
-/// A5 in a wide view from below the lamp. (Not from above, through its back: what
-/// a camera sees that way, light that meets the lamp's front cannot reach.)
+/// A5 in a wide view from above, through the lamp's back, which is not there:
+/// joining the floor to the camera must ask from the camera's side.
 /// The floor's point (x, y) has the lamp's corners at (±a − x, ±a − y): a signed
 /// sum of [`corner_factor`], which is odd in both.
 pub fn square_wide() -> Case {
     let a = 0.5;
-    let camera = camera(Vec3::new(0.1, 0.0, 0.9), Vec3::new(0.1, 0.0, 0.0), 90.0, 32);
+    let camera = camera(Vec3::new(0.1, 0.0, 1.3), Vec3::new(0.1, 0.0, 0.0), 70.0, 32);
     let truth = mean_over_floor(&camera, |point| {
         let (x, y) = (f64::from(point.x), f64::from(point.y));
         let strip = |y| corner_factor(a - x, y) - corner_factor(-a - x, y);

@@ -57,10 +57,18 @@ impl SurfaceSite {
         Ray::segment(self.ray_origin(between), other.lifted(-between, reach))
     }
 
-    /// The segment from this site to a point in free space (a point light, a
-    /// pinhole), not blocked by the surface it leaves.
+    /// The segment from this site to a point in free space (a point light), not
+    /// blocked by the surface it leaves.
     pub fn segment_to_point(&self, point: Vec3) -> Ray {
         Ray::segment(self.ray_origin(point - self.position), point)
+    }
+
+    /// The segment from a point in free space (a pinhole) to this site, not
+    /// blocked by the surface it reaches.
+    pub fn segment_from_point(&self, point: Vec3) -> Ray {
+        let between = self.position - point;
+        let reach = between.abs() * (8.0 * ROUNDOFF);
+        Ray::segment(point, self.lifted(-between, reach))
     }
 
     /// The position moved along the normal to the side of `direction`, by the

@@ -70,10 +70,12 @@ impl<'scene> Tracer<'scene> {
         self.scene.intersect(ray)
     }
 
-    /// Whether the camera sees a point.
+    /// Whether the camera sees a point. Asked from the camera, as all questions of
+    /// the kind are from the side of the eye: through the back of a one-sided
+    /// surface light passes that way only.
     pub(crate) fn seen_by_camera(&mut self, point: &SurfacePoint<'_>) -> bool {
         let pinhole = self.scene.camera().position();
-        self.is_free(&point.site.segment_to_point(pinhole))
+        self.is_free(&point.site.segment_from_point(pinhole))
     }
 
     /// Whether nothing stands in the way of a segment.

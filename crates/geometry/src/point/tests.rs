@@ -130,8 +130,9 @@ fn segments_to_free_points_leave_the_surface() {
         let light = site.position + (1e-3 * random.magnitude(1e7)) * out;
         let clear = (light - site.position).dot(site.normal) > site.error.length();
         if clear && is_final(&shape, 1.0) {
-            let segment = site.segment_to_point(light);
-            assert_eq!(shape.intersect(&segment, Sides::Both), None, "{shape:?} {site:?}");
+            for segment in [site.segment_to_point(light), site.segment_from_point(light)] {
+                assert_eq!(shape.intersect(&segment, Sides::Both), None, "{shape:?} {site:?}");
+            }
         }
     }
 }

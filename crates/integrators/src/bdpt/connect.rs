@@ -186,7 +186,7 @@ impl<'a> Joiner<'a> {
             * z.point.cosine(Walk::FromCamera, z.wo, -direction);
         let value = y.throughput * z.throughput * f * (cosines / distance_squared);
         let Some(chance) = worth.try_it(value * weight as f32) else { return };
-        if tracer.is_free(&y.point.site.segment_to(&z.point.site)) {
+        if tracer.is_free(&z.point.site.segment_to(&y.point.site)) {
             let joint = Joint::Connection { light: light_end, camera: camera_end };
             let path = start.path(light, camera, joint);
             self.add(pixel, &Found { path, value: value / chance, weight }, out);
