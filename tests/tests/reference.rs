@@ -2,6 +2,9 @@
 //!
 //! See `tests/data/README.md` for where the numbers are from.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on says so")]
+#![allow(clippy::print_stdout, reason = "the figures are worth reading")]
+
 use serde::Deserialize;
 use traylib_integrators::Settings;
 use traylib_io::{LoadOptions, load_exr, load_scene_with};
