@@ -7,6 +7,7 @@ mod walk;
 use crate::{Aabb, Error, Hit, Ray, Shape};
 use node::{Child, Node};
 use std::ops::ControlFlow;
+use walk::Order;
 
 /// Shapes in a tree of boxes.
 ///
@@ -49,7 +50,7 @@ impl<S: Shape> Bvh<S> {
     /// The first hit with 0 < t < `ray.t_max`.
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
         let mut nearest = None;
-        self.walk(ray, |ray, shapes| {
+        self.walk(ray, Order::NearestFirst, |ray, shapes| {
             for &primitive in shapes {
                 if let Some(hit) = self.shapes[primitive as usize].intersect(ray) {
                     ray.t_max = hit.t;
@@ -64,7 +65,7 @@ impl<S: Shape> Bvh<S> {
     /// Whether there is any hit with 0 < t < `ray.t_max`.
     pub fn any_hit(&self, ray: &Ray) -> bool {
         let mut found = false;
-        self.walk(ray, |ray, shapes| {
+        self.walk(ray, Order::Any, |ray, shapes| {
             found = shapes.iter().any(|&i| self.shapes[i as usize].intersect(ray).is_some());
             if found { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });

@@ -16,6 +16,7 @@ pub(crate) struct Step {
 
 /// The edge with number `edge` of a walk that arrived at `point` from `wo`;
 /// `None` where the walk ends.
+#[inline]
 pub(crate) fn next_step(
     walk: Walk,
     point: &SurfacePoint<'_>,

@@ -5,6 +5,15 @@ use super::{Bvh, build};
 use crate::Ray;
 use std::ops::ControlFlow;
 
+/// In which order the boxes of a node are opened.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Order {
+    /// Near boxes first, to shorten the ray early.
+    NearestFirst,
+    /// As they come, where any hit ends the walk.
+    Any,
+}
+
 /// Waiting entries a tree of this many levels can need: each level leaves all
 /// but one of its boxes behind, and the last has just added one more.
 const fn stack_for(depth: usize) -> usize {
@@ -18,18 +27,23 @@ const USUAL: usize = 16;
 type Waiting = (f32, Child);
 
 impl<S> Bvh<S> {
-    /// Calls `visit` with the shapes of each leaf whose box the ray meets, near
-    /// boxes first, until it breaks. It may shorten the ray it is given.
+    /// Calls `visit` with the shapes of each leaf whose box the ray meets until it
+    /// breaks. It may shorten the ray it is given.
     #[inline]
-    pub(super) fn walk(&self, ray: &Ray, visit: impl FnMut(&mut Ray, &[u32]) -> ControlFlow<()>) {
+    pub(super) fn walk(
+        &self,
+        ray: &Ray,
+        order: Order,
+        visit: impl FnMut(&mut Ray, &[u32]) -> ControlFlow<()>,
+    ) {
         let Some(root) = self.root.filter(|_| ray.is_traceable()) else { return };
         // Clearing a stack for the deepest tree would cost small scenes dearly.
         if self.depth <= SHALLOW {
-            self.walk_from::<{ stack_for(SHALLOW) }>(root, *ray, visit);
+            self.walk_from::<{ stack_for(SHALLOW) }>(root, *ray, order, visit);
         } else if self.depth <= USUAL {
-            self.walk_from::<{ stack_for(USUAL) }>(root, *ray, visit);
+            self.walk_from::<{ stack_for(USUAL) }>(root, *ray, order, visit);
         } else {
-            self.walk_from::<{ stack_for(build::MAX_DEPTH) }>(root, *ray, visit);
+            self.walk_from::<{ stack_for(build::MAX_DEPTH) }>(root, *ray, order, visit);
         }
     }
 
@@ -38,6 +52,7 @@ impl<S> Bvh<S> {
         &self,
         root: Child,
         mut ray: Ray,
+        order: Order,
         mut visit: impl FnMut(&mut Ray, &[u32]) -> ControlFlow<()>,
     ) {
         let box_ray = BoxRay::new(&ray);
@@ -58,19 +73,21 @@ impl<S> Bvh<S> {
                 Content::Node(index) => {
                     let node = &self.nodes[index];
                     let (enter, met) = box_ray.meet(node, ray.t_max);
-                    waiting = push(&mut stack, waiting, enter.to_array(), met, &node.children);
+                    let enter = enter.to_array();
+                    waiting = push(&mut stack, waiting, order, enter, met, &node.children);
                 }
             }
         }
     }
 }
 
-/// Adds the boxes in the bit set `met`, the nearest on top; returns the new
+/// Adds the boxes in the bit set `met`, the last to open first; returns the new
 /// number of entries.
 #[inline]
 fn push(
     stack: &mut [Waiting],
     bottom: usize,
+    order: Order,
     enter: [f32; WIDTH],
     mut met: u32,
     children: &[Child; WIDTH],
@@ -80,7 +97,8 @@ fn push(
         let lane = met.trailing_zeros() as usize % WIDTH;
         met &= met - 1;
         let mut place = top;
-        while place > bottom && stack[place - 1].0 < enter[lane] {
+        let nearest_first = order == Order::NearestFirst;
+        while nearest_first && place > bottom && stack[place - 1].0 < enter[lane] {
             stack[place] = stack[place - 1];
             place -= 1;
         }

@@ -61,6 +61,7 @@ pub(crate) struct Tail {
 
 impl Tail {
     /// The vertex at `point`, reached from this one.
+    #[inline]
     pub(crate) fn arrive<'scene>(
         &self,
         point: SurfacePoint<'scene>,
@@ -97,6 +98,7 @@ impl Vertex<'_> {
     /// of this subpath, of (their density / that of connecting at the edge from
     /// here), raised: P(B)·(M + P(pdf back)·C), with B the density of finding
     /// this vertex from the other side of the edge.
+    #[inline]
     pub(crate) fn competition(
         &self,
         density_from_other_side: f64,
@@ -109,6 +111,7 @@ impl Vertex<'_> {
 
     /// Notes how the walk went on, and what the next vertex needs to know.
     /// `connections` is whether connecting at the next edge takes part at all.
+    #[inline]
     pub(crate) fn leave(
         &mut self,
         sample: &BsdfSample,
@@ -134,6 +137,7 @@ impl Vertex<'_> {
 }
 
 /// P(x) for ratios whose square may leave the range of single precision.
+#[inline]
 pub(crate) fn raise(heuristic: Heuristic, ratio: f64) -> f64 {
     match heuristic {
         Heuristic::Balance => ratio,

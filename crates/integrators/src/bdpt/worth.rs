@@ -4,7 +4,11 @@ use traylib_math::{Rgb, Sampler};
 
 /// A connection that would add less than this part of what the camera path has
 /// found by itself is tried in proportion to what it would add.
-const HARDLY: f32 = 0.1;
+///
+/// On `cornell` this takes the shadow rays of a pair of paths from 14.0 to 6.9
+/// and adds 0.4 % to the error of as many passes; 0.1 would leave 8.6 and add
+/// 0.1 %.
+const HARDLY: f32 = 0.3;
 
 /// Roulette before the shadow ray of a connection.
 ///
@@ -48,12 +52,13 @@ mod tests {
         for part in [0.1, 0.5, 2.0] {
             let light = Rgb::splat(part * HARDLY);
             let n = 100_000;
-            let sum: f32 =
-                (0..n).filter_map(|_| worth.try_it(light)).map(|chance| light.g / chance).sum();
-            let mean = sum / (n as f32 * HARDLY);
-            // Five standard errors of a Bernoulli mean, and rounding of the sum.
-            let slack = 5.0 * (part * (1.0 - part)).max(0.0).sqrt() / (n as f32).sqrt();
-            assert!((mean - part).abs() < slack + 1e-3, "{part}: {mean}");
+            let tried = (0..n).filter_map(|_| worth.try_it(light));
+            let sum: f64 = tried.map(|chance| f64::from(light.g / chance)).sum();
+            let mean = sum / (f64::from(n) * f64::from(HARDLY));
+            // Five standard errors of a Bernoulli mean, and rounding.
+            let part = f64::from(part);
+            let slack = 5.0 * (part * (1.0 - part)).max(0.0).sqrt() / f64::from(n).sqrt();
+            assert!((mean - part).abs() < slack + 1e-6, "{part}: {mean}");
         }
     }
 
