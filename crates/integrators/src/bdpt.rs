@@ -125,3 +125,5 @@ impl Integrator for Bdpt {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+pub(crate) use tests::room;

@@ -30,6 +30,10 @@ pub(crate) fn sample_light(
     }
     let choice = scene.choose_light(numbers.light_pick);
     let (x0, pdf) = choice.light.sample_toward(point.site.position, numbers.light_point);
+    // At the rim of a sphere rounding can turn the point away from here.
+    if pdf.0 <= 0.0 {
+        return None;
+    }
     let mut sample = aim(point, wo, choice.id, x0)?;
     sample.radiance *= 1.0 / (choice.probability * pdf.0);
     Some(sample)
@@ -90,5 +94,33 @@ impl LightSample {
     /// The densities of the lamp's point for the vertex at `x1`.
     pub(crate) fn densities(&self, scene: &Scene, x1: Vec3) -> LightDensities {
         scene.light_densities(self.id, &self.x0, x1, -self.wi)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bdpt::room;
+    use traylib_geometry::Ray;
+    use traylib_math::{Purpose, Sampler, warp};
+
+    /// The rim of a spherical lamp, where its density rounds to zero.
+    #[test]
+    fn the_rim_of_a_lamp_gives_no_infinite_light() {
+        let scene = room();
+        let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+        let mut found = 0;
+        for i in 0..400_000 {
+            let direction = warp::uniform_sphere(sampler.next_2d());
+            let ray = Ray::new(Vec3::new(0.0, 0.1, 0.9), direction);
+            let Some(point) = scene.intersect(&ray) else { continue };
+            let mut numbers = sampler.next_vertex();
+            numbers.light_point.x = 1.0 - (i % 4 + 1) as f32 * f32::EPSILON / 2.0;
+            if let Some(light) = sample_light(&scene, &point, -direction, &numbers) {
+                assert!(light.radiance.is_finite(), "{:?}", light.x0);
+                found += 1;
+            }
+        }
+        assert!(found > 10_000, "{found}");
     }
 }

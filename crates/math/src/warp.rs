@@ -13,7 +13,7 @@ pub fn cosine_hemisphere(normal: Vec3, u: Vec2) -> Vec3 {
     let radius = u.x.sqrt();
     let height = (1.0 - u.x).sqrt();
     let local = Vec3::new(radius * cos_phi, radius * sin_phi, height);
-    Frame::around(normal).to_world(local).normalize()
+    Frame::around(normal).to_world(local)
 }
 
 /// Density of [`cosine_hemisphere`] in 1/sr, for the cosine of the angle to the

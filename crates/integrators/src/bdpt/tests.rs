@@ -6,7 +6,7 @@ mod room;
 
 use super::*;
 use replay::FullPath;
-use room::room;
+pub(crate) use room::room;
 use traylib_math::{Purpose, Rgb, Sampler};
 
 const HEURISTICS: [Heuristic; 2] = [Heuristic::Balance, Heuristic::Power];
