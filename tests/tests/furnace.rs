@@ -24,7 +24,7 @@ const WIDE: [(Program, u32); 6] = [
 
 /// Samples of 4096 pixels a pass.
 const SPOT: [(Program, u32); 5] =
-    [(PureMc, 96), (Strict, 96), (Combined, 96), (BdptPower, 32), (BdptBalance, 32)];
+    [(PureMc, 96), (Strict, 96), (Combined, 96), (BdptPower, 48), (BdptBalance, 48)];
 
 /// All but one.
 fn without(program: Program, programs: &[(Program, u32)]) -> Vec<(Program, u32)> {
