@@ -19,9 +19,10 @@ pub enum Heuristic {
 }
 
 impl Heuristic {
-    /// P(x) = xᵇ, applied to ratios of densities.
+    /// P(x) = xᵇ, applied to ratios of densities, whose squares may leave the
+    /// range of single precision.
     #[inline]
-    pub fn raise(self, ratio: f32) -> f32 {
+    pub fn raise(self, ratio: f64) -> f64 {
         match self {
             Self::Balance => ratio,
             Self::Power => ratio * ratio,
@@ -35,7 +36,7 @@ impl Heuristic {
         if own <= 0.0 {
             return 0.0;
         }
-        1.0 / (1.0 + self.raise(other / own))
+        (1.0 / (1.0 + self.raise(f64::from(other) / f64::from(own)))) as f32
     }
 }
 

@@ -1,7 +1,7 @@
 //! The finished scene and the questions a renderer asks of it.
 
 use crate::{Camera, Light, LightPoint, SurfacePoint};
-use traylib_geometry::{Bvh, Mesh, Primitive, Ray, SidedPrimitive};
+use traylib_geometry::{Bvh, Mesh, Ray, SidedPrimitive};
 use traylib_materials::SurfaceModel;
 use traylib_math::{DiscreteDistribution, Rgb, SolidAnglePdf, Vec3};
 
@@ -153,10 +153,5 @@ impl Scene {
             direction: x0.direction_pdf(direction),
             toward: choice * light.toward_pdf(x1, x0).0,
         }
-    }
-
-    /// The shapes, in the order in which objects were added.
-    pub fn primitives(&self) -> impl Iterator<Item = &Primitive> {
-        self.shapes.shapes().iter().map(|shape| &shape.primitive)
     }
 }

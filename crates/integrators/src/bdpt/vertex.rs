@@ -88,7 +88,7 @@ impl Tail {
             connectable: point.model.has_smooth_part(),
             after_delta: self.is_delta,
             m: self.m_factor / f64::from(pdf.0),
-            c: raise(heuristic, back_over_forth) * self.c_factor,
+            c: heuristic.raise(back_over_forth) * self.c_factor,
         }
     }
 }
@@ -105,8 +105,8 @@ impl Vertex<'_> {
         pdf_back: SolidAnglePdf,
         heuristic: Heuristic,
     ) -> f64 {
-        raise(heuristic, density_from_other_side * self.m)
-            + raise(heuristic, density_from_other_side * f64::from(pdf_back.0)) * self.c
+        heuristic.raise(density_from_other_side * self.m)
+            + heuristic.raise(density_from_other_side * f64::from(pdf_back.0)) * self.c
     }
 
     /// Notes how the walk went on, and what the next vertex needs to know.
@@ -123,7 +123,7 @@ impl Vertex<'_> {
         let c_factor = if is_delta {
             self.c
         } else {
-            raise(heuristic, self.m) + raise(heuristic, f64::from(pdf_reverse.0)) * self.c
+            heuristic.raise(self.m) + heuristic.raise(f64::from(pdf_reverse.0)) * self.c
         };
         Tail {
             position: self.point.site.position,
@@ -133,15 +133,6 @@ impl Vertex<'_> {
             m_factor: if connections && !is_delta { 1.0 } else { 0.0 },
             c_factor,
         }
-    }
-}
-
-/// P(x) for ratios whose square may leave the range of single precision.
-#[inline]
-pub(crate) fn raise(heuristic: Heuristic, ratio: f64) -> f64 {
-    match heuristic {
-        Heuristic::Balance => ratio,
-        Heuristic::Power => ratio * ratio,
     }
 }
 

@@ -1,6 +1,6 @@
 //! The two walks.
 
-use super::vertex::{Tail, Vertex, raise};
+use super::vertex::{Tail, Vertex};
 use super::{Bdpt, Techniques};
 use crate::Limits;
 use crate::chunk::pixel_corner;
@@ -62,7 +62,7 @@ impl Walker {
             pdf: densities.direction,
             is_delta: false,
             m_factor: if sampled { f64::from(densities.toward) / emission } else { 0.0 },
-            c_factor: if hit { raise(self.heuristic, 1.0 / emission) } else { 0.0 },
+            c_factor: if hit { self.heuristic.raise(1.0 / emission) } else { 0.0 },
         }
     }
 

@@ -6,7 +6,7 @@
 //! [`direct_sum`](super::direct_sum) in tests.
 
 use super::Techniques;
-use super::vertex::{End, Vertex, raise};
+use super::vertex::{End, Vertex};
 use traylib_math::{Heuristic, SolidAnglePdf};
 use traylib_scene::LightDensities;
 
@@ -21,10 +21,10 @@ pub(crate) fn hit(
     let sampled = if x0.after_delta || !techniques.samples_light(false) {
         0.0
     } else {
-        raise(heuristic, f64::from(densities.toward) / f64::from(x0.pdf.0))
+        heuristic.raise(f64::from(densities.toward) / f64::from(x0.pdf.0))
     };
     let walked = f64::from(densities.emission) * f64::from(densities.direction.0);
-    1.0 / (1.0 + sampled + raise(heuristic, walked) * x0.c)
+    1.0 / (1.0 + sampled + heuristic.raise(walked) * x0.c)
 }
 
 /// s = 1: a lamp's point was sampled from the camera path's last vertex x₁.
@@ -42,7 +42,7 @@ pub(crate) fn light_sample(
     let arrive = f64::from(densities.direction.0) * f64::from(end.conversion);
     let walked = f64::from(densities.emission) * arrive / toward;
     let back = end.scattering.pdf_reverse;
-    1.0 / (1.0 + raise(heuristic, hit) + x1.competition(walked, back, heuristic))
+    1.0 / (1.0 + heuristic.raise(hit) + x1.competition(walked, back, heuristic))
 }
 
 /// s ≥ 2, t ≥ 2: `light` and `camera` were connected.
