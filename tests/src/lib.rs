@@ -3,6 +3,7 @@
 
 pub mod analytic;
 pub mod furnace;
+pub mod ledger;
 pub mod measure;
 pub mod programs;
 pub mod scenes;

@@ -1,6 +1,7 @@
 //! Renderings as numbers: one a pass, and whether a known radiance is among
 //! what they leave possible.
 
+use crate::ledger::{Finding, settle};
 use crate::programs::Program;
 use crate::statistics::{Interval, mean_interval, sidak};
 use std::ops::ControlFlow;
@@ -84,40 +85,45 @@ pub fn pass_means(
 /// Compares a program with the truth: every sample sound, the truth within the
 /// interval of the family's level, and the interval narrow. The number of passes
 /// and the seed are the caller's, fixed beforehand.
-///
-/// # Errors
-/// What did not hold, as text.
-pub fn holds(case: &Case, program: Program, passes: u32, seed: u64) -> Result<Interval, String> {
+pub fn compare(case: &Case, program: Program, passes: u32, seed: u64) -> Finding {
     let integrator = program.integrator(case.max_depth);
     let settings = Settings { spp: passes, seed, threads: 1 };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
-    let interval = mean_interval(&means, sidak(FAMILY_LEVEL, FAMILY_SIZE));
-    let slack = ROUNDING * case.truth;
-    let Interval { mean, half_width } = interval;
-    let wide = Interval { mean, half_width: half_width + slack };
-    let found = if statistics.rejected > 0 {
-        format!("{} samples were not sound numbers", statistics.rejected)
+    let level = sidak(FAMILY_LEVEL, FAMILY_SIZE);
+    let Interval { mean, half_width } = mean_interval(&means, level);
+    let wide = Interval { mean, half_width: half_width + ROUNDING * case.truth };
+    let complaint = if statistics.rejected > 0 {
+        format!(", {} samples were not sound numbers", statistics.rejected)
     } else if !wide.contains(case.truth) {
-        String::from("the truth is not within")
+        String::from(", the truth is not within")
     } else if half_width > EQUIVALENCE * case.truth {
-        String::from("too wide to say anything")
+        String::from(", too wide to say anything")
     } else {
-        return Ok(interval);
+        String::new()
     };
-    let (name, truth) = (&case.name, case.truth);
-    Err(format!("{name}, {program:?}: {mean:.6} ± {half_width:.6}, truth {truth:.6}: {found}"))
+    let truth = case.truth;
+    Finding {
+        claim: format!("{}, {program:?}: mean radiance", case.name),
+        statistic: format!("{mean:.6} ± {half_width:.6}, truth {truth:.6}{complaint}"),
+        level: Some(level),
+        samples: u64::from(passes) * samples_in_a_pass(&case.scene),
+        holds: complaint.is_empty(),
+    }
 }
 
-/// [`holds`] for each of these programs, with its number of passes.
+/// Camera samples, of which there are as many as light paths.
+pub fn samples_in_a_pass(scene: &Scene) -> u64 {
+    u64::from(scene.camera().width()) * u64::from(scene.camera().height())
+}
+
+/// [`compare`] for each of these programs, with its number of passes.
 ///
 /// # Panics
 /// With everything that did not hold.
 pub fn all_hold(case: &Case, seed: u64, programs: &[(Program, u32)]) {
-    let failures: Vec<String> = programs
-        .iter()
-        .filter_map(|&(program, passes)| holds(case, program, passes, seed).err())
-        .collect();
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    let findings: Vec<Finding> =
+        programs.iter().map(|&(program, passes)| compare(case, program, passes, seed)).collect();
+    settle(&findings);
 }
 
 /// The mean over the film of what is seen at the points of the plane z = 0, by

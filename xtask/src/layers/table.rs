@@ -66,6 +66,8 @@ pub(super) const LAYERS: &[Layer] = &[
             "traylib-scene",
             "traylib-io",
             "traylib-integrators",
+            "serde",
+            "serde_json",
             "statrs",
         ],
     ),

@@ -2,9 +2,6 @@
 //!
 //! See `tests/data/README.md` for where the numbers are from.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on says so")]
-#![allow(clippy::print_stdout, reason = "the figures are worth reading")]
-
 use serde::Deserialize;
 use traylib_integrators::Settings;
 use traylib_io::{LoadOptions, load_exr, load_scene_with};
@@ -30,7 +27,7 @@ struct Reference {
 }
 
 fn reference(name: &str) -> Reference {
-    let text = include_str!("../data/reference-blocks.json");
+    let text = include_str!("../../data/reference-blocks.json");
     let mut all: std::collections::HashMap<String, Reference> = serde_json::from_str(text).unwrap();
     all.remove(name).unwrap()
 }

@@ -7,9 +7,6 @@
 //! is left out and counted; in the short form, whose passes may not even have met
 //! such light, the pairs are chosen so that there is none.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on says so")]
-#![allow(clippy::print_stdout, reason = "the figures are worth reading")]
-
 use traylib_integrators::Settings;
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_math::Vec2;

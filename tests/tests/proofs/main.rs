@@ -1,0 +1,11 @@
+//! The proofs: what no crate can show by itself. One program, so that they are
+//! linked once and run side by side.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on says so")]
+#![allow(clippy::print_stdout, reason = "the figures are worth reading")]
+
+mod agreement;
+mod analytic;
+mod furnace;
+mod reference;
+mod repeat;
