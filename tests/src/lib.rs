@@ -9,3 +9,4 @@ pub mod programs;
 pub mod scenes;
 pub mod statistics;
 pub mod still_life;
+pub mod variance;

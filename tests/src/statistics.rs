@@ -27,6 +27,41 @@ pub struct Interval {
     pub half_width: f64,
 }
 
+/// The moments of single samples that all follow the same law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moments {
+    /// How many samples there are.
+    pub count: usize,
+    /// Their mean.
+    pub mean: f64,
+    /// Mean square deviation from it.
+    pub variance: f64,
+    /// Mean fourth power of the deviation.
+    pub fourth: f64,
+}
+
+impl Moments {
+    /// Of these samples.
+    pub fn of(samples: &[f64]) -> Self {
+        let average = |f: &dyn Fn(f64) -> f64| {
+            samples.iter().map(|&x| f(x)).sum::<f64>() / samples.len().max(1) as f64
+        };
+        let mean = average(&|x| x);
+        let variance = average(&|x| (x - mean).powi(2));
+        let fourth = average(&|x| (x - mean).powi(4));
+        Self { count: samples.len(), mean, variance, fourth }
+    }
+
+    /// Where the law's variance lies: its estimate is nearly normal for many
+    /// samples of a bounded law, with variance (μ₄ − σ⁴)/n. `quantile` is that of
+    /// the normal law.
+    pub fn variance_interval(&self, quantile: f64) -> Interval {
+        let spread = (self.fourth - self.variance * self.variance).max(0.0);
+        let error = (spread / self.count as f64).sqrt();
+        Interval { mean: self.variance, half_width: quantile * error }
+    }
+}
+
 impl Sample {
     /// Of these values.
     pub fn of(values: &[f64]) -> Self {

@@ -9,3 +9,4 @@ mod analytic;
 mod furnace;
 mod reference;
 mod repeat;
+mod variance;
