@@ -53,12 +53,14 @@ impl Moments {
     }
 
     /// Where the law's variance lies: its estimate is nearly normal for many
-    /// samples of a bounded law, with variance (μ₄ − σ⁴)/n. `quantile` is that of
-    /// the normal law.
+    /// samples of a bounded law, with variance (μ₄ − σ⁴)/n. That is nothing for a
+    /// fair coin, so the error of the mean's place is added, which is of second
+    /// order. `quantile` is that of the normal law.
     pub fn variance_interval(&self, quantile: f64) -> Interval {
         let spread = (self.fourth - self.variance * self.variance).max(0.0);
         let error = (spread / self.count as f64).sqrt();
-        Interval { mean: self.variance, half_width: quantile * error }
+        let of_mean = quantile * quantile * self.variance / self.count as f64;
+        Interval { mean: self.variance, half_width: quantile * error + of_mean }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Points on surfaces, and rays that leave them.
 
 use crate::{Ray, Vec3};
+use traylib_math::{Defect, planted};
 
 /// The unit roundoff of f32, 2⁻²⁴.
 const ROUNDOFF: f32 = f32::EPSILON / 2.0;
@@ -77,6 +78,7 @@ impl SurfaceSite {
     fn lifted(&self, direction: Vec3, more: Vec3) -> Vec3 {
         let rounding = self.position.abs() * (2.0 * ROUNDOFF);
         let height = self.normal.abs().dot(self.error + rounding + more);
+        let height = if planted(Defect::AbsoluteEpsilon) { 1e-3 } else { height };
         self.position + self.normal * height.copysign(self.normal.dot(direction))
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::tracer::Tracer;
 use traylib_materials::Scattering;
-use traylib_math::{Rgb, Vec2, Vec3, VertexNumbers, solid_angle_per_area};
+use traylib_math::{Defect, Rgb, Vec2, Vec3, VertexNumbers, planted, solid_angle_per_area};
 use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
 /// A way from a lamp to a vertex that carries light, if nothing stands in it.
@@ -35,7 +35,9 @@ pub(crate) fn sample_light(
         return None;
     }
     let mut sample = aim(point, wo, choice.id, x0)?;
-    sample.radiance *= 1.0 / (choice.probability * pdf.0);
+    let forgotten = planted(Defect::LightChoiceForgotten);
+    let probability = if forgotten { 1.0 } else { choice.probability };
+    sample.radiance *= 1.0 / (probability * pdf.0);
     Some(sample)
 }
 

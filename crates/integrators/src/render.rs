@@ -4,6 +4,7 @@ use crate::{Chunk, ChunkOutput, Integrator, Statistics};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
+use traylib_math::{Defect, planted};
 use traylib_scene::{Film, PassImage, Scene};
 
 /// Pixels in a chunk. Part of the result: sums are formed chunk by chunk.
@@ -123,8 +124,13 @@ fn chunks(scene: &Scene, integrator: &dyn Integrator, seed: u64, pass: u64) -> V
 }
 
 impl Rendering {
-    fn add_pass(&mut self, outputs: Vec<ChunkOutput>, width: u32, height: u32) {
+    fn add_pass(&mut self, mut outputs: Vec<ChunkOutput>, width: u32, height: u32) {
         let mut image = PassImage::new(width, height);
+        if planted(Defect::SumInAnyOrder) {
+            let some = std::time::UNIX_EPOCH.elapsed().map_or(0, |time| time.subsec_nanos());
+            let places = some as usize % outputs.len();
+            outputs.rotate_left(places);
+        }
         for mut output in outputs {
             for (pixel, radiance) in output.light {
                 image.add(pixel, radiance);

@@ -3,7 +3,7 @@
 use crate::limits::Roulette;
 use traylib_geometry::Ray;
 use traylib_materials::BsdfSample;
-use traylib_math::{Rgb, Vec3, VertexNumbers};
+use traylib_math::{Defect, Rgb, Vec3, VertexNumbers, planted};
 use traylib_scene::{SurfacePoint, Walk};
 
 /// The next edge of a walk.
@@ -28,6 +28,8 @@ pub(crate) fn next_step(
     let sample = point.sample(wo, numbers.bsdf)?;
     let weight = point.walk_weight(walk, wo, &sample);
     let chance = roulette.survive(edge, weight, numbers.roulette)?;
+    let unpaid = planted(Defect::RouletteUnpaid) && walk == Walk::FromLight;
+    let chance = if unpaid { 1.0 } else { chance };
     let ray = Ray::new(point.site.ray_origin(sample.wi), sample.wi);
     Some(Step { ray, weight: weight / chance, sample })
 }

@@ -3,7 +3,7 @@
 //! Every function is pure: the same `u` gives the same result. Directions are
 //! unit vectors.
 
-use crate::{Frame, Vec2, Vec3};
+use crate::{Defect, Frame, Vec2, Vec3, planted};
 use std::f32::consts::{FRAC_1_PI, TAU};
 
 /// A direction around the unit `normal` with density cosθ/π per steradian.
@@ -72,6 +72,9 @@ pub fn cosine_power_lobe(axis: Vec3, exponent: f32, u: Vec2) -> Vec3 {
 pub fn cosine_power(half_square: f32, exponent: f32) -> f32 {
     if half_square >= 1.0 {
         return 0.0;
+    }
+    if planted(Defect::PowerByPowf) {
+        return (1.0 - half_square).powf(exponent);
     }
     (exponent * (-half_square).ln_1p()).exp()
 }

@@ -3,7 +3,7 @@
 use crate::{Camera, Light, LightPoint, SurfacePoint};
 use traylib_geometry::{Bvh, Mesh, Ray, SidedPrimitive};
 use traylib_materials::SurfaceModel;
-use traylib_math::{DiscreteDistribution, Rgb, SolidAnglePdf, Vec3};
+use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec3, planted};
 
 /// Names a lamp of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +87,9 @@ impl Scene {
                 self.meshes[mesh as usize].shading_normal(triangle as usize, hit.u, hit.v)
             })
             .unwrap_or(site.normal);
-        let side = if site.normal.dot(ray.direction) <= 0.0 { 1.0 } else { -1.0 };
+        let by_shading = planted(Defect::EmissionByShadingNormal);
+        let front = if by_shading { front_shading } else { site.normal };
+        let side = if front.dot(ray.direction) <= 0.0 { 1.0 } else { -1.0 };
         Some(SurfacePoint {
             site,
             normal: site.normal * side,
@@ -148,10 +150,12 @@ impl Scene {
     ) -> LightDensities {
         let light = self.light(id);
         let choice = self.light_by_power.probability(id.0 as usize);
+        let emission = choice * light.emission_pdf().0;
+        let toward = choice * light.toward_pdf(x1, x0).0;
         LightDensities {
-            emission: choice * light.emission_pdf().0,
+            emission,
             direction: x0.direction_pdf(direction),
-            toward: choice * light.toward_pdf(x1, x0).0,
+            toward: if planted(Defect::EmissionForLightSampling) { emission } else { toward },
         }
     }
 }

@@ -13,7 +13,8 @@
 
 use traylib_materials::{BsdfSample, Scattering};
 use traylib_math::{
-    AreaPdf, Heuristic, Rgb, SolidAnglePdf, Vec3, VertexNumbers, solid_angle_per_area,
+    AreaPdf, Defect, Heuristic, Rgb, SolidAnglePdf, Vec3, VertexNumbers, planted,
+    solid_angle_per_area,
 };
 use traylib_scene::SurfacePoint;
 
@@ -119,6 +120,7 @@ impl Vertex<'_> {
         heuristic: Heuristic,
     ) -> Tail {
         let BsdfSample { wi, pdf, pdf_reverse, is_delta, .. } = *sample;
+        let is_delta = is_delta || (self.after_delta && planted(Defect::DeltaFlagStays));
         self.pdf_back = pdf_reverse;
         let c_factor = if is_delta {
             self.c

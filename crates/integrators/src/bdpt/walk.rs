@@ -1,6 +1,7 @@
 //! The two walks.
 
 use super::vertex::{Tail, Vertex};
+use super::weight::splats_in_weights;
 use super::{Bdpt, Techniques};
 use crate::Limits;
 use crate::chunk::pixel_corner;
@@ -77,7 +78,7 @@ impl Walker {
         let camera = *tracer.scene.camera();
         let ray = camera.ray(pixel_corner(tracer.scene, pixel) + sampler.next_2d());
         let Some(point) = tracer.camera_ray(&ray) else { return };
-        let splats = if self.techniques.splats { f64::from(self.light_paths) } else { 0.0 };
+        let splats = if self.techniques.splats { splats_in_weights(self.light_paths) } else { 0.0 };
         let tail = Tail {
             position: camera.position(),
             cosine: 0.0,

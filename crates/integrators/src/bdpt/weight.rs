@@ -7,7 +7,7 @@
 
 use super::Techniques;
 use super::vertex::{End, Vertex};
-use traylib_math::{Heuristic, SolidAnglePdf};
+use traylib_math::{Defect, Heuristic, SolidAnglePdf, planted};
 use traylib_scene::LightDensities;
 
 /// s = 0: the camera path's last vertex is the lamp's point x₀. Not for a lamp
@@ -58,6 +58,11 @@ pub(crate) fn connection(
     1.0 / (1.0 + side(light, camera.1) + side(camera, light.1))
 }
 
+/// How many light paths might have found a vertex that the camera sees.
+pub(crate) fn splats_in_weights(light_paths: u32) -> f64 {
+    if planted(Defect::LightPathsIgnoredInWeights) { 1.0 } else { f64::from(light_paths) }
+}
+
 /// t = 1: the light path's last vertex was joined to the camera, which would
 /// have found it with density `camera_pdf`; each of `light_paths` might have.
 pub(crate) fn splat(
@@ -67,6 +72,6 @@ pub(crate) fn splat(
     light_paths: u32,
     heuristic: Heuristic,
 ) -> f64 {
-    let arrive = f64::from(camera_pdf) / f64::from(light_paths);
+    let arrive = f64::from(camera_pdf) / splats_in_weights(light_paths);
     1.0 / (1.0 + vertex.competition(arrive, pdf_back, heuristic))
 }
