@@ -1,8 +1,10 @@
 //! What the tests of the whole share: scenes with known answers, and the
 //! statistics that compare pictures with them and with one another.
 
+pub mod ablation;
 pub mod analytic;
 pub mod furnace;
+pub mod laws;
 pub mod ledger;
 pub mod measure;
 pub mod programs;

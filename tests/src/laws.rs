@@ -1,0 +1,17 @@
+//! What the laws of single parts are held against: goodness of fit, the lobe's
+//! own coordinates, charts of lamps.
+//!
+//! Everything here is in double precision and written from the definitions, not
+//! from the code under test.
+
+pub mod bounded;
+pub mod chart;
+pub mod chi_square;
+pub mod frequency;
+pub mod grid;
+pub mod lobe;
+pub mod verdict;
+pub mod wide;
+
+/// How often a correct program raises a false alarm, in each family of tests.
+pub const FAMILY_LEVEL: f64 = 1e-3;

@@ -1,0 +1,171 @@
+//! Shapes laid out on the unit square, equal areas alike.
+
+use crate::laws::grid::At;
+use crate::laws::wide::Wide;
+use std::f64::consts::{PI, TAU};
+use traylib_geometry::{Facing, Primitive, Vec3};
+
+/// A map from the unit square to a surface that keeps ratios of areas.
+#[derive(Clone, Copy, Debug)]
+pub struct Chart {
+    origin: Wide,
+    /// Two vectors in the plane, or axis and two more of a sphere.
+    axes: [Wide; 3],
+    normal_sign: f64,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Quad,
+    Triangle,
+    Disk,
+    /// The part of a sphere around the axis in which the cosine of the angle to
+    /// it is at least one less this.
+    Cap(f64),
+}
+
+impl Chart {
+    /// Of what is seen of a shape from a point: of a sphere that faces outward
+    /// the cap whose rim is at the cosine R/d, of everything else all.
+    pub fn seen_from(shape: &Primitive, from: Vec3) -> Self {
+        match shape {
+            Primitive::Quad(quad) => {
+                let [u, v] = quad.edges().map(Wide::from);
+                Self::flat(Wide::from(quad.corner()), [u, v], Kind::Quad)
+            }
+            Primitive::Triangle(triangle) => {
+                let [a, b, c] = triangle.corners().map(Wide::from);
+                Self::flat(a, [b - a, c - a], Kind::Triangle)
+            }
+            Primitive::Disk(disk) => {
+                let [_, u, v] = Wide::from(disk.normal()).frame();
+                let radius = f64::from(disk.radius());
+                Self::flat(Wide::from(disk.centre()), [u * radius, v * radius], Kind::Disk)
+            }
+            Primitive::Sphere(sphere) => {
+                let (centre, radius) = (Wide::from(sphere.centre()), f64::from(sphere.radius()));
+                let away = Wide::from(from) - centre;
+                let axis = if away.length() > 0.0 { away } else { Wide::Z };
+                let (extent, normal_sign) = match sphere.facing() {
+                    Facing::Outward if away.length() > radius => {
+                        (1.0 - radius / away.length(), 1.0)
+                    }
+                    Facing::Outward => (2.0, 1.0),
+                    Facing::Inward => (2.0, -1.0),
+                };
+                let axes = axis.frame().map(|axis| axis * radius);
+                Self { origin: centre, axes, normal_sign, kind: Kind::Cap(extent) }
+            }
+        }
+    }
+
+    fn flat(origin: Wide, [u, v]: [Wide; 2], kind: Kind) -> Self {
+        Self { origin, axes: [u.cross(v), u, v], normal_sign: 1.0, kind }
+    }
+
+    /// The area of the part of the surface that the square covers.
+    pub fn area(&self) -> f64 {
+        let parallelogram = self.axes[1].cross(self.axes[2]).length();
+        match self.kind {
+            Kind::Quad => parallelogram,
+            Kind::Triangle => 0.5 * parallelogram,
+            Kind::Disk => PI * parallelogram,
+            Kind::Cap(extent) => TAU * extent * parallelogram,
+        }
+    }
+
+    /// The point of the surface that belongs to one of the square, with the unit
+    /// normal of the front.
+    pub fn point(&self, at: At) -> (Wide, Wide) {
+        let [up, u, v] = self.axes;
+        let (sin, cos) = (at[1] * TAU).sin_cos();
+        let from_origin = match self.kind {
+            Kind::Quad => u * at[0] + v * at[1],
+            Kind::Triangle => (u * (1.0 - at[1]) + v * at[1]) * at[0].sqrt(),
+            Kind::Disk => (u * cos + v * sin) * at[0].sqrt(),
+            Kind::Cap(extent) => {
+                let lack = at[0] * extent;
+                up * (1.0 - lack) + (u * cos + v * sin) * (lack * (2.0 - lack)).sqrt()
+            }
+        };
+        let normal = if let Kind::Cap(_) = self.kind { from_origin } else { up };
+        (self.origin + from_origin, normal.unit() * self.normal_sign)
+    }
+
+    /// The point of the square that belongs to one of the surface.
+    pub fn coordinates(&self, point: Vec3) -> At {
+        let [up, u, v] = self.axes;
+        let from_origin = Wide::from(point) - self.origin;
+        let turn = |a: f64, b: f64| b.atan2(a).rem_euclid(TAU) / TAU;
+        match self.kind {
+            Kind::Quad => in_plane(from_origin, u, v),
+            Kind::Triangle => {
+                let [x, y] = in_plane(from_origin, u, v);
+                [(x + y).powi(2), y / (x + y)]
+            }
+            Kind::Disk => {
+                let [x, y] = in_plane(from_origin, u, v);
+                [x * x + y * y, turn(x, y)]
+            }
+            Kind::Cap(extent) => {
+                // 1 − cos of the angle to the axis, without cancellation.
+                let lack = 0.5 * (from_origin.unit() - up.unit()).length().powi(2);
+                [lack / extent, turn(from_origin.dot(u), from_origin.dot(v))]
+            }
+        }
+    }
+}
+
+/// The coefficients of a vector in the plane of two others.
+fn in_plane(vector: Wide, u: Wide, v: Wide) -> At {
+    let across = u.cross(v);
+    let share = |a: Wide, b: Wide| a.cross(b).dot(across) / across.dot(across);
+    [share(vector, v), share(u, vector)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::{ball, disk_facing_down, hollow_ball, rectangle};
+    use traylib_geometry::Triangle;
+
+    /// There and back, and small squares have their share of the area.
+    #[test]
+    fn charts_keep_areas_and_can_be_undone() {
+        let centre = Vec3::new(1.0, -2.0, 0.5);
+        let corners = [Vec3::ZERO, Vec3::new(2.0, 0.0, 1.0), Vec3::new(0.5, 1.0, 0.0)];
+        let [a, b, c] = corners;
+        let triangle = Triangle::new(a, b, c).unwrap();
+        for shape in [
+            rectangle(centre, b, c),
+            Primitive::Triangle(triangle),
+            disk_facing_down(centre, 0.7),
+            ball(centre, 0.3),
+            hollow_ball(centre, 2.0),
+        ] {
+            let chart = Chart::seen_from(&shape, Vec3::new(0.2, 0.1, 1.0));
+            for i in 0..100 {
+                let at = [i % 10, i / 10].map(|i| (f64::from(i) + 0.5) / 10.0);
+                let (point, normal) = chart.point(at);
+                let back = chart.coordinates(point.narrow());
+                assert!(at.iter().zip(back).all(|(a, b)| (a - b).abs() < 1e-5), "{shape:?}");
+                let step = 1e-5;
+                let moved = |x, y| chart.point([at[0] + x, at[1] + y]).0;
+                let x = (moved(step, 0.0) - moved(-step, 0.0)) * (0.5 / step);
+                let y = (moved(0.0, step) - moved(0.0, -step)) * (0.5 / step);
+                let across = x.cross(y);
+                assert!((across.length() / chart.area() - 1.0).abs() < 1e-6, "{shape:?}");
+                assert!(across.unit().dot(normal).abs() > 1.0 - 1e-6, "{shape:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn whole_shapes_have_their_own_area() {
+        for shape in [disk_facing_down(Vec3::Z, 0.7), hollow_ball(Vec3::Z, 2.0)] {
+            let area = Chart::seen_from(&shape, Vec3::ZERO).area();
+            assert!((area / f64::from(shape.area()) - 1.0).abs() < 1e-6, "{shape:?}");
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! Whether counts follow stated probabilities.
+
+use crate::laws::FAMILY_LEVEL;
+use crate::ledger::Finding;
+use crate::statistics::sidak;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+/// At least as many as there are chi-square tests in one run of the proofs.
+pub const TESTS: usize = 400;
+
+/// Below this expectation a cell's count is too far from normal; such cells are
+/// taken together.
+const SPARSE: f64 = 5.0;
+
+/// Pearson's statistic of some counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    /// Σ (observed − expected)² / expected.
+    pub statistic: f64,
+    /// Cells that are left after the sparse ones were taken together, less one.
+    pub freedom: usize,
+    /// The chance of a statistic as large.
+    pub p: f64,
+}
+
+/// Holds counts against the probabilities of their cells. Cells with an
+/// expectation below five are taken together, and with the smallest other one
+/// if that is not enough.
+///
+/// # Panics
+/// Unless the probabilities are as many as the counts and sum to one within
+/// 10⁻⁴: cells must leave nothing out. If fewer than two cells are left, for
+/// then nothing is tested.
+pub fn fit(probabilities: &[f64], counts: &[u64]) -> Fit {
+    assert_eq!(probabilities.len(), counts.len());
+    let sum: f64 = probabilities.iter().sum();
+    assert!((sum - 1.0).abs() < 1e-4, "probabilities sum to {sum}");
+    let samples: u64 = counts.iter().sum();
+    let cells = pooled(probabilities.iter().map(|p| p * samples as f64).zip(counts));
+    assert!(cells.len() > 1, "{} cells", cells.len());
+    let statistic = cells.iter().map(|&(expected, count)| distance(expected, count)).sum();
+    let freedom = cells.len() - 1;
+    let law = ChiSquared::new(freedom as f64).expect("positive");
+    Fit { statistic, freedom, p: law.sf(statistic) }
+}
+
+/// The cell's part of the statistic; what is impossible and was seen is
+/// infinitely far.
+fn distance(expected: f64, count: f64) -> f64 {
+    if count == expected { 0.0 } else { (count - expected).powi(2) / expected.max(0.0) }
+}
+
+/// Cells with enough in them, as pairs of expectation and count.
+fn pooled<'a>(cells: impl Iterator<Item = (f64, &'a u64)>) -> Vec<(f64, f64)> {
+    let cells: Vec<(f64, f64)> = cells.map(|(expected, &count)| (expected, count as f64)).collect();
+    let together = |of: &[(f64, f64)]| {
+        of.iter().fold((0.0, 0.0), |sum, cell| (sum.0 + cell.0, sum.1 + cell.1))
+    };
+    let (sparse, mut full): (Vec<_>, Vec<_>) =
+        cells.into_iter().partition(|&(expected, _)| expected < SPARSE);
+    full.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let rest = together(&sparse);
+    if rest.0 >= SPARSE {
+        full.push(rest);
+    } else if rest != (0.0, 0.0) {
+        // Also where nothing is expected and something was seen.
+        let smallest = full.pop().unwrap_or_default();
+        full.push(if rest.0 == 0.0 { (0.0, f64::INFINITY) } else { together(&[smallest, rest]) });
+    }
+    full
+}
+
+/// [`fit`] as a finding, at the level of the family of all chi-square tests.
+pub fn follows(claim: impl Into<String>, probabilities: &[f64], counts: &[u64]) -> Finding {
+    let Fit { statistic, freedom, p } = fit(probabilities, counts);
+    let level = sidak(FAMILY_LEVEL, TESTS);
+    Finding {
+        claim: claim.into(),
+        statistic: format!("chi-square {statistic:.1} of {freedom} degrees, p = {p:.3e}"),
+        level: Some(level),
+        samples: counts.iter().sum(),
+        holds: p > level,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use traylib_math::{Purpose, Sampler};
+
+    /// Counts of `samples` points of ten cells, where `warp` is applied to
+    /// uniform numbers.
+    fn counts(samples: u32, warp: impl Fn(f64) -> f64) -> Vec<u64> {
+        let mut sampler = Sampler::new(31, Purpose::Test, 0, 0);
+        let mut counts = vec![0; 10];
+        for _ in 0..samples {
+            counts[(warp(f64::from(sampler.next_1d())) * 10.0) as usize] += 1;
+        }
+        counts
+    }
+
+    #[test]
+    fn the_statistic_is_pearsons() {
+        let fit = fit(&[0.25, 0.75], &[30, 70]);
+        assert_eq!(fit.statistic, 25.0 / 25.0 + 25.0 / 75.0);
+        assert_eq!(fit.freedom, 1);
+        // 2·(1 − Φ(√(4/3))).
+        assert!((fit.p - 0.248_213).abs() < 1e-6, "{}", fit.p);
+    }
+
+    /// The cosine of a direction on the hemisphere: uniform if all directions are
+    /// alike, a square root if they follow the cosine.
+    #[test]
+    fn a_right_density_is_accepted_and_a_wrong_one_refused() {
+        let cosine: Vec<f64> = (0..10).map(|i| f64::from(2 * i + 1) / 100.0).collect();
+        let uniform = [0.1; 10];
+        let (even, by_cosine) = (counts(10_000, |u| u), counts(10_000, f64::sqrt));
+        assert!(follows("", &uniform, &even).holds && follows("", &cosine, &by_cosine).holds);
+        assert!(!follows("", &cosine, &even).holds && !follows("", &uniform, &by_cosine).holds);
+    }
+
+    /// One per cent more in half of the cells is seen at a million samples.
+    #[test]
+    fn a_small_slope_is_refused() {
+        let tilted: Vec<f64> = (0..10).map(|i| 0.1 + if i < 5 { 5e-4 } else { -5e-4 }).collect();
+        let even = counts(1_000_000, |u| u);
+        assert!(follows("", &[0.1; 10], &even).holds);
+        assert!(!follows("", &tilted, &even).holds);
+    }
+
+    #[test]
+    fn sparse_cells_are_taken_together() {
+        // Expectations 0.5, 4.5, 45, 50: the first two make one cell of five.
+        assert_eq!(fit(&[0.005, 0.045, 0.45, 0.5], &[0, 5, 45, 50]).freedom, 2);
+        // Expectations 1, 49, 50: the first joins the second.
+        assert_eq!(fit(&[0.01, 0.49, 0.5], &[1, 49, 50]).freedom, 1);
+    }
+
+    #[test]
+    fn the_impossible_is_refused() {
+        assert_eq!(fit(&[0.0, 0.5, 0.5], &[1, 500, 500]).p, 0.0);
+        assert_eq!(fit(&[0.0, 0.5, 0.5], &[0, 500, 500]).p, 1.0);
+    }
+
+    #[test]
+    #[should_panic(expected = "sum to 0.9")]
+    fn cells_that_leave_something_out_are_a_mistake() {
+        fit(&[0.5, 0.4], &[5, 5]);
+    }
+}
