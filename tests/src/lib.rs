@@ -3,10 +3,14 @@
 
 pub mod ablation;
 pub mod analytic;
+pub mod exchange;
 pub mod furnace;
+pub mod horizon;
 pub mod laws;
 pub mod ledger;
 pub mod measure;
+pub mod polygon;
+pub mod polygonal;
 pub mod programs;
 pub mod scenes;
 pub mod statistics;

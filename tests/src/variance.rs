@@ -45,7 +45,7 @@ fn part(
     other: impl Fn(f64) -> f64,
 ) -> f64 {
     let weighted = |c: f64| c / PI / (1.0 + heuristic.raise(other(c) / own(c)));
-    let first = over_disk(radius, &weighted);
+    let first = over_disk(radius, weighted);
     let second = over_disk(radius, |c| weighted(c).powi(2) / own(c));
     second - first * first
 }

@@ -3,6 +3,9 @@
 
 mod ci;
 mod layers;
+mod planted;
+mod proofs;
+mod prove;
 mod workspace;
 
 use std::process::ExitCode;
@@ -10,9 +13,12 @@ use std::process::ExitCode;
 const HELP: &str = "\
 The project's own tasks.
 
-Usage: cargo xtask TASK
+Usage: cargo xtask TASK [ARGUMENTS]
 
   layers   hold the dependencies of every crate against the table of layers
+  prove    every proof at length, with a report of all claims; under 40 minutes
+  planted [DEFECT…]
+           plant defects one at a time and name the tests that find each
   ci       format, clippy, layers, tests, docs and a first picture; stops at
            the first step that fails
 
@@ -24,6 +30,8 @@ fn main() -> ExitCode {
     let outcome = match words[..] {
         ["layers"] => layers::run(),
         ["ci"] => ci::run(),
+        ["prove"] => prove::run(),
+        ["planted", ref defects @ ..] => planted::run(defects),
         ["help" | "-h" | "--help"] => {
             println!("{HELP}");
             Ok(())

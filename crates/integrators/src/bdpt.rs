@@ -12,6 +12,7 @@
 mod connect;
 mod direct_sum;
 mod report;
+mod subset;
 mod techniques;
 mod vertex;
 mod walk;
@@ -19,6 +20,7 @@ mod weight;
 mod worth;
 
 pub use report::{Report, Technique};
+pub use subset::TechniqueSet;
 pub use techniques::{LightSampling, Techniques};
 
 use crate::tracer::Tracer;
@@ -39,6 +41,8 @@ pub enum Weighting {
     /// From the densities of every technique for the whole path: slow and plain,
     /// the standard the other is held to.
     DirectSum,
+    /// The same, among these techniques alone.
+    Among(TechniqueSet),
 }
 
 /// Bidirectional path tracing with any subset of its techniques.
@@ -78,6 +82,16 @@ impl<'scene> LightPaths<'scene> {
         let index = camera_path.checked_rem(self.paths.len())?;
         let (start, range) = self.paths[index].as_ref()?;
         Some(LightPath { start, vertices: &self.vertices[range.clone()] })
+    }
+}
+
+impl Weighting {
+    /// Whether technique (s, t) may add light.
+    fn includes(self, s: usize, t: usize) -> bool {
+        match self {
+            Self::Recursive | Self::DirectSum => true,
+            Self::Among(set) => set.contains(s, t),
+        }
     }
 }
 

@@ -27,7 +27,7 @@ mod step;
 mod trace;
 mod tracer;
 
-pub use bdpt::{Bdpt, LightSampling, Report, Technique, Techniques, Weighting};
+pub use bdpt::{Bdpt, LightSampling, Report, Technique, TechniqueSet, Techniques, Weighting};
 pub use blind::{BlindSpot, SceneFacts};
 pub use chunk::{Chunk, ChunkOutput};
 pub use directlight::DirectLight;

@@ -4,9 +4,12 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on says so")]
 #![allow(clippy::print_stdout, reason = "the figures are worth reading")]
 
+mod ablation;
 mod agreement;
 mod analytic;
+mod direct_forms;
 mod furnace;
+mod laws;
 mod reference;
 mod repeat;
 mod variance;

@@ -220,16 +220,22 @@ impl<'a> Joiner<'a> {
     fn add(&self, pixel: u32, found: &Found<'_, '_>, out: &mut ChunkOutput) -> Rgb {
         let Found { path, value, weight } = found;
         let Bdpt { techniques, heuristic, weighting, report, .. } = *self.bdpt;
-        let all_weights = || path.path_densities().weights(self.light_paths, techniques, heuristic);
+        // By the recursive weight whatever the form, so that all of them try the
+        // same connections.
+        let alone = *value * found.weight as f32;
+        let (s, t) = path.technique();
+        if !weighting.includes(s, t) {
+            return alone;
+        }
+        let takes_part = |s, t| techniques.allow(s, t, path.is_point) && weighting.includes(s, t);
+        let all_weights = || path.path_densities().weights(self.light_paths, heuristic, takes_part);
         let weight = match weighting {
             Weighting::Recursive => *weight,
-            Weighting::DirectSum => all_weights()[path.technique().0],
+            Weighting::DirectSum | Weighting::Among(_) => all_weights()[s],
         };
         out.add(pixel, *value * weight as f32);
         report.record(out, pixel, path, *value, weight, all_weights);
-        // By the recursive weight in either case, so that both forms try the
-        // same connections.
-        *value * found.weight as f32
+        alone
     }
 }
 

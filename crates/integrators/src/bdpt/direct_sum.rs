@@ -4,7 +4,6 @@
 //! Technique s has density q_s = n_s·Π_{i<s} F_i·Π_{i≥s} B_i, with pN₀ in place of
 //! F₀ if s = 1. Sums of logarithms keep any number of factors in range.
 
-use super::Techniques;
 use super::vertex::{End, Vertex};
 use traylib_math::{Heuristic, SolidAnglePdf};
 use traylib_scene::LightDensities;
@@ -127,17 +126,18 @@ fn back_area_pdf(vertex: &Vertex<'_>, next: Option<&Vertex<'_>>, at_end: SolidAn
 }
 
 impl PathDensities {
-    /// The weights of s = 0 … k; the technique of s has t = k + 1 − s.
+    /// The weights of s = 0 … k among the techniques (s, t) that take part; that
+    /// of s has t = k + 1 − s.
     pub(crate) fn weights(
         &self,
         light_paths: u32,
-        techniques: Techniques,
         heuristic: Heuristic,
+        takes_part: impl Fn(usize, usize) -> bool,
     ) -> Vec<f64> {
         let k = self.forward.len() - 1;
         let logs: Vec<f64> = (0..=k)
             .map(|s| {
-                if self.is_possible(s, techniques) {
+                if self.is_possible(s) && takes_part(s, k + 1 - s) {
                     self.log_density(s, light_paths)
                 } else {
                     f64::NEG_INFINITY
@@ -154,14 +154,14 @@ impl PathDensities {
         powers.iter().map(|power| power / sum).collect()
     }
 
-    /// Whether technique s takes part: no edge can be chosen freely beside an
-    /// ideal reflection.
-    fn is_possible(&self, s: usize, techniques: Techniques) -> bool {
+    /// Whether technique s can find the path: no edge can be chosen freely beside
+    /// an ideal reflection.
+    fn is_possible(&self, s: usize) -> bool {
         let k = self.forward.len() - 1;
         // A light path does not hit a pinhole, nor see it from the lamp itself.
         let exists = s < k || (s == k && k > 1);
         let joins_delta = s > 0 && (self.is_delta[s - 1] || self.is_delta[s]);
-        exists && !joins_delta && techniques.allow(s, k + 1 - s, self.is_point)
+        exists && !joins_delta
     }
 
     fn log_density(&self, s: usize, light_paths: u32) -> f64 {

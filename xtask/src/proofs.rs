@@ -1,0 +1,84 @@
+//! The proofs as programs: built once, run with what they found written down.
+
+mod finding;
+mod outcome;
+
+pub(crate) use finding::Finding;
+pub(crate) use outcome::Outcome;
+
+use crate::workspace::cargo;
+use anyhow::{Context, Result, ensure};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// The packages whose tests are about light and rays.
+const PACKAGES: [&str; 6] = [
+    "traylib-math",
+    "traylib-geometry",
+    "traylib-materials",
+    "traylib-scene",
+    "traylib-integrators",
+    "traylib-tests",
+];
+
+/// Which tests to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// Those of `cargo test`.
+    Fast,
+    /// All, those at length too.
+    Whole,
+}
+
+/// Test programs, ready to run.
+pub(crate) struct Proofs(Vec<PathBuf>);
+
+impl Proofs {
+    /// Builds the test programs with the profile for proofs.
+    pub(crate) fn build(settings: impl FnOnce(&mut Command)) -> Result<Self> {
+        let mut command = cargo(&["test", "--no-run", "--profile", "proof"]);
+        command.args(["--lib", "--tests", "--message-format", "json-render-diagnostics"]);
+        command.args(PACKAGES.iter().flat_map(|package| ["--package", package]));
+        settings(&mut command);
+        let output = command.stderr(Stdio::inherit()).output().context("cargo does not start")?;
+        ensure!(output.status.success(), "the tests do not build");
+        let programs: Vec<PathBuf> =
+            String::from_utf8_lossy(&output.stdout).lines().filter_map(executable).collect();
+        ensure!(!programs.is_empty(), "cargo built no tests");
+        Ok(Self(programs))
+    }
+
+    /// Runs them one after the other; what they find is written to `ledger`.
+    pub(crate) fn run(
+        &self,
+        extent: Extent,
+        ledger: &Path,
+        settings: impl Fn(&mut Command),
+    ) -> Result<Outcome> {
+        // Left from an earlier run, or not there at all.
+        let _ = std::fs::remove_file(ledger);
+        let mut outcome = Outcome::default();
+        for program in &self.0 {
+            let mut command = Command::new(program);
+            command.env("TRAYLIB_LEDGER", ledger).env("RUST_BACKTRACE", "0");
+            command.current_dir(crate::workspace::root().join("tests"));
+            if extent == Extent::Whole {
+                command.arg("--include-ignored");
+            }
+            settings(&mut command);
+            let output = command.stderr(Stdio::piped()).output();
+            let output = output.with_context(|| format!("{} does not start", program.display()))?;
+            outcome.add(program, &output);
+        }
+        outcome.findings = Finding::read(ledger)?;
+        Ok(outcome)
+    }
+}
+
+/// The test program that a line of cargo's messages tells of.
+fn executable(line: &str) -> Option<PathBuf> {
+    let message: Value = serde_json::from_str(line).ok()?;
+    let is_test = message["profile"]["test"] == true;
+    is_test.then(|| message["executable"].as_str().map(PathBuf::from))?
+}
