@@ -1,7 +1,6 @@
 //! What the tests of the whole share: scenes with known answers, and the
 //! statistics that compare pictures with them and with one another.
 
-pub mod ablation;
 pub mod analytic;
 pub mod exchange;
 pub mod furnace;
