@@ -1,15 +1,12 @@
 //! What the tests of the whole share: scenes with known answers, and the
 //! statistics that compare pictures with them and with one another.
 
+pub mod ablation;
 pub mod analytic;
-pub mod exchange;
 pub mod furnace;
-pub mod horizon;
 pub mod laws;
 pub mod ledger;
 pub mod measure;
-pub mod polygon;
-pub mod polygonal;
 pub mod programs;
 pub mod scenes;
 pub mod statistics;

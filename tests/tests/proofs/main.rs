@@ -7,9 +7,7 @@
 mod ablation;
 mod agreement;
 mod analytic;
-mod direct_forms;
 mod furnace;
-mod laws;
 mod reference;
 mod repeat;
 mod variance;
