@@ -159,3 +159,6 @@ impl Scene {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,86 @@
+//! Lamps as the scene knows them: how likely their points are, which side emits.
+
+use super::*;
+use crate::{CameraSettings, Object, ObjectShape, SceneBuilder};
+use traylib_geometry::{Facing, Primitive, Quad, Sides, Sphere};
+use traylib_materials::Lambert;
+use traylib_math::{Purpose, Sampler, warp};
+
+const LEANING: Vec3 = Vec3::new(-0.8, 0.0, 0.6);
+
+fn builder() -> SceneBuilder {
+    let camera = Camera::new(CameraSettings {
+        position: Vec3::new(0.0, 0.0, 9.0),
+        target: Vec3::ZERO,
+        up: Vec3::Y,
+        fov_degrees: 40.0,
+        width: 8,
+        height: 8,
+    });
+    SceneBuilder::new(camera.unwrap())
+}
+
+fn add(builder: &mut SceneBuilder, shape: ObjectShape, radiance: f32) {
+    let grey = Lambert::new(Rgb::splat(0.5)).unwrap();
+    let material = builder.add_material(SurfaceModel::Lambert(grey));
+    let emission = Rgb::splat(radiance);
+    builder.add_object(Object { shape, sides: Sides::Both, material, emission }).unwrap();
+}
+
+/// A ball, a square and a point of unequal power.
+fn three_lamps() -> Scene {
+    let mut builder = builder();
+    let ball = Sphere::new(Vec3::new(3.0, 0.0, 0.0), 1.0, Facing::Outward).unwrap();
+    let square = Quad::new(Vec3::new(-3.0, -1.0, 0.0), 2.0 * Vec3::X, 2.0 * Vec3::Y).unwrap();
+    add(&mut builder, ObjectShape::Primitive(Primitive::Sphere(ball)), 2.0);
+    add(&mut builder, ObjectShape::Primitive(Primitive::Quad(square)), 5.0);
+    builder.add_point_light(Vec3::new(0.0, 4.0, 0.0), Rgb::splat(7.0)).unwrap();
+    builder.build().unwrap()
+}
+
+/// The densities that weights are made of are those that points are drawn with.
+#[test]
+fn densities_are_those_of_the_draws() {
+    let scene = three_lamps();
+    let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+    let mut drawn = [0; 3];
+    for _ in 0..20_000 {
+        let x1 = 2.5 * warp::uniform_sphere(sampler.next_2d()) + Vec3::new(0.0, 0.0, 4.0);
+        let choice = scene.choose_light(sampler.next_1d());
+        let (x0, pdf) = choice.light.sample_toward(x1, sampler.next_2d());
+        let direction = (x1 - x0.site.position).normalize();
+        let densities = scene.light_densities(choice.id, &x0, x1, direction);
+        let close = |found: f32, drawn: f32| (found - drawn).abs() <= 1e-3 * drawn;
+        assert!(close(densities.toward, choice.probability * pdf.0), "{x0:?} {densities:?}");
+        let area = match choice.light {
+            Light::Area { primitive, .. } => primitive.area(),
+            Light::Point(_) => 1.0,
+        };
+        assert!(close(densities.emission, choice.probability / area), "{x0:?} {densities:?}");
+        assert_eq!(densities.direction, x0.direction_pdf(direction));
+        drawn[choice.id.0 as usize] += 1;
+    }
+    assert!(drawn.iter().all(|&n| n > 1000), "{drawn:?}");
+}
+
+/// A triangle in the plane z = 0, its front up and its shading normal leaning by
+/// more than a ray's.
+fn leaning_lamp() -> Scene {
+    let mut builder = builder();
+    let corners = vec![Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::Y];
+    let mesh = Mesh::new(corners, vec![[0, 1, 2]]).unwrap().with_normals(vec![LEANING; 3]).unwrap();
+    add(&mut builder, ObjectShape::Mesh(mesh), 3.0);
+    builder.build().unwrap()
+}
+
+/// Which side emits is the geometry's to say, whatever the shading normal.
+#[test]
+fn the_geometric_normal_decides_which_side_emits() {
+    let scene = leaning_lamp();
+    // Before the lamp but behind its shading normal, and the other way round.
+    for (from, radiance) in [(Vec3::new(1.0, 0.0, 0.3), 3.0), (Vec3::new(-1.0, 0.0, -0.3), 0.0)] {
+        assert!(LEANING.dot(from) * from.z < 0.0, "the two normals must disagree");
+        let point = scene.intersect(&Ray::new(from, -from.normalize())).unwrap();
+        assert_eq!(scene.emitted(&point), Rgb::splat(radiance), "from {from}");
+    }
+}
