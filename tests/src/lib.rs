@@ -9,6 +9,7 @@ pub mod ledger;
 pub mod measure;
 pub mod programs;
 pub mod scenes;
+pub mod stability;
 pub mod statistics;
 pub mod still_life;
 pub mod variance;

@@ -6,6 +6,7 @@ mod layers;
 mod planted;
 mod proofs;
 mod prove;
+mod stability;
 mod workspace;
 
 use std::process::ExitCode;
@@ -19,6 +20,8 @@ Usage: cargo xtask TASK [ARGUMENTS]
   prove    every proof at length, with a report of all claims; under 40 minutes
   planted [DEFECT…]
            plant defects one at a time and name the tests that find each
+  stability [OPTIONS]
+           every program over every failure scene, judged; --help for more
   ci       format, clippy, layers, tests, docs and a first picture; stops at
            the first step that fails
 
@@ -32,6 +35,7 @@ fn main() -> ExitCode {
         ["ci"] => ci::run(),
         ["prove"] => prove::run(),
         ["planted", ref defects @ ..] => planted::run(defects),
+        ["stability", ref arguments @ ..] => stability::run(arguments),
         ["help" | "-h" | "--help"] => {
             println!("{HELP}");
             Ok(())

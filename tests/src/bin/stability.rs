@@ -1,0 +1,77 @@
+//! `cargo xtask stability`: every program over every failure scene, judged.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use traylib_tests::stability::page::{page, save_pictures};
+use traylib_tests::stability::run::{Choice, run};
+use traylib_tests::stability::table::{Agreement, Judged, markdown};
+
+const HELP: &str = "\
+Renders every failure scene by every program and judges what comes of it.
+
+Usage: cargo xtask stability [OPTIONS]
+
+  --scene F10      this scene alone
+  --program bdpt   this program alone; it is then compared with itself
+  --quick          an eighth of the passes: for a look, not for a verdict
+  --out FOLDER     where table.md, index.html and results.json go
+                   [default: target/stability]
+
+Exit status: 0 all as expected or corrected, 1 not so, 2 the command line was
+not understood.";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments.iter().any(|word| word == "--help" || word == "-h") {
+        println!("{HELP}");
+        return ExitCode::SUCCESS;
+    }
+    let Some((choice, folder)) = understand(&arguments) else {
+        eprintln!("error: not understood: `{}`\n\n{HELP}", arguments.join(" "));
+        return ExitCode::from(2);
+    };
+    match stability(&choice, &folder) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn understand(arguments: &[String]) -> Option<(Choice, PathBuf)> {
+    let mut choice = Choice::default();
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+    let mut folder = PathBuf::from(root).join("target/stability");
+    let mut words = arguments.iter();
+    while let Some(word) = words.next() {
+        match word.as_str() {
+            "--scene" => choice.scene = Some(words.next()?.clone()),
+            "--program" => choice.program = Some(words.next()?.clone()),
+            "--quick" => choice.quick = true,
+            "--out" => folder = PathBuf::from(words.next()?),
+            _ => return None,
+        }
+    }
+    Some((choice, folder))
+}
+
+/// Whether all verdicts are as they should be; at least one there must be.
+fn stability(choice: &Choice, folder: &PathBuf) -> Result<bool, Box<dyn std::error::Error>> {
+    let rows = run(choice, &|line| eprintln!("{line}"));
+    std::fs::create_dir_all(folder)?;
+    let cells: Vec<Judged> = rows.iter().flat_map(|row| row.cells.clone()).collect();
+    let table = markdown(&cells);
+    println!("{table}");
+    std::fs::write(folder.join("table.md"), &table)?;
+    std::fs::write(folder.join("results.json"), serde_json::to_string_pretty(&cells)?)?;
+    std::fs::write(folder.join("index.html"), page(&rows))?;
+    for row in &rows {
+        save_pictures(folder, row)?;
+    }
+    let disagree = cells.iter().filter(|cell| cell.agreement() == Agreement::Disagrees).count();
+    eprintln!("{} cells, {disagree} neither expected nor corrected", cells.len());
+    Ok(!cells.is_empty() && disagree == 0)
+}

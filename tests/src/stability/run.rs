@@ -1,0 +1,197 @@
+//! Running the table: what to render, by two threads, one cell each.
+
+use crate::stability::cell::{self, Kept};
+use crate::stability::column::Column;
+use crate::stability::figures::Figures;
+use crate::stability::judge::{Verdict, Word, best, factor, judge};
+use crate::stability::reference::Reference;
+use crate::stability::scale;
+use crate::stability::scene::{FailureScene, SCENES};
+use crate::stability::table::Judged;
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use traylib_integrators::{BlindSpot, SceneFacts};
+use traylib_scene::Scene;
+
+/// Cells rendered at a time, each by one thread.
+const AT_A_TIME: usize = 2;
+
+/// What is to be done.
+#[derive(Clone, Debug, Default)]
+pub struct Choice {
+    /// One scene by its name, or all.
+    pub scene: Option<String>,
+    /// One program by its name, or all.
+    pub program: Option<String>,
+    /// An eighth of the passes.
+    pub quick: bool,
+}
+
+/// Pictures of a row: what it should be, and what each program has after the
+/// same time.
+#[derive(Clone, Debug)]
+pub struct Pictures {
+    /// The reference.
+    pub reference: Reference,
+    /// By program, of the first run: passes and pixels.
+    pub equal_time: Vec<(Column, u32, Vec<f64>)>,
+}
+
+/// A row of the table.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The cells.
+    pub cells: Vec<Judged>,
+    /// What they look like; `None` for F11.
+    pub pictures: Option<Pictures>,
+}
+
+/// A scene that is ready.
+struct Prepared {
+    row: FailureScene,
+    scene: Scene,
+    reference: Reference,
+}
+
+/// Renders and judges all that was chosen; `tell` is called with a line a cell.
+pub fn run(choice: &Choice, tell: &(dyn Fn(&str) + Sync)) -> Vec<Row> {
+    let chosen: Vec<&FailureScene> = SCENES.iter().filter(|row| choice.scene(row.id)).collect();
+    let columns: Vec<Column> =
+        Column::ALL.into_iter().filter(|column| choice.column(*column)).collect();
+    let prepared = in_parallel(&chosen, |row| {
+        let scene = row.build();
+        let reference = Reference::of(row, &scene);
+        tell(&format!("{} reference, mean {:.5}", row.id, reference.mean()));
+        Prepared { row: choice.shortened(row), scene, reference }
+    });
+    let cells: Vec<(usize, Column)> = (0..prepared.len())
+        .flat_map(|row| columns.iter().map(move |&column| (row, column)))
+        .collect();
+    let kept = in_parallel(&cells, |&(row, column)| prepared[row].render(column, tell));
+    let mut by_row: BTreeMap<usize, Vec<(Column, Option<Kept>)>> = BTreeMap::new();
+    for ((row, column), kept) in cells.into_iter().zip(kept) {
+        by_row.entry(row).or_default().push((column, kept));
+    }
+    let mut rows: Vec<Row> =
+        by_row.into_iter().map(|(row, cells)| prepared[row].judge(&cells)).collect();
+    if choice.scene("F11") {
+        let at = rows.iter().position(|row| row.cells[0].scene == "F12").unwrap_or(rows.len());
+        rows.insert(at, Row { cells: in_parallel(&columns, |&c| scaled(c)), pictures: None });
+    }
+    rows
+}
+
+impl Choice {
+    fn scene(&self, id: &str) -> bool {
+        self.scene.as_ref().is_none_or(|wanted| wanted.eq_ignore_ascii_case(id))
+    }
+
+    fn column(&self, column: Column) -> bool {
+        self.program.as_ref().is_none_or(|wanted| wanted == column.name())
+    }
+
+    fn shortened(&self, row: &FailureScene) -> FailureScene {
+        let passes = if self.quick { (row.passes / 8).max(32) } else { row.passes };
+        FailureScene { passes, ..*row }
+    }
+}
+
+impl Prepared {
+    fn announced(&self, column: Column) -> Vec<BlindSpot> {
+        column.integrator(self.row.max_depth).blind_spots(&SceneFacts::of(&self.scene))
+    }
+
+    /// `None` where the program is not for lamps like these, and says so.
+    fn render(&self, column: Column, tell: &(dyn Fn(&str) + Sync)) -> Option<Kept> {
+        let announced = self.announced(column).contains(&BlindSpot::AreaLights);
+        if announced && self.row.has_area_lamps_only() {
+            return None;
+        }
+        let kept = cell::run(&self.scene, column, self.row.max_depth, self.row.passes);
+        let speed = kept.seconds * 1e3;
+        tell(&format!("{} {}, {speed:.2} ms a pass", self.row.id, column.name()));
+        Some(kept)
+    }
+
+    fn judge(&self, cells: &[(Column, Option<Kept>)]) -> Row {
+        let figures: Vec<Option<Figures>> = cells
+            .iter()
+            .map(|(_, kept)| kept.as_ref().map(|kept| Figures::of(kept, &self.reference)))
+            .collect();
+        let best = best(figures.iter().flatten());
+        let judged = cells.iter().zip(&figures).map(|(&(column, _), figures)| {
+            let announced = self.announced(column);
+            let concerns = announced.iter().any(|spot| self.row.light.contains(spot));
+            let word = if concerns { Word::Announced } else { Word::Sees };
+            let verdict = figures
+                .as_ref()
+                .map_or(Verdict::NotApplicable, |figures| judge(figures, word, best));
+            let factor = figures.as_ref().zip(best).map(|(figures, best)| factor(figures, best));
+            Judged {
+                scene: self.row.id.into(),
+                title: self.row.title.into(),
+                column,
+                verdict,
+                factor,
+                figures: figures.clone(),
+                announced: announced.iter().map(ToString::to_string).collect(),
+            }
+        });
+        Row { cells: judged.collect(), pictures: Some(self.pictures(cells)) }
+    }
+
+    /// After as long as the slowest program needs for 16 passes, to the next
+    /// power of two of passes.
+    fn pictures(&self, cells: &[(Column, Option<Kept>)]) -> Pictures {
+        let rendered = || cells.iter().filter_map(|(column, kept)| Some((*column, kept.as_ref()?)));
+        let seconds = 16.0 * rendered().map(|(_, kept)| kept.seconds).fold(0.0, f64::max);
+        let picture = |(column, kept): (Column, &Kept)| {
+            let level = (seconds / kept.seconds).log2().round() as usize;
+            let level = level.min(kept.last_level());
+            (column, 1 << level, kept.picture(0, level))
+        };
+        let equal_time = rendered().map(picture).collect();
+        Pictures { reference: self.reference.clone(), equal_time }
+    }
+}
+
+fn scaled(column: Column) -> Judged {
+    let differences = scale::differences(column);
+    let verdict = if differences.is_empty() {
+        Verdict::Identical
+    } else {
+        Verdict::Unsettled(format!("another picture at 2 to the power of {differences:?}"))
+    };
+    Judged {
+        scene: "F11".into(),
+        title: "scaled by powers of two".into(),
+        column,
+        verdict,
+        factor: None,
+        figures: None,
+        announced: Vec::new(),
+    }
+}
+
+/// `task` of each item, in the order of the items.
+fn in_parallel<T: Sync, R: Send>(items: &[T], task: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let next = AtomicUsize::new(0);
+    let results: Mutex<BTreeMap<usize, R>> = Mutex::default();
+    std::thread::scope(|scope| {
+        for _ in 0..AT_A_TIME {
+            scope.spawn(|| {
+                while let Some((index, item)) = take(items, &next) {
+                    let result = task(item);
+                    results.lock().expect("no task panics with it").insert(index, result);
+                }
+            });
+        }
+    });
+    results.into_inner().expect("all tasks are done").into_values().collect()
+}
+
+fn take<'a, T>(items: &'a [T], next: &AtomicUsize) -> Option<(usize, &'a T)> {
+    let index = next.fetch_add(1, Ordering::Relaxed);
+    Some((index, items.get(index)?))
+}

@@ -1,0 +1,175 @@
+//! The finished table, and how it is written as text.
+
+use crate::stability::column::Column;
+use crate::stability::expected::{correction, expected};
+use crate::stability::figures::Figures;
+use crate::stability::judge::Verdict;
+use serde::{Deserialize, Serialize};
+use std::fmt::Write;
+
+/// One cell, judged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Judged {
+    /// The scene's name.
+    pub scene: String,
+    /// What it is.
+    pub title: String,
+    /// The program.
+    pub column: Column,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Time to relMSE 10⁻² over that of the best program of the row.
+    pub factor: Option<f64>,
+    /// What it was judged by; `None` where nothing random was measured.
+    pub figures: Option<Figures>,
+    /// Kinds of light that the program said it cannot produce.
+    pub announced: Vec<String>,
+}
+
+/// How a verdict stands to the expectation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Agreement {
+    /// As expected.
+    Expected,
+    /// As corrected, for this reason.
+    Corrected(&'static str),
+    /// Neither.
+    Disagrees,
+}
+
+impl Judged {
+    /// Whether the verdict is what the tables say.
+    pub fn agreement(&self) -> Agreement {
+        if let Some(correction) = correction(&self.scene, self.column) {
+            let agrees = correction.verdict.agrees(&self.verdict);
+            return if agrees {
+                Agreement::Corrected(correction.reason)
+            } else {
+                Agreement::Disagrees
+            };
+        }
+        let agrees = expected(&self.scene, self.column).is_some_and(|e| e.agrees(&self.verdict));
+        if agrees { Agreement::Expected } else { Agreement::Disagrees }
+    }
+
+    /// The verdict, with the factor where it is the point.
+    pub fn word(&self) -> String {
+        match (&self.verdict, self.factor) {
+            (Verdict::Ok | Verdict::Slow, Some(factor)) => {
+                format!("{} {}×", self.verdict, short(factor))
+            }
+            (verdict, _) => verdict.to_string(),
+        }
+    }
+}
+
+/// The scenes of the table, in its order.
+pub fn scenes(cells: &[Judged]) -> Vec<(&str, &str)> {
+    let mut scenes = Vec::new();
+    for cell in cells {
+        let scene = (cell.scene.as_str(), cell.title.as_str());
+        if !scenes.contains(&scene) {
+            scenes.push(scene);
+        }
+    }
+    scenes
+}
+
+/// A cell by its place.
+pub fn cell<'a>(cells: &'a [Judged], scene: &str, column: Column) -> Option<&'a Judged> {
+    cells.iter().find(|cell| cell.scene == scene && cell.column == column)
+}
+
+/// The table, the figures behind it and every difference from the expectation,
+/// in Markdown and without a word about the machine's speed.
+pub fn markdown(cells: &[Judged]) -> String {
+    let mut text = String::from("| scene |");
+    for column in Column::ALL {
+        let _ = write!(text, " {} |", column.name());
+    }
+    text += "\n|---|---|---|---|---|---|---|\n";
+    for (id, title) in scenes(cells) {
+        let _ = write!(text, "| {id} {title} |");
+        for column in Column::ALL {
+            let _ = write!(text, " {} |", cell(cells, id, column).map_or_else(String::new, marked));
+        }
+        text.push('\n');
+    }
+    text + "\n" + &figures(cells) + &differences(cells)
+}
+
+/// With a star where the verdict is a corrected one, an exclamation mark where it
+/// is neither expected nor corrected.
+fn marked(cell: &Judged) -> String {
+    let mark = match cell.agreement() {
+        Agreement::Expected => "",
+        Agreement::Corrected(_) => " \\*",
+        Agreement::Disagrees => " **!**",
+    };
+    cell.word() + mark
+}
+
+fn figures(cells: &[Judged]) -> String {
+    let mut text = String::from(
+        "| cell | passes | mean/truth | ± | relMSE/pass | median | worst | α₂₅₆ | α₆₄ | kurtosis | growth | top 0.1 % | fireflies | slope |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for cell in cells {
+        let Some(f) = &cell.figures else { continue };
+        let tail = |index: Option<crate::stability::tail::TailIndex>| {
+            index.map_or("—".into(), |i| match (i.alpha, i.upper) {
+                (Some(alpha), Some(upper)) => format!("{alpha:.2} < {upper:.2}"),
+                _ => "∞".into(),
+            })
+        };
+        let option = |value: Option<f64>| value.map_or_else(|| "—".into(), short);
+        let slope =
+            f.slope.map_or("—".into(), |s| format!("{:.3} ± {:.3}", s.slope, s.deviation));
+        let _ = writeln!(
+            text,
+            "| {} {} | {} | {:.4} | {:.4} | {} | {} | {} | {} | {} | {} | {} | {:.0} % | {:.0} | {slope} |",
+            cell.scene,
+            cell.column.name(),
+            f.passes,
+            f.mean / f.truth,
+            f.half_width / f.truth,
+            short(f.rel_mse_per_pass),
+            short(f.median_rel_mse),
+            short(f.worst_rel_mse),
+            tail(f.tail),
+            tail(f.far_tail),
+            option(f.kurtosis),
+            option(f.kurtosis_growth),
+            100.0 * f.energy_share,
+            f.fireflies,
+        );
+    }
+    text + "\n"
+}
+
+fn differences(cells: &[Judged]) -> String {
+    let mut text = String::new();
+    for cell in cells {
+        let expected = expected(&cell.scene, cell.column).map_or("?", |e| e.name());
+        let place = format!("{} {}", cell.scene, cell.column.name());
+        let why = match (cell.agreement(), &cell.verdict) {
+            (Agreement::Expected, _) => continue,
+            (Agreement::Corrected(reason), _) => reason.to_owned(),
+            (Agreement::Disagrees, Verdict::Unsettled(what)) => format!("**unexpected**: {what}"),
+            (Agreement::Disagrees, _) => String::from("**unexpected**"),
+        };
+        let _ = writeln!(text, "- {place}: expected {expected}, found {}: {why}", cell.word());
+    }
+    text
+}
+
+/// Three digits, whatever the size.
+pub fn short(value: f64) -> String {
+    match value.abs() {
+        0.0 => String::from("0"),
+        size if !(1e-2..1e4).contains(&size) => format!("{value:.1e}"),
+        size if size < 10.0 => format!("{value:.2}"),
+        size if size < 100.0 => format!("{value:.1}"),
+        _ => format!("{value:.0}"),
+    }
+}

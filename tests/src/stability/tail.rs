@@ -1,0 +1,88 @@
+//! How heavy the tail of a law is.
+
+use serde::{Deserialize, Serialize};
+
+/// How many of the largest values are kept.
+pub const KEPT: usize = 256;
+
+/// The fewer of them that a second estimate is made of.
+pub const FEWER: usize = 64;
+
+/// The [`KEPT`] + 1 largest of a stream of values.
+#[derive(Clone, Debug, Default)]
+pub struct Largest {
+    /// In any order, with at most as many again that are yet to be thrown out.
+    values: Vec<f64>,
+    /// Nothing below it can be among the largest.
+    threshold: f64,
+}
+
+/// Hill's estimate of a tail index α, the α of P(X > x) ~ x^−α.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TailIndex {
+    /// α; infinite where the largest values are all the same. (No number in
+    /// JSON, which knows no infinity.)
+    pub alpha: Option<f64>,
+    /// Upper end of its 95 % interval.
+    pub upper: Option<f64>,
+    /// Lower end.
+    pub lower: Option<f64>,
+}
+
+impl Largest {
+    /// Takes in one value; those that are not positive have no part in a tail.
+    pub fn add(&mut self, value: f64) {
+        if value > self.threshold {
+            self.values.push(value);
+            if self.values.len() == 2 * (KEPT + 1) {
+                self.prune();
+            }
+        }
+    }
+
+    fn prune(&mut self) {
+        self.values.sort_by(|a, b| b.total_cmp(a));
+        self.values.truncate(KEPT + 1);
+        if self.values.len() > KEPT {
+            self.threshold = self.values[KEPT];
+        }
+    }
+
+    /// Hill's estimate from the `k` largest; `None` if there are not more than
+    /// `k` positive values, or more are asked for than were kept.
+    pub fn tail_index(&self, k: usize) -> Option<TailIndex> {
+        let mut sorted = self.clone();
+        sorted.prune();
+        hill(&sorted.values, k)
+    }
+}
+
+/// 1/α = the mean of ln(xᵢ/x₍ₖ₊₁₎) over the k largest, its relative deviation
+/// 1/√k.
+///
+/// Hill, *A simple general approach to inference about the tail of a
+/// distribution*, 1975.
+fn hill(descending: &[f64], k: usize) -> Option<TailIndex> {
+    let threshold = *descending.get(k)?;
+    let logarithms: f64 = descending[..k].iter().map(|value| (value / threshold).ln()).sum();
+    let finite = |alpha: f64| alpha.is_finite().then_some(alpha);
+    let alpha = k as f64 / logarithms;
+    let relative = 1.96 / (k as f64).sqrt();
+    Some(TailIndex {
+        alpha: finite(alpha),
+        upper: finite(alpha * (1.0 + relative)),
+        lower: finite(alpha * (1.0 - relative)),
+    })
+}
+
+/// Whether the law behind these two estimates has no variance: both intervals
+/// lie below two.
+///
+/// Two, because one is fooled by a tail that ends. The values of a sharp lobe at
+/// random angles are spread evenly in their logarithm up to their largest: from
+/// far below it they look like a power law of a small index, but the nearer to
+/// the end, the larger the index. That of a power law stays.
+pub fn alarm(many: Option<TailIndex>, few: Option<TailIndex>) -> bool {
+    let below = |index: Option<TailIndex>| index.and_then(|i| i.upper).is_some_and(|u| u < 2.0);
+    below(many) && below(few)
+}
