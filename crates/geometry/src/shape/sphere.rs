@@ -85,7 +85,9 @@ impl Sphere {
         let outside = from_centre.length_squared() - self.radius * self.radius;
         let sum = along + (square * room).sqrt().copysign(along);
         let (one, other) = (outside / sum, sum / square);
-        let (enter, leave) = if along < 0.0 { (other, one) } else { (one, other) };
+        // By the sign that the sum has, which zero has too: a ray from the centre.
+        let behind = along.is_sign_negative();
+        let (enter, leave) = if behind { (other, one) } else { (one, other) };
         let t = match (sides, self.facing) {
             (Sides::Both, _) if ray.contains(enter) => enter,
             (Sides::Both, _) | (Sides::Front, Facing::Inward) => leave,

@@ -21,6 +21,24 @@ fn both_crossings_are_found() {
     assert_eq!(from(inside, Sides::Front, Facing::Inward), Some(0.5));
 }
 
+/// The way to the point beside the centre is zero with either sign.
+#[test]
+fn rays_from_beside_the_centre_meet_the_far_side() {
+    let hollow = Sphere::new(Vec3::ZERO, 0.5, Facing::Inward).unwrap();
+    for origin in [Vec3::ZERO, -Vec3::ZERO, 0.3 * Vec3::Y, -0.3 * Vec3::Y] {
+        for direction in [Vec3::X, Vec3::NEG_X, Vec3::Z, Vec3::new(-1.0, 0.0, -1.0)] {
+            let ray = Ray::new(origin, direction);
+            for sides in [Sides::Both, Sides::Front] {
+                let hit = hollow.intersect(&ray, sides);
+                let room = 0.25 - origin.length_squared();
+                let expected = (room / direction.length_squared()).sqrt();
+                let close = hit.is_some_and(|hit| (hit.t - expected).abs() < 1e-6);
+                assert!(close, "{ray:?} {sides:?}: {hit:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_segment_that_ends_inside_meets_once() {
     let sphere = ball(Facing::Inward);
