@@ -2,12 +2,19 @@
 //! statistics that compare pictures with them and with one another.
 
 pub mod ablation;
+pub mod agreement;
 pub mod analytic;
+pub mod concentric;
+pub mod exchange;
 pub mod furnace;
+pub mod horizon;
 pub mod laws;
 pub mod ledger;
 pub mod measure;
+pub mod polygon;
+pub mod polygonal;
 pub mod programs;
+pub mod rooms;
 pub mod scenes;
 pub mod stability;
 pub mod statistics;

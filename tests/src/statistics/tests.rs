@@ -103,3 +103,21 @@ fn batches_and_tiles_are_means() {
     assert_eq!(tile_means(&image, 2), [3.5, 5.0]);
     assert_eq!(tile_means(&image, 1).len(), 6);
 }
+
+#[test]
+fn evenly_spread_values_are_told_from_others() {
+    let even: Vec<f64> = (0..100).map(|i| (f64::from(i) + 0.5) / 100.0).collect();
+    assert!(uniformity(&even) > 0.999);
+    // Squares lie 1/4 off at most: Kolmogorov's law beyond 2.5 is 7e-6.
+    let squares: Vec<f64> = even.iter().map(|x| x * x).collect();
+    let p = uniformity(&squares);
+    assert!((2e-6..2e-5).contains(&p), "{p}");
+    // Of 1000 distances of ten random values a twentieth is below 0.05.
+    let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+    let mut draw = || {
+        let values: Vec<f64> = (0..10).map(|_| f64::from(sampler.next_1d())).collect();
+        usize::from(uniformity(&values) < 0.05)
+    };
+    let rare: usize = (0..1000).map(|_| draw()).sum();
+    assert!((25..80).contains(&rare), "{rare}");
+}

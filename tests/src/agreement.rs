@@ -1,0 +1,252 @@
+//! Programs against one another on the same scene.
+//!
+//! Welch's test on tiles and on the image mean, decided at fixed looks after
+//! 1, 4 and 16 times the first number of passes, the level split among them: a
+//! pair that is shown to be the same early is left, one that differs is seen in
+//! the end. "No difference found" is not enough: the interval of the ratio of the
+//! means must lie within what the pair promises.
+//!
+//! Light that only rare chance finds has no usable variance: a floor lit by way
+//! of a mirror and seen in one, a small lamp in `puremc`. A tile where one pass
+//! makes up much of the variance is left out and counted.
+
+use crate::ledger::Finding;
+use crate::measure::{each_pass, samples_in_a_pass};
+use crate::programs::Program;
+use crate::statistics::{Sample, batch_means, holm, tile_means, uniformity, welch};
+use statrs::distribution::{ContinuousCDF, StudentsT};
+use traylib_integrators::Settings;
+use traylib_math::Vec2;
+use traylib_scene::Scene;
+
+/// Chance of a false alarm among all tiles and looks of one scene.
+pub const SCENE_LEVEL: f64 = 1e-4;
+const BATCHES: usize = 32;
+/// The largest part of a tile's variance that one pass may make up. Of n normal
+/// values the largest makes up about 2·ln n/n.
+const CHANCE: f64 = 0.15;
+/// Of the interval that has to lie within the promise.
+const EQUIVALENCE_LEVEL: f64 = 1e-3;
+
+/// A program to hold against `bdpt`.
+#[derive(Clone, Copy, Debug)]
+pub struct Other {
+    /// Which.
+    pub program: Program,
+    /// How many of its passes go with one of `bdpt`.
+    pub passes: u32,
+    /// How far the ratio of the means may be from one, and the interval of it.
+    pub promise: f64,
+}
+
+/// How much to render.
+#[derive(Clone, Debug)]
+pub struct Budget {
+    /// Side of a tile in pixels.
+    pub tile: usize,
+    /// Passes of `bdpt` up to each look.
+    pub looks: Vec<u32>,
+}
+
+/// A scene by name, already loaded.
+#[derive(Clone, Copy, Debug)]
+pub struct Subject<'a> {
+    /// What it is called in a report.
+    pub name: &'a str,
+    /// The scene.
+    pub scene: &'a Scene,
+}
+
+/// What came of one scene.
+#[derive(Debug, Default)]
+pub struct Agreement {
+    /// The claims.
+    pub findings: Vec<Finding>,
+    /// The probabilities of Welch's test for the tiles at the last look, a list a
+    /// program.
+    pub p_values: Vec<Vec<f64>>,
+}
+
+/// Holds programs against `bdpt` on one scene.
+pub fn agree(subject: &Subject<'_>, others: &[Other], budget: &Budget) -> Agreement {
+    let mut bdpt = Tiles::new(subject, Program::BdptPower, budget.tile);
+    let mut open: Vec<(Other, Tiles)> =
+        others.iter().map(|&o| (o, Tiles::new(subject, o.program, budget.tile))).collect();
+    let mut done = Agreement::default();
+    let level = SCENE_LEVEL / (budget.looks.len() * others.len()) as f64;
+    for (look, &passes) in budget.looks.iter().enumerate() {
+        let is_last = look + 1 == budget.looks.len();
+        bdpt.render(subject, passes);
+        let mut undecided = Vec::new();
+        for (other, mut tiles) in open {
+            tiles.render(subject, passes * other.passes);
+            let comparison = Comparison::of(subject, &other, &bdpt, &tiles, level);
+            if is_last || comparison.is_decided() {
+                done.findings.push(comparison.finding(subject, &other, &tiles, level));
+                done.p_values.push(comparison.p_values);
+            } else {
+                undecided.push((other, tiles));
+            }
+        }
+        open = undecided;
+    }
+    done
+}
+
+/// Whether the probabilities of all tiles are as even as those of the same
+/// pictures must be: sees a bias that is too small for any one tile.
+pub fn evenness(claim: &str, agreements: &[Agreement], which: usize) -> Finding {
+    let p_values: Vec<f64> =
+        agreements.iter().flat_map(|agreement| agreement.p_values[which].clone()).collect();
+    let p = uniformity(&p_values);
+    Finding {
+        claim: format!("{claim}: Welch's probabilities of {} tiles are even", p_values.len()),
+        statistic: format!("Kolmogorov-Smirnov p = {p:.3}"),
+        level: Some(SCENE_LEVEL),
+        samples: 0,
+        holds: p > SCENE_LEVEL && p_values.len() >= 20,
+    }
+}
+
+/// Tiles of one rendering: a value a pass.
+struct Tiles {
+    program: Program,
+    side: usize,
+    values: Vec<Vec<f64>>,
+    /// Tiles whose picture this program can make.
+    visible: Vec<bool>,
+}
+
+impl Tiles {
+    fn new(subject: &Subject<'_>, program: Program, side: usize) -> Self {
+        let mut visible = tiles_without_mirrors(subject.scene, side);
+        if program != Program::Particle {
+            visible.fill(true);
+        }
+        Self { program, side, values: vec![Vec::new(); visible.len()], visible }
+    }
+
+    /// Adds passes until there are so many, with numbers of their own.
+    fn render(&mut self, subject: &Subject<'_>, passes: u32) {
+        let before = self.values[0].len() as u32;
+        let seed = 1 + self.program as u64 + 1000 * u64::from(before);
+        let settings = Settings { spp: passes - before, seed, threads: 0 };
+        let integrator = self.program.integrator(None);
+        let (values, side) = (&mut self.values, self.side);
+        let statistics = each_pass(subject.scene, integrator.as_ref(), &settings, |pass| {
+            let luminance = pass.map(|[r, g, b]| 0.2126 * r + 0.7152 * g + 0.0722 * b);
+            for (tile, mean) in values.iter_mut().zip(tile_means(&luminance, side)) {
+                tile.push(mean);
+            }
+        });
+        assert_eq!(statistics.rejected, 0, "{}, {:?}", subject.name, self.program);
+    }
+
+    fn is_steady(&self, tile: usize) -> bool {
+        let values = &self.values[tile];
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let squares = values.iter().map(|value| (value - mean).powi(2));
+        let sum: f64 = squares.clone().sum();
+        sum > 0.0 && squares.fold(0.0, f64::max) <= CHANCE * sum
+    }
+
+    fn sample(&self, tile: usize) -> Sample {
+        Sample::of(&batch_means(&self.values[tile], BATCHES))
+    }
+
+    /// Mean over these tiles, a value a pass.
+    fn image(&self, keep: &[usize]) -> Sample {
+        let mean = |pass: usize| {
+            keep.iter().map(|&tile| self.values[tile][pass]).sum::<f64>() / keep.len() as f64
+        };
+        let means: Vec<f64> = (0..self.values[0].len()).map(mean).collect();
+        Sample::of(&batch_means(&means, BATCHES))
+    }
+}
+
+/// Tiles in which nothing is seen in an ideal mirror.
+fn tiles_without_mirrors(scene: &Scene, side: usize) -> Vec<bool> {
+    let camera = scene.camera();
+    let columns = (camera.width() as usize).div_ceil(side);
+    let mut free = vec![true; columns * (camera.height() as usize).div_ceil(side)];
+    for y in 0..camera.height() {
+        for x in 0..camera.width() {
+            let ray = camera.ray(Vec2::new(x as f32 + 0.5, y as f32 + 0.5));
+            if scene.intersect(&ray).is_some_and(|point| point.model.has_delta_part()) {
+                free[y as usize / side * columns + x as usize / side] = false;
+            }
+        }
+    }
+    free
+}
+
+/// One program and `bdpt` at one look.
+struct Comparison {
+    p_values: Vec<f64>,
+    refused: bool,
+    tiles: usize,
+    ratio: f64,
+    half_width: f64,
+    promise: f64,
+}
+
+impl Comparison {
+    fn of(subject: &Subject<'_>, other: &Other, bdpt: &Tiles, tiles: &Tiles, level: f64) -> Self {
+        let count = tiles.visible.len();
+        let visible: Vec<usize> = (0..count).filter(|&tile| tiles.visible[tile]).collect();
+        let is_steady = |&tile: &usize| bdpt.is_steady(tile) && tiles.is_steady(tile);
+        let keep: Vec<usize> = visible.iter().copied().filter(is_steady).collect();
+        let program = other.program;
+        assert!(2 * keep.len() >= count, "{}, {program:?}: {} steady", subject.name, keep.len());
+        let p_values: Vec<f64> =
+            keep.iter().map(|&tile| welch(&bdpt.sample(tile), &tiles.sample(tile))).collect();
+        let (a, b) = (bdpt.image(&keep), tiles.image(&keep));
+        let all = [p_values.as_slice(), &[welch(&a, &b)]].concat();
+        let error = (a.variance_of_mean + b.variance_of_mean).sqrt() / a.mean;
+        Self {
+            refused: holm(&all, level).contains(&true),
+            p_values,
+            tiles: count,
+            ratio: b.mean / a.mean,
+            half_width: quantile() * error,
+            promise: other.promise,
+        }
+    }
+
+    fn is_equivalent(&self) -> bool {
+        (self.ratio - 1.0).abs() + self.half_width <= self.promise
+    }
+
+    fn is_decided(&self) -> bool {
+        self.refused || self.is_equivalent()
+    }
+
+    fn finding(&self, subject: &Subject<'_>, other: &Other, tiles: &Tiles, level: f64) -> Finding {
+        let Self { refused, ratio, half_width, promise, .. } = self;
+        let smallest = self.p_values.iter().copied().fold(1.0, f64::min);
+        let differs = if *refused { ", a tile or the mean differs" } else { "" };
+        let passes = tiles.values[0].len() as u64;
+        Finding {
+            claim: format!(
+                "{}: {:?} = bdpt within {} % of the mean, and on {} of {} tiles",
+                subject.name,
+                other.program,
+                100.0 * promise,
+                self.p_values.len(),
+                self.tiles,
+            ),
+            statistic: format!(
+                "ratio {ratio:.5} ± {half_width:.5}, smallest p {smallest:.1e}{differs}"
+            ),
+            level: Some(level),
+            samples: passes * samples_in_a_pass(subject.scene),
+            holds: !refused && self.is_equivalent(),
+        }
+    }
+}
+
+/// Of Student's law with as many degrees of freedom as batches but one.
+fn quantile() -> f64 {
+    let law = StudentsT::new(0.0, 1.0, (BATCHES - 1) as f64);
+    law.map_or(f64::INFINITY, |law| -law.inverse_cdf(0.5 * EQUIVALENCE_LEVEL))
+}
