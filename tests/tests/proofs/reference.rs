@@ -6,6 +6,7 @@ use serde::Deserialize;
 use traylib_integrators::Settings;
 use traylib_io::{LoadOptions, load_exr, load_scene_with};
 use traylib_math::Grid;
+use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::each_pass;
 use traylib_tests::programs::Program;
 use traylib_tests::statistics::{Sample, holm, welch};
@@ -18,6 +19,8 @@ const REFERENCE_RUNS: usize = 8;
 /// A block brighter than this sees the lamp, whose edge alone would fill the
 /// interval of a picture's mean: a pixel there is bright or not.
 const SEES_LAMP: f64 = 1.2;
+/// Of the means.
+const EQUIVALENCE: f64 = 2e-3;
 const MAX_DEPTH: Option<u32> = Some(5);
 
 #[derive(Deserialize)]
@@ -59,15 +62,38 @@ fn passes(scene: &str, program: Program, side: u32, spp: u32) -> Vec<Vec<[f64; 3
     passes
 }
 
+/// A picture of the reference and how to make ours.
+#[derive(Clone, Copy)]
+struct Setup {
+    reference: &'static str,
+    scene: &'static str,
+    program: Program,
+    side: u32,
+    spp: u32,
+}
+
+impl Setup {
+    fn samples(&self) -> u64 {
+        u64::from(self.side) * u64::from(self.side) * u64::from(self.spp)
+    }
+
+    fn name(&self) -> String {
+        format!("{}, {:?}", self.scene, self.program)
+    }
+}
+
 /// Every block within what both pictures' noise leaves possible, and the mean
-/// within `equivalence`, where the interval must be that narrow.
-///
-/// Blocks in which the mirror is seen are left out of the first in C: there the
-/// reference is path-traced, and light that only chance finds has no usable
-/// variance on either side.
-fn compare(name: &str, scene: &str, program: Program, side: u32, spp: u32, equivalence: f64) {
-    let reference = reference(name);
-    let passes = passes(scene, program, side, spp);
+/// right.
+fn compare(setup: Setup) {
+    let reference = reference(setup.reference);
+    let passes = passes(setup.scene, setup.program, setup.side, setup.spp);
+    settle(&[blocks_agree(setup, &reference, &passes), means_agree(setup, &reference, &passes)]);
+}
+
+/// Blocks in which the mirror is seen are left out in C: there the reference is
+/// path-traced, and light that only chance finds has no usable variance on
+/// either side.
+fn blocks_agree(setup: Setup, reference: &Reference, passes: &[Vec<[f64; 3]>]) -> Finding {
     let (mut p_values, mut masked) = (Vec::new(), 0);
     for block in 0..BLOCKS * BLOCKS {
         let (row, column) = (block / BLOCKS, block % BLOCKS);
@@ -75,7 +101,8 @@ fn compare(name: &str, scene: &str, program: Program, side: u32, spp: u32, equiv
             let ours = Sample::of(&passes.iter().map(|pass| pass[block][band]).collect::<Vec<_>>());
             let mean = reference.blocks[row][column][band];
             let error = reference.standard_error[row][column][band];
-            if name == "C5" && row >= 8 && (4..=11).contains(&column) && error > 0.0025 * mean {
+            let in_mirror = setup.reference == "C5" && row >= 8 && (4..=11).contains(&column);
+            if in_mirror && error > 0.0025 * mean {
                 masked += 1;
                 continue;
             }
@@ -85,6 +112,20 @@ fn compare(name: &str, scene: &str, program: Program, side: u32, spp: u32, equiv
     }
     let refused = holm(&p_values, FAMILY_LEVEL).into_iter().filter(|&refused| refused).count();
     let smallest = p_values.iter().copied().fold(1.0, f64::min);
+    let count = p_values.len();
+    Finding {
+        claim: format!("{}: blocks of an independent renderer's picture", setup.name()),
+        statistic: format!(
+            "{refused} of {count} differ, smallest p {smallest:.1e}, {masked} masked"
+        ),
+        level: Some(FAMILY_LEVEL),
+        samples: setup.samples(),
+        holds: refused == 0 && masked < 100,
+    }
+}
+
+/// Without the blocks that see the lamp.
+fn means_agree(setup: Setup, reference: &Reference, passes: &[Vec<[f64; 3]>]) -> Finding {
     let blocks: Vec<&[f64; 3]> = reference.blocks.iter().flatten().collect();
     let dark = |block: &usize| blocks[*block].iter().all(|&mean| mean < SEES_LAMP);
     let total = |of: &dyn Fn(usize) -> f64| (0..blocks.len()).filter(dark).map(of).sum::<f64>();
@@ -93,40 +134,44 @@ fn compare(name: &str, scene: &str, program: Program, side: u32, spp: u32, equiv
     let image = Sample::of(&sums);
     let truth = total(&|block| blocks[block].iter().sum());
     let (ratio, error) = (image.mean / truth, image.variance_of_mean.sqrt() / truth);
-    println!(
-        "{scene}, {program:?}, {side} x {side} x {spp}: mean ratio {ratio:.5} ± {error:.5}, \
-         smallest p {smallest:.1e} of {}, {masked} masked",
-        p_values.len()
-    );
-    assert_eq!(refused, 0, "{refused} blocks differ, smallest p {smallest:e}");
-    assert!(masked < 100, "{masked} masked");
-    // Three standard errors around the equivalence: no alarm by noise alone.
-    assert!((ratio - 1.0).abs() < equivalence + 3.0 * error, "mean ratio {ratio} ± {error}");
-    assert!(3.0 * error < 5e-3, "± {error} says nothing");
+    Finding {
+        claim: format!("{}: mean within 0.2 % of an independent renderer's", setup.name()),
+        statistic: format!("ratio {ratio:.5}, standard error {error:.5}"),
+        level: Some(FAMILY_LEVEL),
+        samples: setup.samples(),
+        // Three standard errors around the equivalence, no alarm by noise alone;
+        // and an error that still says something.
+        holds: (ratio - 1.0).abs() < EQUIVALENCE + 3.0 * error && 3.0 * error < 5e-3,
+    }
+}
+
+const fn setup(reference: &'static str, program: Program, side: u32, spp: u32) -> Setup {
+    let scene = if reference.as_bytes()[0] == b'A' { "reference-a" } else { "reference-c" };
+    Setup { reference, scene, program, side, spp }
 }
 
 #[test]
 fn bdpt_agrees_on_a() {
-    compare("A5", "reference-a", Program::BdptPower, 64, 256, 2e-3);
+    compare(setup("A5", Program::BdptPower, 64, 256));
 }
 
 #[test]
 fn bdpt_agrees_on_c() {
-    compare("C5", "reference-c", Program::BdptPower, 64, 256, 2e-3);
+    compare(setup("C5", Program::BdptPower, 64, 256));
 }
 
 #[test]
 fn combined_agrees_on_a() {
-    compare("A5", "reference-a", Program::Combined, 64, 256, 2e-3);
+    compare(setup("A5", Program::Combined, 64, 256));
 }
 
-/// The same to the full: 256 × 256 pixels, the mean within 0.2 %.
+/// The same on 256 × 256 pixels.
 #[test]
-#[ignore = "minutes; run in release"]
+#[ignore = "at length: cargo xtask prove"]
 fn full_pictures_agree() {
-    compare("A5", "reference-a", Program::BdptPower, 256, 256, 2e-3);
-    compare("C5", "reference-c", Program::BdptPower, 256, 512, 2e-3);
-    compare("A5", "reference-a", Program::Combined, 256, 512, 2e-3);
+    compare(setup("A5", Program::BdptPower, 256, 256));
+    compare(setup("C5", Program::BdptPower, 256, 512));
+    compare(setup("A5", Program::Combined, 256, 512));
 }
 
 /// A picture's channels by name.
@@ -141,7 +186,7 @@ fn channels(file: &std::path::Path) -> std::collections::HashMap<String, Vec<f32
 
 /// relMSE against the reference pictures is what the noise of both explains.
 #[test]
-#[ignore = "minutes, and wants the pictures; run in release"]
+#[ignore = "at length, and wants the pictures: tests/data/README.md"]
 fn pixels_differ_by_noise_alone() {
     let Some(folder) = std::env::var_os("TRAYLIB_REFERENCE") else {
         println!("skipped: TRAYLIB_REFERENCE names no folder with A5.exr and C5.exr");
@@ -165,10 +210,15 @@ fn pixels_differ_by_noise_alone() {
             })
             .unwrap();
         let (measured, explained) = rel_mse(&rendering.film, &channels);
-        println!("{scene}, {program:?}: relMSE {measured:.4e}, noise explains {explained:.4e}");
-        // Both are means of 2·10⁵ squares, mostly of tame pixels; a few per cent
-        // is what their own noise leaves.
-        assert!(measured < 1.05 * explained, "{measured} {explained}");
+        settle(&[Finding {
+            claim: format!("{scene}, {program:?}: pixels differ from the reference by noise alone"),
+            statistic: format!("relMSE {measured:.4e}, noise explains {explained:.4e}"),
+            // Both are means of 2·10⁵ squares, mostly of tame pixels; a few per
+            // cent is what their own noise leaves.
+            level: Some(FAMILY_LEVEL),
+            samples: 256 * 256 * 256,
+            holds: measured < 1.05 * explained,
+        }]);
     }
 }
 
