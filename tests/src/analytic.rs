@@ -23,12 +23,20 @@ const RADIANCE: f64 = 3.0;
 /// A1: a point light of intensity I = 3 W/sr at distance d = 2, in a direction
 /// with cosine 0.8: L = ρ/π·I·cosθ/d².
 pub fn point_light() -> Case {
-    let scene = Stage::new(spot(Vec3::new(-1.0, 0.5, 2.0), Vec3::ZERO))
-        .surface(floor(), lambert(REFLECTANCE as f32))
-        .point(Vec3::new(1.2, 0.0, 1.6), RADIANCE as f32)
-        .build();
+    Case { name: "A1".into(), ..coincident_lights(1) }
+}
+
+/// A9: the light of A1 as `count` lights in one place with a share of the
+/// intensity each. They give the same radiance, and a sample that draws one of
+/// them the same value.
+pub fn coincident_lights(count: u16) -> Case {
+    let stage = Stage::new(spot(Vec3::new(-1.0, 0.5, 2.0), Vec3::ZERO))
+        .surface(floor(), lambert(REFLECTANCE as f32));
+    let share = (RADIANCE / f64::from(count)) as f32;
+    let place = Vec3::new(1.2, 0.0, 1.6);
+    let scene = (0..count).fold(stage, |stage, _| stage.point(place, share)).build();
     let truth = REFLECTANCE / PI * RADIANCE * 0.8 / 4.0;
-    Case { name: "A1".into(), scene, max_depth: None, truth }
+    Case { name: format!("A9 N = {count}"), scene, max_depth: None, truth }
 }
 
 /// A1 in a wide view from straight above: at the distance r from the light,
@@ -54,7 +62,7 @@ pub fn point_light_wide() -> Case {
 pub fn disk(radius: f64) -> Case {
     let lamp = disk_facing_down(Vec3::Z, radius as f32);
     let factor = radius * radius / (1.0 + radius * radius);
-    from_aside(format!("A2 R = {radius}"), lamp, factor)
+    from_aside(format!("A2 R = {radius}"), &[lamp], factor)
 }
 
 /// A3: a ball of radius R = 1 at the distance d = 2 of its centre, in a
@@ -63,14 +71,14 @@ pub fn disk(radius: f64) -> Case {
 /// along it, which tilts by θ: F = (R/d)²·cosθ = 0.2.
 pub fn sphere() -> Case {
     let lamp = ball(Vec3::new(1.2, 0.0, 1.6), 1.0);
-    from_aside("A3".into(), lamp, 0.25 * 0.8)
+    from_aside("A3".into(), &[lamp], 0.25 * 0.8)
 }
 
 /// A5: a square of half-side a at the height 1, straight above and facing down:
 /// four times the [`corner_factor`] of its quarter.
 pub fn square(half_side: f64) -> Case {
     let factor = 4.0 * corner_factor(half_side, half_side);
-    from_aside(format!("A5 half-side {half_side}"), square_lamp(half_side), factor)
+    from_aside(format!("A5 half-side {half_side}"), &[square_lamp(half_side)], factor)
 }
 
 /// A5 in a wide view from above, through the lamp's back, which is not there:
@@ -85,7 +93,7 @@ pub fn square_wide() -> Case {
         let strip = |y| corner_factor(a - x, y) - corner_factor(-a - x, y);
         REFLECTANCE * RADIANCE * (strip(a - y) - strip(-a - y))
     });
-    let scene = diffuse_floor(camera, square_lamp(a));
+    let scene = diffuse_floor(camera, &[square_lamp(a)]);
     Case { name: "A5 wide".into(), scene, max_depth: None, truth }
 }
 
@@ -138,16 +146,15 @@ fn square_lamp(half_side: f64) -> Primitive {
 }
 
 /// A diffuse floor seen obliquely, from below the height of the lamps.
-fn from_aside(name: String, lamp: Primitive, factor: f64) -> Case {
-    let scene = diffuse_floor(spot(Vec3::new(-0.6, 0.2, 0.5), Vec3::ZERO), lamp);
+pub(crate) fn from_aside(name: String, lamps: &[Primitive], factor: f64) -> Case {
+    let scene = diffuse_floor(spot(Vec3::new(-0.6, 0.2, 0.5), Vec3::ZERO), lamps);
     Case { name, scene, max_depth: None, truth: REFLECTANCE * RADIANCE * factor }
 }
 
-fn diffuse_floor(camera: Camera, lamp: Primitive) -> Scene {
-    Stage::new(camera)
-        .surface(floor(), lambert(REFLECTANCE as f32))
-        .lamp(lamp, RADIANCE as f32, black())
-        .build()
+fn diffuse_floor(camera: Camera, lamps: &[Primitive]) -> Scene {
+    let stage = Stage::new(camera).surface(floor(), lambert(REFLECTANCE as f32));
+    let lit = |stage: Stage, &lamp: &Primitive| stage.lamp(lamp, RADIANCE as f32, black());
+    lamps.iter().fold(stage, lit).build()
 }
 
 /// A floor seen straight down from between it and the disk.

@@ -16,7 +16,7 @@ pub const FAMILY_LEVEL: f64 = 1e-3;
 
 /// At least as many as there are comparisons with known radiances in the whole
 /// package. More widens every interval and makes false alarms rarer.
-pub const FAMILY_SIZE: usize = 200;
+pub const FAMILY_SIZE: usize = 400;
 
 /// The widest interval, on either side and relative to the truth, that counts
 /// as evidence: agreement within an interval as wide as the picture is bright
@@ -89,24 +89,44 @@ pub fn compare(case: &Case, program: Program, passes: u32, seed: u64) -> Finding
     let integrator = program.integrator(case.max_depth);
     let settings = Settings { spp: passes, seed, threads: 1 };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
+    let samples = u64::from(passes) * samples_in_a_pass(&case.scene);
+    let claim = format!("{}, {program:?}: mean radiance", case.name);
+    judge(claim, &Measured { means, statistics, samples }, case.truth, EQUIVALENCE)
+}
+
+/// What came of a rendering.
+#[derive(Debug)]
+pub struct Measured {
+    /// A number for each pass.
+    pub means: Vec<f64>,
+    /// Tally of the work.
+    pub statistics: Statistics,
+    /// Samples behind all means together.
+    pub samples: u64,
+}
+
+/// Holds the mean of all passes against the truth, as [`compare`] does; the
+/// interval may be as wide as `equivalence` to either side, relative to the
+/// truth.
+pub fn judge(claim: String, measured: &Measured, truth: f64, equivalence: f64) -> Finding {
     let level = sidak(FAMILY_LEVEL, FAMILY_SIZE);
-    let Interval { mean, half_width } = mean_interval(&means, level);
-    let wide = Interval { mean, half_width: half_width + ROUNDING * case.truth };
-    let complaint = if statistics.rejected > 0 {
-        format!(", {} samples were not sound numbers", statistics.rejected)
-    } else if !wide.contains(case.truth) {
+    let Interval { mean, half_width } = mean_interval(&measured.means, level);
+    let wide = Interval { mean, half_width: half_width + ROUNDING * truth };
+    let rejected = measured.statistics.rejected;
+    let complaint = if rejected > 0 {
+        format!(", {rejected} samples were not sound numbers")
+    } else if !wide.contains(truth) {
         String::from(", the truth is not within")
-    } else if half_width > EQUIVALENCE * case.truth {
+    } else if half_width > equivalence * truth {
         String::from(", too wide to say anything")
     } else {
         String::new()
     };
-    let truth = case.truth;
     Finding {
-        claim: format!("{}, {program:?}: mean radiance", case.name),
+        claim,
         statistic: format!("{mean:.6} ± {half_width:.6}, truth {truth:.6}{complaint}"),
         level: Some(level),
-        samples: u64::from(passes) * samples_in_a_pass(&case.scene),
+        samples: measured.samples,
         holds: complaint.is_empty(),
     }
 }

@@ -4,7 +4,7 @@
 //! mistake in a test.
 
 use std::fmt::Debug;
-use traylib_geometry::{Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere};
+use traylib_geometry::{Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere, Triangle};
 use traylib_materials::{Lambert, MaxPhong, Mirror, Phong, SurfaceModel};
 use traylib_math::{Rgb, Vec3};
 use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder};
@@ -35,6 +35,13 @@ impl Stage {
     #[must_use]
     pub fn lamp(self, primitive: Primitive, radiance: f32, model: SurfaceModel) -> Self {
         self.object(ObjectShape::Primitive(primitive), Sides::Front, model, radiance)
+    }
+
+    /// Adds a lamp of this radiance that is there from behind too, and does not
+    /// shine that way.
+    #[must_use]
+    pub fn solid_lamp(self, primitive: Primitive, radiance: f32, model: SurfaceModel) -> Self {
+        self.object(ObjectShape::Primitive(primitive), Sides::Both, model, radiance)
     }
 
     /// Adds a point light of this intensity.
@@ -102,6 +109,16 @@ pub fn rectangle(corner: Vec3, edge_u: Vec3, edge_v: Vec3) -> Primitive {
 /// A disk parallel to the floor, facing it.
 pub fn disk_facing_down(centre: Vec3, radius: f32) -> Primitive {
     Primitive::Disk(sound(Disk::new(centre, Vec3::NEG_Z, radius)))
+}
+
+/// A disk parallel to the floor, its front up.
+pub fn disk_facing_up(centre: Vec3, radius: f32) -> Primitive {
+    Primitive::Disk(sound(Disk::new(centre, Vec3::Z, radius)))
+}
+
+/// A triangle; from the front its corners go counter-clockwise.
+pub fn triangle([a, b, c]: [Vec3; 3]) -> Primitive {
+    Primitive::Triangle(sound(Triangle::new(a, b, c)))
 }
 
 /// A ball.

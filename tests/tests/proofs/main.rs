@@ -7,7 +7,9 @@
 mod ablation;
 mod agreement;
 mod analytic;
+mod direct_forms;
 mod furnace;
+mod interreflection;
 mod reference;
 mod repeat;
 mod variance;

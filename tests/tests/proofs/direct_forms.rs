@@ -1,0 +1,72 @@
+//! More direct light against closed forms: lamps cut by the horizon, polygons,
+//! coincident lights, and whole surfaces. The forms stand in
+//! `traylib_tests::{horizon, polygonal, exchange}`; the comparisons belong to one
+//! family with those of `analytic.rs`.
+
+use traylib_tests::analytic::coincident_lights;
+use traylib_tests::exchange::{disks, opposite_sides};
+use traylib_tests::horizon::cut_sphere;
+use traylib_tests::measure::all_hold;
+use traylib_tests::polygonal::{standing, sunk_pentagon, tilted_triangle};
+use traylib_tests::programs::Program::{
+    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
+};
+
+#[test]
+fn a4_cut_sphere() {
+    all_hold(&cut_sphere(2.0, 0.3), 41, &[(BdptPower, 176)]);
+    all_hold(&cut_sphere(1.1, 0.2), 44, &[(Strict, 340)]);
+}
+
+/// Light sampling wastes what it draws below the horizon: half of the ball, and
+/// nearly all of it.
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn a4_cut_sphere_by_all_programs() {
+    all_hold(&cut_sphere(1.1, 0.2), 45, &[(PureMc, 900), (Combined, 340), (BdptBalance, 340)]);
+    for (seed, cosine, passes) in [(46, 0.0, 800), (47, -0.3, 6000)] {
+        let programs = [Strict, BdptPower].map(|program| (program, passes));
+        all_hold(&cut_sphere(2.0, cosine), seed, &programs);
+    }
+}
+
+#[test]
+fn a6_standing_rectangle() {
+    all_hold(&standing(1.0, 1.0, 1.0), 61, &[(Strict, 80)]);
+    all_hold(&standing(2.0, 1.0, 0.5), 62, &[(BdptPower, 160)]);
+}
+
+/// Lamps of several triangles, which are drawn by their areas.
+#[test]
+fn a7_polygons() {
+    all_hold(&tilted_triangle(), 71, &[(Strict, 64), (BdptPower, 64)]);
+    all_hold(&sunk_pentagon(), 72, &[(Combined, 96), (BdptPower, 96)]);
+}
+
+/// No noise: whichever is drawn gives the same.
+#[test]
+fn a9_coincident_lights() {
+    for count in [1, 4, 1000] {
+        let programs = Program::FROM_CAMERA.map(|program| (program, 32));
+        all_hold(&coincident_lights(count), 91, &programs);
+    }
+}
+
+#[test]
+fn whole_surfaces() {
+    all_hold(&disks(1.0), 93, &[(BdptPower, 320), (Particle, 1450)]);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn whole_surfaces_by_all_programs() {
+    let programs = [
+        (PureMc, 8000),
+        (Combined, 1200),
+        (BdptPower, 1200),
+        (BdptBalance, 1200),
+        (Particle, 4000),
+    ];
+    all_hold(&disks(2.0), 94, &programs);
+    all_hold(&opposite_sides(), 95, &programs);
+}
