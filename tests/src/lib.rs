@@ -11,6 +11,7 @@ pub mod horizon;
 pub mod laws;
 pub mod ledger;
 pub mod measure;
+pub mod mirrored;
 pub mod polygon;
 pub mod polygonal;
 pub mod programs;

@@ -10,6 +10,7 @@ mod analytic;
 mod direct_forms;
 mod furnace;
 mod interreflection;
+mod mirrored;
 mod reference;
 mod repeat;
 mod variance;

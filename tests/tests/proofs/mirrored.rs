@@ -1,0 +1,244 @@
+//! Light that a mirror throws onto the floor, against closed forms; the scenes
+//! and their truths stand in `traylib_tests::mirrored`. Comparisons of whole
+//! pictures belong to one family with those of `analytic.rs`; the 64 blocks of a
+//! picture are a family of their own.
+
+use std::time::Instant;
+use traylib_integrators::{BlindSpot, SceneFacts, Settings, Statistics};
+use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::measure::{
+    Case, EQUIVALENCE, FAMILY_LEVEL, Measured, each_pass, judge, pass_means, samples_in_a_pass,
+};
+use traylib_tests::mirrored::{
+    NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
+    mirrored_point, mirrored_point_in_a_mirror,
+};
+use traylib_tests::programs::Program::{
+    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
+};
+use traylib_tests::scenes::phong;
+use traylib_tests::statistics::{Sample, mean_interval, sidak, tile_means};
+
+/// Side of a block in pixels.
+const BLOCK: usize = 8;
+
+/// Passes of a picture: the mean of each block and of the whole.
+struct Passes {
+    blocks: Vec<Vec<f64>>,
+    image: Measured,
+}
+
+fn render(picture: &Picture, program: Program, passes: u32, seed: u64) -> Passes {
+    let integrator = program.integrator(picture.max_depth);
+    let settings = Settings { spp: passes, seed, threads: 1 };
+    let (mut blocks, mut means) = (vec![Vec::new(); blocks(picture).len()], Vec::new());
+    let statistics = each_pass(&picture.scene, integrator.as_ref(), &settings, |pass| {
+        let pass = pass.map(|bands| bands[1]);
+        let tiles = tile_means(&pass, BLOCK);
+        means.push(tiles.iter().sum::<f64>() / tiles.len() as f64);
+        blocks.iter_mut().zip(tiles).for_each(|(block, mean)| block.push(mean));
+    });
+    let samples = u64::from(passes) * samples_in_a_pass(&picture.scene);
+    Passes { blocks, image: Measured { means, statistics, samples } }
+}
+
+/// What the blocks should be.
+fn blocks(picture: &Picture) -> Vec<f64> {
+    tile_means(&picture.truth, BLOCK)
+}
+
+fn mean_of(values: &[f64]) -> f64 {
+    Sample::of(values).mean
+}
+
+/// The mean of the picture, and every block within its interval.
+fn compare(
+    picture: &Picture,
+    program: Program,
+    passes: u32,
+    seed: u64,
+    equivalence: f64,
+) -> [Finding; 2] {
+    let rendered = render(picture, program, passes, seed);
+    let claim = format!("{}, {program:?}: mean radiance", picture.name);
+    let truth = blocks(picture);
+    let image = judge(claim, &rendered.image, mean_of(&truth), equivalence);
+    [image, all_blocks(picture, program, &rendered, &truth)]
+}
+
+/// How far the worst block is from the truth, in half widths of its interval.
+fn all_blocks(picture: &Picture, program: Program, rendered: &Passes, truth: &[f64]) -> Finding {
+    let level = sidak(FAMILY_LEVEL, truth.len());
+    let off = rendered.blocks.iter().zip(truth).map(|(means, truth)| {
+        let interval = mean_interval(means, level);
+        (interval.mean - truth).abs() / interval.half_width
+    });
+    let worst = off.fold(0.0, f64::max);
+    Finding {
+        claim: format!("{}, {program:?}: {} blocks", picture.name, truth.len()),
+        statistic: format!("at most {worst:.2} half widths off"),
+        level: Some(FAMILY_LEVEL),
+        samples: rendered.image.samples,
+        holds: worst <= 1.0,
+    }
+}
+
+#[test]
+fn c1_mirrored_lamp() {
+    settle(&compare(&mirrored_lamp(WIDE_MIRROR), BdptPower, 150, 201, 0.015));
+}
+
+#[test]
+fn c1_half_shadows() {
+    settle(&compare(&mirrored_lamp(NARROW_MIRROR), BdptPower, 150, 202, 0.02));
+}
+
+/// To 0.2 %.
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn c1_by_all_that_walk_from_the_lamp() {
+    let picture = mirrored_lamp(WIDE_MIRROR);
+    let narrow = mirrored_lamp(NARROW_MIRROR);
+    let findings = [
+        compare(&picture, BdptPower, 9000, 203, 2e-3),
+        compare(&picture, BdptBalance, 3000, 204, EQUIVALENCE),
+        compare(&picture, Particle, 3000, 205, EQUIVALENCE),
+        compare(&narrow, BdptPower, 3000, 206, EQUIVALENCE),
+    ];
+    settle(&findings.concat());
+}
+
+/// Seconds for an error of 1 % of the picture's mean: variance and time of a
+/// pass.
+fn seconds_to_a_percent(picture: &Picture, program: Program, passes: u32) -> f64 {
+    let start = Instant::now();
+    let rendered = render(picture, program, passes, 207);
+    let seconds = start.elapsed().as_secs_f64();
+    let Sample { variance_of_mean, .. } = Sample::of(&rendered.image.means);
+    // A variance of the mean v after `seconds` falls as one over the time.
+    seconds * variance_of_mean / (0.01 * mean_of(&blocks(picture))).powi(2)
+}
+
+/// What walks from both ends are for. The times are this machine's; the factors
+/// are 10 and more.
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn c1_is_faster_from_both_ends() {
+    let picture = mirrored_lamp(WIDE_MIRROR);
+    let bdpt = seconds_to_a_percent(&picture, BdptPower, 400);
+    let findings = [PureMc, Strict, Combined].map(|program| {
+        let factor = seconds_to_a_percent(&picture, program, 800) / bdpt;
+        let claim = format!("C1: bdpt reaches 1 % sooner than {program:?}");
+        println!("{claim}: {factor:.1} times");
+        let statistic = format!("{factor:.1} times");
+        let samples = 800 * samples_in_a_pass(&picture.scene);
+        Finding { claim, statistic, level: None, samples, holds: factor > 2.0 }
+    });
+    settle(&findings);
+}
+
+/// Only hitting the lamp by chance finds this light, once in a thousand times:
+/// right, and not much more can be said.
+fn c2(programs: &[(Program, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
+    let case = mirrored_lamp_in_a_mirror();
+    let compare = |&(program, passes): &(Program, u32)| {
+        let measured = measure(&case, program, passes, seed);
+        let claim = format!("C2, {program:?}: mean radiance within {equivalence}");
+        judge(claim, &measured, case.truth, equivalence)
+    };
+    programs.iter().map(compare).collect()
+}
+
+fn measure(case: &Case, program: Program, passes: u32, seed: u64) -> Measured {
+    let integrator = program.integrator(case.max_depth);
+    let settings = Settings { spp: passes, seed, threads: 1 };
+    let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
+    let samples = u64::from(passes) * samples_in_a_pass(&case.scene);
+    Measured { means, statistics, samples }
+}
+
+#[test]
+fn c2_seen_in_a_mirror() {
+    let mut findings = c2(&[(PureMc, 160), (BdptPower, 160)], 211, 0.25);
+    findings.push(dark(&mirrored_lamp_in_a_mirror(), Particle));
+    settle(&findings);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn c2_by_all_programs() {
+    settle(&c2(&Program::FROM_CAMERA.map(|program| (program, 3000)), 212, 0.05));
+}
+
+/// A program that finds no light at all, and says beforehand that there is light
+/// that it cannot find.
+fn dark(case: &Case, program: Program) -> Finding {
+    let integrator = program.integrator(case.max_depth);
+    let blind: Vec<BlindSpot> = integrator.blind_spots(&SceneFacts::of(&case.scene));
+    let Measured { means, statistics: Statistics { rejected, .. }, samples } =
+        measure(case, program, 4, 213);
+    let found = means.iter().copied().fold(0.0, f64::max);
+    Finding {
+        claim: format!("{}, {program:?}: nothing of {:.3e}, announced", case.name, case.truth),
+        statistic: format!("{found}; {blind:?}"),
+        level: None,
+        samples,
+        holds: case.truth > 0.0 && found == 0.0 && rejected == 0 && !blind.is_empty(),
+    }
+}
+
+/// Only a light path that is seen by the camera finds this.
+fn c3(programs: &[(Program, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
+    let case = mirrored_point();
+    let compare = |&(program, passes): &(Program, u32)| {
+        let claim = format!("C3, {program:?}: mean radiance");
+        judge(claim, &measure(&case, program, passes, seed), case.truth, equivalence)
+    };
+    programs.iter().map(compare).collect()
+}
+
+#[test]
+fn c3_point_light() {
+    let mut findings = c3(&[(BdptPower, 500), (Particle, 500)], 221, 0.03);
+    findings.extend([PureMc, Strict, Combined].map(|program| dark(&mirrored_point(), program)));
+    settle(&findings);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn c3_point_light_at_length() {
+    settle(&c3(
+        &[(BdptPower, 20_000), (BdptBalance, 20_000), (Particle, 20_000)],
+        222,
+        EQUIVALENCE,
+    ));
+}
+
+#[test]
+fn c2_and_c3_are_dark_and_announced() {
+    const ALL: [Program; 6] = [PureMc, Strict, Combined, BdptPower, BdptBalance, Particle];
+    settle(&ALL.map(|program| dark(&mirrored_point_in_a_mirror(), program)));
+}
+
+/// A sharp lobe in the mirror's place: not ks of the light, but ks times the
+/// cosine, on average 0.95 here.
+fn c4(exponent: f32, program: Program, passes: u32, equivalence: f64) -> Finding {
+    let specular = 0.9;
+    let picture = mirrored_in(phong(0.0, specular, exponent), f64::from(specular));
+    let rendered = render(&picture, program, passes, 231);
+    let claim = format!("C4 n = {exponent:e}, {program:?}: mean radiance");
+    judge(claim, &rendered.image, mean_of(&blocks(&picture)), equivalence)
+}
+
+#[test]
+fn c4_sharp_lobe() {
+    settle(&[c4(1e6, Particle, 300, 0.015)]);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn c4_sharp_lobes_at_length() {
+    let one =
+        |exponent| [BdptPower, Particle].map(|program| c4(exponent, program, 1600, EQUIVALENCE));
+    settle(&[1e3, 1e4, 1e5, 1e6].map(one).concat());
+}
