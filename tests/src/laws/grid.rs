@@ -44,18 +44,20 @@ pub fn even() -> Vec<f64> {
 }
 
 /// The probabilities of the cells for this density on the unit square, by the
-/// midpoint rule on 8 × 8 points a cell.
+/// midpoint rule on 128 × 8 points a cell: a sphere from near is seen with a
+/// density that is steep along the first coordinate.
 pub fn probabilities(density: impl Fn(At) -> f64) -> Vec<f64> {
-    const FINE: usize = 8;
-    let step = 1.0 / (SIDE * FINE) as f64;
+    const FINE: [usize; 2] = [128, 8];
+    let steps = FINE.map(|fine| SIDE * fine);
     let mut cells = vec![0.0; SIDE * SIDE];
-    for y in 0..SIDE * FINE {
-        for x in 0..SIDE * FINE {
-            let middle = [x, y].map(|i| (i as f64 + 0.5) * step);
-            cells[y / FINE * SIDE + x / FINE] += density(middle) * step * step;
+    for y in 0..steps[1] {
+        for x in 0..steps[0] {
+            let middle = [(x, steps[0]), (y, steps[1])].map(|(i, n)| (i as f64 + 0.5) / n as f64);
+            cells[y / FINE[1] * SIDE + x / FINE[0]] += density(middle);
         }
     }
-    cells
+    let points = (steps[0] * steps[1]) as f64;
+    cells.into_iter().map(|sum| sum / points).collect()
 }
 
 #[cfg(test)]

@@ -72,7 +72,7 @@ impl Lobe {
                 (0..FINE).map(move |i| (u0 + (i as f64 + 0.5) * width, weight)).collect()
             },
             |u| self.lack(u),
-            |ring, from, to| ring.length(from, to),
+            Ring::length,
         )
     }
 
@@ -98,23 +98,22 @@ impl Lobe {
     /// The share of light that a modified Phong lobe with ks = 1 reflects:
     /// ∫ (n+2)/(2π)·cosⁿα·N·w dω, whose density in (u, φ) is (n+2)/(n+1)/(2π).
     pub fn phong_albedo(&self) -> f64 {
-        (self.exponent + 2.0) / (self.exponent + 1.0) * self.mean(Ring::cosine)
+        (self.exponent + 2.0) / (self.exponent + 1.0) * self.mean(64 * FINE, Ring::cosine)
     }
 
     /// That of a Max-Phong lobe: its density in (u, φ) is 1/(2π) times
     /// N·w/max(N·w, cosθ).
     pub fn max_phong_albedo(&self) -> f64 {
         const STEPS: usize = 512;
-        self.mean(|ring, from, to| {
+        self.mean(4 * FINE, |ring, from, to| {
             let step = (to - from) / STEPS as f64;
             let azimuths = (0..STEPS).map(|i| from + (i as f64 + 0.5) * step);
             azimuths.map(|phi| step * (ring.at(phi) / self.cos).clamp(0.0, 1.0)).sum()
         })
     }
 
-    /// The mean of `over` the azimuths, with the lobe's density.
-    fn mean(&self, over: impl Fn(&Ring, f64, f64) -> f64) -> f64 {
-        let steps = 4 * FINE;
+    /// The mean of `over` all azimuths, with the lobe's density, from so many u.
+    fn mean(&self, steps: usize, over: impl Fn(&Ring, f64, f64) -> f64) -> f64 {
         let rings = (0..steps).map(|i| self.ring(self.lack((i as f64 + 0.5) / steps as f64)));
         rings.map(|ring| over(&ring, -PI, PI)).sum::<f64>() / (TAU * steps as f64)
     }

@@ -18,6 +18,11 @@ pub fn within(claim: impl Into<String>, worst: f64, bound: f64, samples: u64) ->
     }
 }
 
+/// The larger of two errors, and not a number once either is not.
+pub fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
+}
+
 /// Bits that must agree, `different` of which do not.
 pub fn same_bits(claim: impl Into<String>, different: usize, of: usize) -> Finding {
     Finding {
@@ -65,6 +70,12 @@ mod tests {
         assert!(within("", 1e-6, 1e-5, 1).holds);
         assert!(!within("", 1e-4, 1e-5, 1).holds);
         assert!(!within("", f64::NAN, 1e-5, 1).holds);
+    }
+
+    #[test]
+    fn nan_stays_the_worst() {
+        assert_eq!(worse(1.0, 2.0), 2.0);
+        assert!(worse(worse(1.0, f64::NAN), 2.0).is_nan());
     }
 
     #[test]

@@ -31,6 +31,7 @@ impl Wide {
     }
 
     /// Vector product.
+    #[must_use]
     pub fn cross(self, other: Self) -> Self {
         let Self { x, y, z } = self;
         Self::new(y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x)
@@ -42,6 +43,7 @@ impl Wide {
     }
 
     /// The unit vector along it; not a number for zero.
+    #[must_use]
     pub fn unit(self) -> Self {
         self * (1.0 / self.length())
     }

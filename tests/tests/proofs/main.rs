@@ -9,6 +9,7 @@ mod agreement;
 mod analytic;
 mod direct_forms;
 mod furnace;
+mod laws;
 mod interreflection;
 mod mirrored;
 mod reference;

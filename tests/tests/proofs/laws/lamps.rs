@@ -1,0 +1,188 @@
+//! Laws of lamps: points and directions follow their densities, and what is
+//! emitted is all that the lamp has.
+
+use super::{FAST, LONG, sampler};
+use std::f64::consts::{PI, TAU};
+use traylib_geometry::{Primitive, Triangle, Vec3};
+use traylib_math::Rgb;
+use traylib_scene::{Light, PointLight};
+use traylib_tests::laws::chart::Chart;
+use traylib_tests::laws::chi_square::follows;
+use traylib_tests::laws::grid::{Counts, even, probabilities};
+use traylib_tests::laws::verdict::{within, worse};
+use traylib_tests::laws::wide::Wide;
+use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::scenes::{ball, disk_facing_down, hollow_ball, rectangle};
+
+/// A lamp and where it is seen from.
+struct View {
+    name: &'static str,
+    shape: Primitive,
+    from: Vec3,
+}
+
+fn views() -> Vec<View> {
+    let at = Vec3::new;
+    let centre = at(0.4, -0.3, 1.2);
+    let corners = [at(0.0, 0.0, 1.0), at(0.1, 2.0, 1.5), at(-1.0, 0.2, 2.0)];
+    let [a, b, c] = corners;
+    let triangle = Primitive::Triangle(Triangle::new(a, b, c).unwrap());
+    let outside = |distance: f32| centre + distance * at(0.48, 0.6, -0.64);
+    let view = |name, shape, from| View { name, shape, from };
+    vec![
+        view("quad", rectangle(centre, at(0.5, 0.2, 0.0), at(-0.3, 0.4, 0.1)), Vec3::ZERO),
+        view("triangle", triangle, Vec3::ZERO),
+        view("disk", disk_facing_down(centre, 0.6), at(0.5, 0.0, 1.1)),
+        view("ball from far", ball(centre, 0.5), outside(500.0)),
+        view("ball", ball(centre, 0.5), outside(1.3)),
+        view("ball from near", ball(centre, 0.5), outside(0.51)),
+        view("ball from within", ball(centre, 0.5), outside(0.3)),
+        view("hollow ball from within", hollow_ball(centre, 0.5), outside(0.4)),
+    ]
+}
+
+/// Points toward a place follow the stated density, which integrates to one
+/// over what is seen.
+fn toward_findings(view: &View, samples: u64) -> Vec<Finding> {
+    let View { name, shape, from } = view;
+    let chart = Chart::seen_from(shape, *from);
+    let density = |at| {
+        let (position, normal) = chart.point(at);
+        let pdf = shape.pdf_toward(*from, position.narrow(), normal.narrow());
+        f64::from(pdf.0) * chart.area()
+    };
+    let cells = probabilities(density);
+    let total: f64 = cells.iter().sum();
+    let mut counts = Counts::new(0);
+    let mut sampler = sampler(name);
+    for _ in 0..samples {
+        let (site, _) = shape.sample_toward(*from, sampler.next_2d());
+        counts.add(chart.coordinates(site.position));
+    }
+    vec![
+        within(format!("{name}: ∫ pdf dA = 1"), (total - 1.0).abs(), 5e-5, 0),
+        follows(format!("{name}: points toward a place"), &cells, &counts.cells),
+    ]
+}
+
+/// Points of the whole surface are alike.
+fn area_finding(view: &View, samples: u64) -> Finding {
+    let View { name, shape, .. } = view;
+    // From its middle all of a sphere is seen.
+    let middle = if let Primitive::Sphere(sphere) = shape { sphere.centre() } else { Vec3::ZERO };
+    let chart = Chart::seen_from(shape, middle);
+    let mut counts = Counts::new(0);
+    let mut sampler = sampler(&format!("{name}, area"));
+    for _ in 0..samples {
+        counts.add(chart.coordinates(shape.sample_area(sampler.next_2d()).position));
+    }
+    follows(format!("{name}: points by area"), &even(), &counts.cells)
+}
+
+/// The density that a drawn point comes with is the one asked for later.
+fn density_finding(view: &View, samples: u64) -> Finding {
+    let View { name, shape, from } = view;
+    let mut sampler = sampler(&format!("{name}, density"));
+    let different = (0..samples).filter(|_| {
+        let (site, pdf) = shape.sample_toward(*from, sampler.next_2d());
+        pdf.0.to_bits() != shape.pdf_toward(*from, site.position, site.normal).0.to_bits()
+    });
+    let different = different.count() as f64;
+    within(format!("{name}: density of a drawn point, bits"), different, 0.0, samples)
+}
+
+fn point_laws(samples: u64) {
+    let findings = views().into_iter().flat_map(|view| {
+        let mut findings = toward_findings(&view, samples);
+        findings.extend([area_finding(&view, samples), density_finding(&view, samples / 10)]);
+        findings
+    });
+    settle(&findings.collect::<Vec<_>>());
+}
+
+#[test]
+fn points_of_lamps_follow_their_density() {
+    point_laws(FAST);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn points_of_lamps_follow_their_density_at_length() {
+    point_laws(LONG);
+}
+
+/// What a light path starts with, over its density, is the lamp's power: π·A·L for
+/// an area, 4π·I for a point. It is the same for every sample.
+fn power_finding(name: &str, light: &Light, power: f64) -> Finding {
+    const SAMPLES: u64 = 10_000;
+    let mut sampler = sampler(name);
+    let mut worst = (f64::from(light.power().g) / power - 1.0).abs();
+    for _ in 0..SAMPLES {
+        let emission = light.sample_emission(sampler.next_2d(), sampler.next_2d());
+        let (point, direction) = (emission.point, emission.direction);
+        let cosine = f64::from(point.cosine(direction));
+        // Along the surface single precision gives a cosine of zero or nearly so.
+        if cosine > 1e-3 {
+            let density = f64::from(light.emission_pdf().0 * point.direction_pdf(direction).0);
+            let weight = f64::from(point.emitted.g) * cosine / density;
+            worst = worse(worst, (weight / power - 1.0).abs());
+        }
+    }
+    within(format!("{name}: every light path carries the lamp's power"), worst, 1e-6, SAMPLES)
+}
+
+/// Directions are uniform in (sin²θ, φ) around the normal of their point for an
+/// area, in (z, φ) for a point light, and know nothing of where they start.
+fn emission_findings(name: &str, light: &Light, samples: u64) -> Vec<Finding> {
+    let mut sampler = sampler(&format!("{name}, directions"));
+    let (mut directions, mut pairs) = (Counts::new(0), Counts::new(0));
+    for _ in 0..samples {
+        let (u_point, u_direction) = (sampler.next_2d(), sampler.next_2d());
+        let emission = light.sample_emission(u_point, u_direction);
+        let at = if light.is_point() {
+            let w = Wide::from(emission.direction);
+            [0.5 * (w.z + 1.0), w.y.atan2(w.x).rem_euclid(TAU) / TAU]
+        } else {
+            let [_, u, v] = Wide::from(emission.point.site.normal).frame();
+            let [x, y] = [u, v].map(|axis| axis.dot(Wide::from(emission.direction)));
+            [x * x + y * y, y.atan2(x).rem_euclid(TAU) / TAU]
+        };
+        directions.add(at);
+        pairs.add([at[0], f64::from(u_point.x)]);
+    }
+    vec![
+        follows(format!("{name}: directions of emission"), &even(), &directions.cells),
+        follows(format!("{name}: directions know no place"), &even(), &pairs.cells),
+    ]
+}
+
+fn emission_laws(samples: u64) {
+    let radiance = Rgb::splat(3.0);
+    let lamps = views().into_iter().filter(|view| !view.name.contains("from")).map(|view| {
+        let area = match view.shape {
+            // 4πr² = 4π/4.
+            Primitive::Sphere(_) => PI,
+            _ => Chart::seen_from(&view.shape, view.from).area(),
+        };
+        (view.name, Light::Area { primitive: view.shape, radiance }, PI * area * 3.0)
+    });
+    let point = PointLight { position: Vec3::ONE, intensity: Rgb::splat(2.0) };
+    let point = ("point light", Light::Point(point), 8.0 * PI);
+    let findings = lamps.chain([point]).flat_map(|(name, light, power)| {
+        let mut findings = emission_findings(name, &light, samples);
+        findings.push(power_finding(name, &light, power));
+        findings
+    });
+    settle(&findings.collect::<Vec<_>>());
+}
+
+#[test]
+fn emission_follows_its_density_and_carries_the_power() {
+    emission_laws(FAST);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn emission_follows_its_density_and_carries_the_power_at_length() {
+    emission_laws(LONG);
+}

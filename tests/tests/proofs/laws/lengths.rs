@@ -1,0 +1,100 @@
+//! Limits on paths: what a number of edges means, and that roulette loses
+//! nothing.
+//!
+//! In a glowing ball every way to find light has the same value: walks meet the
+//! same radiance everywhere, and two patches exchange the same share of light
+//! wherever they are. So without roulette the programs that walk from the camera
+//! have no variance but that of splats, and one edge too many or too few stands
+//! out at any number of samples.
+
+use traylib_integrators::{Limits, Roulette, Settings};
+use traylib_tests::furnace::{
+    central_light, diffuse_walls, glowing_ball, mirroring_walls, offset_light_wide,
+};
+use traylib_tests::laws::bounded::{PROGRAMS, bounded};
+use traylib_tests::laws::verdict::{Known, has_mean};
+use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::measure::{Case, pass_means, samples_in_a_pass};
+use traylib_tests::programs::Program;
+
+/// What rounding may add, relative to the truth.
+const ROUNDING: f64 = 2e-5;
+
+/// The mean radiance of the case, by a program with these limits; `widest` is
+/// relative.
+fn finding(case: &Case, program: Program, roulette: Roulette, passes: u32, widest: f64) -> Finding {
+    let integrator = bounded(program, Limits { max_depth: case.max_depth, roulette });
+    let settings = Settings { spp: passes, seed: 191, threads: 1 };
+    let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
+    let claim = format!("{}, {program:?}, roulette from {}", case.name, roulette.from_edge);
+    assert_eq!(statistics.rejected, 0, "{claim}");
+    let [slack, widest] = [ROUNDING, widest].map(|part| part * case.truth);
+    let known = Known { truth: case.truth, slack, widest };
+    has_mean(claim, &means, known, u64::from(passes) * samples_in_a_pass(&case.scene))
+}
+
+/// Every number of edges. The last reflection's share of the light is at least
+/// 2⁻⁶, so an interval of 0.5 % tells each from its neighbours.
+fn length_laws(passes: u32, widest: f64) {
+    let mut findings = Vec::new();
+    for edges in 1..=6 {
+        let glow = glowing_ball(diffuse_walls(), Some(edges));
+        findings.extend(PROGRAMS.map(|program| {
+            finding(&glow, program, Roulette::OFF, passes_of(program, passes), widest)
+        }));
+    }
+    settle(&findings);
+}
+
+/// The particle tracer's light is all in splats.
+fn passes_of(program: Program, passes: u32) -> u32 {
+    if program == Program::Particle { 8 * passes } else { passes }
+}
+
+#[test]
+fn lengths_are_counted_in_edges() {
+    length_laws(16, 0.02);
+}
+
+/// With a point light in the middle, where light paths begin with one more kind
+/// of density, and beside it; and where part of the walk is mirrored.
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn lengths_are_counted_in_edges_at_length() {
+    length_laws(400, 4e-3);
+    let mut findings = Vec::new();
+    for edges in 2..=6 {
+        for case in [central_light(Some(edges)), offset_light_wide(Some(edges))] {
+            findings.extend(PROGRAMS.map(|program| {
+                finding(&case, program, Roulette::OFF, passes_of(program, 400), 5e-3)
+            }));
+        }
+    }
+    settle(&findings);
+}
+
+/// Roulette that may end every walk after its first edge, from either end and
+/// from both.
+fn roulette_laws(passes: u32, widest: f64) {
+    let early = Roulette { from_edge: 2 };
+    let glow = glowing_ball(diffuse_walls(), None);
+    let mirrors = glowing_ball(mirroring_walls(), None);
+    let mut findings: Vec<Finding> = PROGRAMS
+        .map(|program| finding(&glow, program, early, passes_of(program, passes), widest))
+        .into();
+    // The particle tracer cannot see what a mirror shows.
+    let seeing = PROGRAMS.into_iter().filter(|&program| program != Program::Particle);
+    findings.extend(seeing.map(|program| finding(&mirrors, program, early, passes, widest)));
+    settle(&findings);
+}
+
+#[test]
+fn early_roulette_loses_nothing() {
+    roulette_laws(64, 0.03);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn early_roulette_loses_nothing_at_length() {
+    roulette_laws(1000, 5e-3);
+}
