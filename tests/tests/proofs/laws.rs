@@ -9,6 +9,7 @@ mod camera;
 mod kernel;
 mod lamps;
 mod lengths;
+mod masks;
 mod numbers;
 mod scattering;
 

@@ -4,16 +4,25 @@
 use std::ops::ControlFlow;
 use traylib_integrators::{
     Bdpt, DirectLight, Integrator, Limits, Particle, Progress, PureMc, Roulette, Settings,
-    Statistics, Techniques, render,
+    Statistics, Techniques, Trace, render,
 };
 use traylib_math::{Grid, Heuristic};
 use traylib_scene::Scene;
+use traylib_tests::laws::bounded::PROGRAMS;
+use traylib_tests::laws::verdict::same_bits;
+use traylib_tests::ledger::settle;
 use traylib_tests::measure::each_pass;
-use traylib_tests::programs::Program::{self, BdptPower, Combined, PureMc as Walks};
 use traylib_tests::statistics::{Sample, sidak, tile_means, welch};
 use traylib_tests::still_life::still_life;
 
-const PROGRAMS: [Program; 4] = [Walks, Combined, BdptPower, Program::Particle];
+/// All integrators with their names; `trace` in both of its forms.
+fn integrators() -> Vec<(String, Box<dyn Integrator>)> {
+    let traces = [false, true].map(|jitter| -> (String, Box<dyn Integrator>) {
+        (format!("trace, jitter {jitter}"), Box::new(Trace { jitter }))
+    });
+    let programs = PROGRAMS.map(|program| (format!("{program:?}"), program.integrator(None)));
+    traces.into_iter().chain(programs).collect()
+}
 
 fn picture(scene: &Scene, integrator: &dyn Integrator, settings: Settings) -> Grid<[f64; 3]> {
     let observe = &mut |_: &Progress<'_>| ControlFlow::Continue(());
@@ -26,35 +35,44 @@ fn bits(image: &Grid<[f64; 3]>) -> Vec<[u64; 3]> {
     image.values().iter().map(|pixel| pixel.map(f64::to_bits)).collect()
 }
 
+/// On one thread and on more than there are chunks, and twice on as many.
 #[test]
 fn threads_do_not_change_a_bit() {
     let scene = still_life(1.0);
-    for program in PROGRAMS {
-        let integrator = program.integrator(None);
-        let on =
-            |threads| picture(&scene, integrator.as_ref(), Settings { spp: 4, seed: 3, threads });
-        let one = bits(&on(1));
-        assert!(one.iter().flatten().any(|&bits| bits != 0), "{program:?}: black");
-        for threads in [2, 7] {
-            assert!(one == bits(&on(threads)), "{program:?} on {threads} threads");
-        }
-    }
+    let findings = integrators().into_iter().flat_map(|(name, integrator)| {
+        let on = |threads| {
+            bits(&picture(&scene, integrator.as_ref(), Settings { spp: 2, seed: 3, threads }))
+        };
+        let one = on(1);
+        assert!(one.iter().flatten().any(|&bits| bits != 0), "{name}: black");
+        [1, 2, 7, 16].map(|threads| {
+            same_bits(
+                format!("{name} on {threads} threads"),
+                differing(&one, &on(threads)),
+                one.len(),
+            )
+        })
+    });
+    settle(&findings.collect::<Vec<_>>());
+}
+
+fn differing(a: &[[u64; 3]], b: &[[u64; 3]]) -> usize {
+    a.iter().zip(b).filter(|(a, b)| a != b).count()
 }
 
 /// No length is compared with a constant, and powers of two scale exactly.
 #[test]
 fn scale_does_not_change_a_bit() {
-    let settings = Settings { spp: 8, seed: 4, threads: 1 };
-    for program in PROGRAMS {
-        let integrator = program.integrator(None);
+    let settings = Settings { spp: 4, seed: 4, threads: 1 };
+    let findings = integrators().into_iter().flat_map(|(name, integrator)| {
         let at = |scale| bits(&picture(&still_life(scale), integrator.as_ref(), settings));
         let plain = at(1.0);
-        for exponent in [10, -14] {
+        [10, -14, 20].map(|exponent| {
             let scaled = at(2.0_f32.powi(exponent));
-            let different = plain.iter().zip(&scaled).filter(|(a, b)| a != b).count();
-            assert_eq!(different, 0, "{program:?} at 2^{exponent}: pixels that differ");
-        }
-    }
+            same_bits(format!("{name} at 2^{exponent}"), differing(&plain, &scaled), plain.len())
+        })
+    });
+    settle(&findings.collect::<Vec<_>>());
 }
 
 /// Bidirectional path tracing with the techniques of another program finds the
