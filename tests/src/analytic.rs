@@ -147,7 +147,12 @@ fn square_lamp(half_side: f64) -> Primitive {
 
 /// A diffuse floor seen obliquely, from below the height of the lamps.
 pub(crate) fn from_aside(name: String, lamps: &[Primitive], factor: f64) -> Case {
-    let scene = diffuse_floor(spot(Vec3::new(-0.6, 0.2, 0.5), Vec3::ZERO), lamps);
+    lit_floor(name, spot(Vec3::new(-0.6, 0.2, 0.5), Vec3::ZERO), lamps, factor)
+}
+
+/// A diffuse floor that sees these lamps in the share `factor` of its hemisphere.
+pub(crate) fn lit_floor(name: String, camera: Camera, lamps: &[Primitive], factor: f64) -> Case {
+    let scene = diffuse_floor(camera, lamps);
     Case { name, scene, max_depth: None, truth: REFLECTANCE * RADIANCE * factor }
 }
 

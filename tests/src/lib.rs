@@ -7,6 +7,7 @@ pub mod analytic;
 pub mod concentric;
 pub mod exchange;
 pub mod furnace;
+pub mod hard;
 pub mod horizon;
 pub mod laws;
 pub mod ledger;

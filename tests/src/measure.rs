@@ -124,7 +124,11 @@ pub fn judge(claim: String, measured: &Measured, truth: f64, equivalence: f64) -
     };
     Finding {
         claim,
-        statistic: format!("{mean:.6} ± {half_width:.6}, truth {truth:.6}{complaint}"),
+        statistic: if truth < 1e-3 {
+            format!("{mean:.5e} ± {half_width:.1e}, truth {truth:.5e}{complaint}")
+        } else {
+            format!("{mean:.6} ± {half_width:.6}, truth {truth:.6}{complaint}")
+        },
         level: Some(level),
         samples: measured.samples,
         holds: complaint.is_empty(),

@@ -108,12 +108,17 @@ pub fn rectangle(corner: Vec3, edge_u: Vec3, edge_v: Vec3) -> Primitive {
 
 /// A disk parallel to the floor, facing it.
 pub fn disk_facing_down(centre: Vec3, radius: f32) -> Primitive {
-    Primitive::Disk(sound(Disk::new(centre, Vec3::NEG_Z, radius)))
+    disk(centre, Vec3::NEG_Z, radius)
 }
 
 /// A disk parallel to the floor, its front up.
 pub fn disk_facing_up(centre: Vec3, radius: f32) -> Primitive {
-    Primitive::Disk(sound(Disk::new(centre, Vec3::Z, radius)))
+    disk(centre, Vec3::Z, radius)
+}
+
+/// A disk with its front along `normal`.
+pub fn disk(centre: Vec3, normal: Vec3, radius: f32) -> Primitive {
+    Primitive::Disk(sound(Disk::new(centre, normal, radius)))
 }
 
 /// A triangle; from the front its corners go counter-clockwise.
@@ -133,10 +138,15 @@ pub fn hollow_ball(centre: Vec3, radius: f32) -> Primitive {
 
 /// The six sides of the cube |x|, |y|, |z| ≤ `half`, their fronts inside.
 pub fn hollow_cube(half: f32) -> [Primitive; 6] {
+    hollow_cube_at(Vec3::ZERO, half)
+}
+
+/// The same cube about another centre.
+pub fn hollow_cube_at(centre: Vec3, half: f32) -> [Primitive; 6] {
     let side = |normal: Vec3, u: Vec3| {
         // u × v is along the normal.
         let v = normal.cross(u);
-        rectangle(-half * (normal + u + v), 2.0 * half * u, 2.0 * half * v)
+        rectangle(centre - half * (normal + u + v), 2.0 * half * u, 2.0 * half * v)
     };
     [
         side(Vec3::X, Vec3::Y),

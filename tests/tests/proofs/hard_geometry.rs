@@ -1,0 +1,259 @@
+//! Geometry that hurts; the scenes and what is known of them stand in
+//! `traylib_tests::{exchange, hard}`. Comparisons with known radiances belong to
+//! one family with those of `analytic.rs`.
+
+use traylib_geometry::{Primitive, Ray, Sides, Triangle, Vec3};
+use traylib_integrators::{DirectLight, Integrator, Settings};
+use traylib_math::{Heuristic, Purpose, Sampler, warp};
+use traylib_tests::analytic::phong_disk;
+use traylib_tests::exchange::corner;
+use traylib_tests::hard::{
+    bumpy_plate, close_lamp, cube_of_slivers, grazing_light, grazing_view, lit_cube, tiny_lamp,
+};
+use traylib_tests::laws::wide::Wide;
+use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::measure::{FAMILY_LEVEL, all_hold, each_pass, pass_means, samples_in_a_pass};
+use traylib_tests::polygonal::standing;
+use traylib_tests::programs::Program::{
+    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
+};
+use traylib_tests::stability::tail::{KEPT, Largest};
+use traylib_tests::statistics::{Sample, sidak, welch};
+
+/// Every sample of the corner by itself.
+fn corner_samples(integrator: &dyn Integrator, passes: u32, mut look: impl FnMut(f64)) -> u64 {
+    let scene = corner().scene;
+    let settings = Settings { spp: passes, seed: 302, threads: 1 };
+    let statistics = each_pass(&scene, integrator, &settings, |pass| {
+        pass.values().iter().for_each(|bands| look(bands[1]));
+    });
+    assert_eq!(statistics.rejected, 0);
+    u64::from(passes) * samples_in_a_pass(&scene)
+}
+
+/// Samples of G = cosθ·cosθ'/d² have a finite p-th moment for p < 1.5 alone: near
+/// the edge, at distances x and y from it, G grows as x·y/r⁴. Of k values Hill's
+/// estimate has the relative deviation 1/√k.
+fn corner_tail(passes: u32) -> Finding {
+    let mut largest = Largest::default();
+    let strict = DirectLight::default();
+    let samples = corner_samples(&strict, passes, |value| largest.add(value));
+    let alpha = largest.tail_index(KEPT).and_then(|index| index.alpha).unwrap();
+    // The normal law leaves 10⁻³ beyond 3.29 deviations.
+    let slack = 1.5 * 3.29 / (KEPT as f64).sqrt();
+    Finding {
+        claim: "D1: tail index of light samples in a corner is 1.5".into(),
+        statistic: format!("{alpha:.3}, within {slack:.3}"),
+        level: Some(FAMILY_LEVEL),
+        samples,
+        holds: (alpha - 1.5).abs() <= slack,
+    }
+}
+
+/// Weighted by the balance heuristic, either way to find the lamp gives
+/// ρ·Le·q/(q + p), with q = G/π and p the other's density: no more than ρ·Le = 1.5
+/// each, whatever G.
+fn corner_bound(passes: u32) -> Finding {
+    let combined = DirectLight { combine: Some(Heuristic::Balance), ..DirectLight::default() };
+    let mut greatest = 0.0_f64;
+    let samples = corner_samples(&combined, passes, |value| greatest = greatest.max(value));
+    Finding {
+        claim: "D1: samples combined by the balance heuristic are at most 2·ρ·Le = 3".into(),
+        statistic: format!("{greatest:.6}"),
+        level: None,
+        samples,
+        holds: greatest > 1.5 && greatest <= 3.0 * (1.0 + 1e-5),
+    }
+}
+
+#[test]
+fn d1_corner() {
+    settle(&[corner_tail(1000), corner_bound(300)]);
+    all_hold(&corner(), 303, &[(BdptBalance, 1000)]);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn d1_corner_by_all_programs() {
+    settle(&[corner_tail(20_000), corner_bound(5000)]);
+    let programs = [(PureMc, 6000), (Combined, 3000), (BdptPower, 3000), (Particle, 6000)];
+    all_hold(&corner(), 304, &programs);
+}
+
+#[test]
+fn d2_lamp_at_a_wall() {
+    all_hold(&standing(1.0, 1.0, 0.01), 311, &[(Combined, 720)]);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn d2_lamp_at_a_wall_by_all_programs() {
+    let programs = [(PureMc, 1200), (BdptPower, 800), (BdptBalance, 800)];
+    all_hold(&standing(1.0, 1.0, 0.01), 310, &programs);
+}
+
+#[test]
+fn d3_lamp_close_above_the_floor() {
+    let programs = [(PureMc, 32), (Combined, 32), (BdptPower, 32)];
+    all_hold(&close_lamp(Wide::Z, 1e-6), 312, &programs);
+    all_hold(&close_lamp(Wide::new(0.3, -0.5, 0.8), 2e-5), 312, &programs);
+}
+
+#[test]
+fn d4_and_d5_grazing() {
+    all_hold(&grazing_view(), 313, &[(Combined, 80), (BdptPower, 80)]);
+    all_hold(&grazing_light(), 314, &Program::FROM_CAMERA.map(|program| (program, 32)));
+    all_hold(&standing(0.01, 1.0, 1.0), 315, &[(Strict, 144)]);
+}
+
+#[test]
+fn d8_and_d9_tiny_lamps() {
+    all_hold(&tiny_lamp(), 318, &[(Strict, 32), (Combined, 32), (BdptPower, 32)]);
+    all_hold(&phong_disk(1e6, 1e-3), 319, &[(Combined, 80), (BdptPower, 80)]);
+}
+
+/// D7: no closed form; programs agree, each pair by Welch's test.
+fn bumpy(passes: u32) -> Vec<Finding> {
+    let scene = bumpy_plate();
+    let programs = [Combined, BdptPower, Particle];
+    let samples: Vec<Sample> = (0..)
+        .zip(programs)
+        .map(|(i, program)| {
+            let settings = Settings { spp: passes, seed: 320 + i, threads: 1 };
+            let integrator = program.integrator(None);
+            let (means, statistics) = pass_means(&scene, integrator.as_ref(), &settings);
+            assert_eq!(statistics.rejected, 0, "{program:?}");
+            Sample::of(&means)
+        })
+        .collect();
+    let level = sidak(FAMILY_LEVEL, 3);
+    [(0, 1), (0, 2), (1, 2)]
+        .map(|(a, b)| {
+            let p = welch(&samples[a], &samples[b]);
+            let [of_a, of_b] = [a, b].map(|i| samples[i].mean);
+            let error = samples[a].variance_of_mean.sqrt().max(samples[b].variance_of_mean.sqrt());
+            Finding {
+                claim: format!("D7 slopes of 5: {:?} and {:?} agree", programs[a], programs[b]),
+                statistic: format!("{of_a:.5} and {of_b:.5} to {error:.5}, p = {p:.1e}"),
+                level: Some(level),
+                samples: 2 * u64::from(passes) * samples_in_a_pass(&scene),
+                holds: p > level && error < 0.01 * of_a,
+            }
+        })
+        .into()
+}
+
+#[test]
+fn d7_steep_normals() {
+    settle(&bumpy(200));
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn d7_steep_normals_at_length() {
+    settle(&bumpy(8000));
+}
+
+/// Four scales that are no powers of two.
+const SCALES: [f32; 4] = [1e-4, 1e-2, 1e3, 1e6];
+
+#[test]
+fn d6_and_d10_rooms() {
+    all_hold(&cube_of_slivers(), 331, &[(BdptPower, 128)]);
+    for scale in SCALES {
+        let case = lit_cube(format!("D10 × {scale:e}"), Vec3::ZERO, scale);
+        all_hold(&case, 332, &[(BdptPower, 128)]);
+    }
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn d6_and_d10_by_all_programs() {
+    let programs =
+        [(PureMc, 600), (Strict, 600), (Combined, 600), (BdptBalance, 300), (Particle, 3000)];
+    all_hold(&cube_of_slivers(), 333, &programs);
+    for scale in SCALES {
+        let case = lit_cube(format!("D10 × {scale:e}"), Vec3::ZERO, scale);
+        all_hold(&case, 334, &programs);
+    }
+}
+
+/// 10⁴ times as far from the origin as it is large.
+const FAR: Vec3 = Vec3::new(2e4, -2e4, 1e4);
+
+/// A coordinate is off by half a unit in the last place of 2·10⁴, some 10⁻³, and
+/// a ray starts at most 6·2⁻²⁴ of that coordinate off its wall, 0.7 % of the half
+/// side. Where it starts so much higher the room seems so much smaller, on both
+/// sides; light is out by no more than the square of that.
+#[test]
+fn d11_far_from_the_origin() {
+    let case = lit_cube("D11".into(), FAR, 1.0);
+    let findings = [PureMc, BdptPower].map(|program| {
+        let settings = Settings { spp: 160, seed: 341, threads: 1 };
+        let integrator = program.integrator(None);
+        let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
+        let ratio = Sample::of(&means).mean / case.truth;
+        let bound = 4.0 * 6.0 * 2e4 * 2.0_f64.powi(-24);
+        Finding {
+            claim: format!("D11, {program:?}: the radiance is right to {bound:.3}"),
+            statistic: format!("{ratio:.5} of the truth"),
+            level: None,
+            samples: 160 * samples_in_a_pass(&case.scene),
+            holds: statistics.rejected == 0 && (ratio - 1.0).abs() < bound,
+        }
+    });
+    settle(&findings);
+}
+
+/// A triangle a millionth as wide as long, about `centre`.
+fn sliver(sampler: &mut Sampler, centre: Vec3, scale: f32) -> Option<Triangle> {
+    let mut direction = || warp::uniform_sphere(sampler.next_2d());
+    let (a, along, aside) = (direction(), direction(), direction());
+    let middle = a + 0.4 * along + 1e-6 * aside;
+    let [a, b, c] = [a, a + along, middle].map(|corner| centre + scale * corner);
+    Triangle::new(a, b, c).ok()
+}
+
+/// Rays that leave slivers and meet them again, or the same triangle with its
+/// corners in another order.
+fn self_hits(name: &str, centre: Vec3, scale: f32, count: u64) -> Finding {
+    let mut sampler = Sampler::new(350, Purpose::Test, 0, 0);
+    let (mut hits, mut left) = (0, 0);
+    for _ in 0..count {
+        let Some(triangle) = sliver(&mut sampler, centre, scale) else { continue };
+        let [a, b, c] = triangle.corners();
+        let Ok(turned) = Triangle::new(b, a, c) else { continue };
+        let site = Primitive::Triangle(triangle).sample_area(sampler.next_2d());
+        let direction = warp::uniform_sphere(sampler.next_2d());
+        let ray = Ray::new(site.ray_origin(direction), direction);
+        let again = [triangle, turned].map(|shape| shape.intersect(&ray, Sides::Both).is_some());
+        hits += again.into_iter().filter(|&hit| hit).count();
+        left += 1;
+    }
+    Finding {
+        claim: format!("{name}: no ray that leaves a sliver meets it again"),
+        statistic: format!("{hits} of {left}"),
+        level: None,
+        samples: left,
+        holds: hits == 0 && left > count / 2,
+    }
+}
+
+fn all_self_hits(count: u64) -> Vec<Finding> {
+    let scaled =
+        SCALES.map(|scale| self_hits(&format!("D10 × {scale:e}"), Vec3::ZERO, scale, count));
+    let here = self_hits("D6", Vec3::ZERO, 1.0, count);
+    let far = self_hits("D11", FAR, 1.0, count);
+    [&scaled[..], &[here, far]].concat()
+}
+
+#[test]
+fn no_ray_meets_the_sliver_it_left() {
+    settle(&all_self_hits(50_000));
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn no_ray_of_millions_meets_the_sliver_it_left() {
+    settle(&all_self_hits(1_000_000));
+}
