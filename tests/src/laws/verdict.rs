@@ -5,7 +5,7 @@ use crate::ledger::Finding;
 use crate::statistics::{Interval, mean_interval, sidak};
 
 /// At least as many as there are known means in the laws' tests.
-pub const MEANS: usize = 400;
+pub const MEANS: usize = 600;
 
 /// The largest error found must be within what rounding explains; NaN never is.
 pub fn within(claim: impl Into<String>, worst: f64, bound: f64, samples: u64) -> Finding {
