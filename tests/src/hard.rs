@@ -4,7 +4,8 @@ use crate::analytic::{from_aside, lit_floor};
 use crate::laws::wide::Wide;
 use crate::measure::Case;
 use crate::scenes::{
-    Stage, black, camera, disk, disk_facing_down, floor, hollow_cube_at, lambert, rectangle, spot,
+    Stage, black, camera, disk, disk_facing_down, floor, hollow_cube_at, lambert, rectangle, sound,
+    spot,
 };
 use std::f64::consts::PI;
 use traylib_geometry::{Mesh, Primitive, Vec3};
@@ -104,7 +105,7 @@ fn fan(side: &Primitive) -> Mesh {
     let once: Vec<[u32; 3]> = (1..last).map(|i| [0, i, i + 1]).collect();
     let without_area = [[0, 1, 1], [2, 2, 2]];
     let triangles = [&once[..], &without_area, &once].concat();
-    Mesh::new(positions, triangles).expect("a sound fan")
+    sound(Mesh::new(positions, triangles))
 }
 
 /// D7: a plate whose vertex normals lean by up to a slope of 5, this way and
@@ -125,7 +126,7 @@ pub fn bumpy_plate() -> Scene {
     // y × x points down.
     let lamp = rectangle(Vec3::new(-0.5, -0.5, 1.5), Vec3::Y, Vec3::X);
     Stage::new(camera(Vec3::new(0.2, -1.5, 1.2), Vec3::ZERO, 50.0, 32))
-        .mesh(mesh.expect("a sound plate"), lambert(0.8))
+        .mesh(sound(mesh), lambert(0.8))
         .lamp(lamp, 3.0, black())
         .build()
 }

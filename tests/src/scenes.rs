@@ -184,6 +184,7 @@ pub fn mirror(reflectance: f32, diffuse: f32) -> SurfaceModel {
     SurfaceModel::Mirror(sound(Mirror::new(Rgb::splat(reflectance), Rgb::splat(diffuse))))
 }
 
-fn sound<T, E: Debug>(result: Result<T, E>) -> T {
+/// What the library made of constants that it should not refuse.
+pub(crate) fn sound<T, E: Debug>(result: Result<T, E>) -> T {
     result.expect("parameters of a test scene")
 }
