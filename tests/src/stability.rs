@@ -9,6 +9,7 @@
 pub mod cell;
 pub mod closed;
 pub mod column;
+pub mod cost;
 pub mod crowded;
 pub mod expected;
 pub mod figures;

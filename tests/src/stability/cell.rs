@@ -2,12 +2,11 @@
 
 use crate::measure::each_pass;
 use crate::stability::column::Column;
+use crate::stability::cost::seconds_per_pass;
 use crate::stability::moments::{Energy, Moments};
-use crate::stability::reference::values;
+use crate::stability::reference::{Reference, values};
 use crate::stability::tail::Largest;
-use std::ops::ControlFlow;
-use std::time::Instant;
-use traylib_integrators::{Settings, render};
+use traylib_integrators::Settings;
 use traylib_scene::Scene;
 
 /// Independent runs of each cell.
@@ -23,9 +22,11 @@ pub struct Kept {
     pub passes: u32,
     /// One a run.
     pub runs: Vec<Sums>,
-    /// Largest values of single passes, of all pixels together.
+    /// Largest values of single passes, of all pixels together: each over what
+    /// its pixel's error is divided by for relMSE, so that a bright pixel is no
+    /// tail.
     pub largest: Largest,
-    /// Their power sums, of the first half of each run.
+    /// Power sums of these, of the first half of each run.
     pub half: Moments,
     /// Of all.
     pub all: Moments,
@@ -35,12 +36,19 @@ pub struct Kept {
     pub squares: Vec<f64>,
     /// Samples that were not sound numbers.
     pub rejected: u64,
-    /// Of one pass: the shortest of a few short runs, in which nothing is kept.
+    /// Of one pass, timed apart from all that is kept here.
     pub seconds: f64,
 }
 
 /// Renders a cell.
-pub fn run(scene: &Scene, column: Column, max_depth: Option<u32>, passes: u32) -> Kept {
+pub fn run(
+    scene: &Scene,
+    reference: &Reference,
+    column: Column,
+    max_depth: Option<u32>,
+    passes: u32,
+) -> Kept {
+    let units: Vec<f64> = reference.scales().into_iter().map(f64::sqrt).collect();
     let integrator = column.integrator(max_depth);
     let mut kept = Kept { passes, ..Kept::default() };
     for seed in 1..=RUNS {
@@ -49,7 +57,7 @@ pub fn run(scene: &Scene, column: Column, max_depth: Option<u32>, passes: u32) -
         let statistics = each_pass(scene, integrator.as_ref(), &settings, |pass| {
             let pass: Vec<f64> = values(&pass).collect();
             run.add(&pass);
-            kept.add(&pass, run.passes);
+            kept.add(&pass, &units, run.passes);
         });
         kept.rejected += statistics.rejected;
         kept.runs.push(run.checkpoints);
@@ -80,10 +88,11 @@ impl Run {
 }
 
 impl Kept {
-    fn add(&mut self, pass: &[f64], number: u32) {
+    fn add(&mut self, pass: &[f64], units: &[f64], number: u32) {
         self.squares.resize(pass.len(), 0.0);
-        for (square, &value) in self.squares.iter_mut().zip(pass) {
+        for ((square, &value), unit) in self.squares.iter_mut().zip(pass).zip(units) {
             *square += value * value;
+            let value = value / unit;
             self.largest.add(value);
             self.all.add(value);
             self.energy.add(value);
@@ -99,25 +108,18 @@ impl Kept {
         self.runs[run][level].iter().map(|sum| sum / n).collect()
     }
 
+    /// Variance of one pixel over all single passes, free of what rounding leaves
+    /// of none.
+    pub fn variance(&self, pixel: usize) -> f64 {
+        let n = f64::from(self.passes) * self.runs.len() as f64;
+        let sum: f64 = self.runs.iter().map(|run| run[self.last_level()][pixel]).sum();
+        let (mean, square) = (sum / n, self.squares[pixel] / n);
+        let variance = square - mean * mean;
+        if variance > 1e-12 * square { variance } else { 0.0 }
+    }
+
     /// The number of the last level: 2 to it are all passes.
     pub fn last_level(&self) -> usize {
         self.passes.ilog2() as usize
     }
-}
-
-fn seconds_per_pass(scene: &Scene, column: Column, max_depth: Option<u32>) -> f64 {
-    const PASSES: u32 = 24;
-    let integrator = column.integrator(max_depth);
-    let once = |seed| {
-        let settings = Settings { spp: PASSES, seed, threads: 1 };
-        let mut first = None;
-        // The first pass is left out: it warms caches and starts the thread.
-        let rendering = render(scene, integrator.as_ref(), &settings, &mut |_| {
-            first.get_or_insert_with(Instant::now);
-            ControlFlow::Continue(())
-        });
-        rendering.expect("one thread");
-        first.map_or(0.0, |first| first.elapsed().as_secs_f64()) / f64::from(PASSES - 1)
-    };
-    (0..5).map(once).fold(f64::INFINITY, f64::min)
 }

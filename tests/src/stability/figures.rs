@@ -40,7 +40,7 @@ pub struct Figures {
     pub tail: Option<TailIndex>,
     /// From the 64 largest.
     pub far_tail: Option<TailIndex>,
-    /// Excess kurtosis of pass values, all pixels together.
+    /// Excess kurtosis of pass values, all pixels together, each in its unit.
     pub kurtosis: Option<f64>,
     /// That over the kurtosis of the first half; about 2 means without bound.
     pub kurtosis_growth: Option<f64>,
@@ -87,7 +87,7 @@ impl Figures {
                 .map(|(all, half)| all / half),
             energy_share: kept.energy.share_of_largest(),
             fireflies: fireflies(kept, reference, per_pass / TARGET),
-            slope: fit(&levels(kept, reference)),
+            slope: fit(&levels(kept)),
             rejected: kept.rejected,
         }
     }
@@ -104,16 +104,20 @@ impl Figures {
     }
 }
 
-fn levels(kept: &Kept, reference: &Reference) -> Vec<Level> {
-    let scales = reference.scales();
+fn levels(kept: &Kept) -> Vec<Level> {
+    let noisy: Vec<(usize, f64)> = (0..kept.squares.len())
+        .map(|pixel| (pixel, kept.variance(pixel)))
+        .filter(|&(_, variance)| variance > 0.0)
+        .collect();
     let level = |level: usize| {
         let pictures: Vec<Vec<f64>> =
-            (0..kept.runs.len()).map(|r| kept.picture(r, level)).collect();
-        let variance = |(pixel, scale): (usize, &f64)| {
+            (0..kept.runs.len()).map(|run| kept.picture(run, level)).collect();
+        let variance = |&(pixel, unit): &(usize, f64)| {
             let values: Vec<f64> = pictures.iter().map(|picture| picture[pixel]).collect();
-            Sample::of(&values).variance_of_mean / scale
+            let Sample { count, variance_of_mean, .. } = Sample::of(&values);
+            variance_of_mean * count as f64 / unit
         };
-        let variances = scales.iter().enumerate().map(variance).collect();
+        let variances = noisy.iter().map(variance).collect();
         Level { passes: 2.0_f64.powi(level as i32), variances }
     };
     (FIRST_LEVEL..=kept.last_level()).map(level).collect()
@@ -123,14 +127,8 @@ fn levels(kept: &Kept, reference: &Reference) -> Vec<Level> {
 /// least `passes`, or the last.
 fn fireflies(kept: &Kept, reference: &Reference, passes: f64) -> f64 {
     let level = (passes.max(1.0).log2().ceil() as usize).min(kept.last_level());
-    let all_passes = f64::from(kept.passes) * kept.runs.len() as f64;
     let limit = 0.1 * reference.mean();
-    let deviation = |pixel: usize| {
-        let last = kept.last_level();
-        let sum: f64 = kept.runs.iter().map(|run| run[last][pixel]).sum();
-        let variance = kept.squares[pixel] / all_passes - (sum / all_passes).powi(2);
-        (variance.max(0.0) / 2.0_f64.powi(level as i32)).sqrt()
-    };
+    let deviation = |pixel| (kept.variance(pixel) / 2.0_f64.powi(level as i32)).sqrt();
     let limits: Vec<f64> =
         (0..reference.pixels.len()).map(|p| (10.0 * deviation(p)).max(limit)).collect();
     let count = |run: usize| {

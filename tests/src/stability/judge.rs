@@ -9,7 +9,7 @@ use std::fmt;
 pub const SLOW: f64 = 10.0;
 
 /// Where even the best needs more passes than this to relMSE 10⁻², all are slow.
-pub const ALL_SLOW: f64 = 4096.0;
+pub const ALL_SLOW: f64 = 16384.0;
 
 /// How far an image mean may be off, relative, where its interval can tell.
 pub const EQUIVALENCE: f64 = 5e-3;
@@ -37,6 +37,8 @@ pub enum Verdict {
     OkSlow,
     /// Right and fast.
     Ok,
+    /// Right and fast, but single pixels stand out.
+    Sparks,
     /// The same bits at every scale.
     Identical,
     /// None of these: something is wrong, and this is what.
@@ -52,6 +54,7 @@ impl fmt::Display for Verdict {
             Self::Slow => "V",
             Self::OkSlow => "ok-slow",
             Self::Ok => "ok",
+            Self::Sparks => "sparks",
             Self::Identical => "identical",
             Self::Unsettled(_) => "unsettled",
         })
@@ -93,6 +96,9 @@ pub fn judge(figures: &Figures, word: Word, best: Option<&Figures>) -> Verdict {
     }
     if all_slow || factor(figures, best) > SLOW {
         return Verdict::Slow;
+    }
+    if figures.fireflies > FIREFLIES {
+        return Verdict::Sparks;
     }
     unsteady(figures).map_or(Verdict::Ok, Verdict::Unsettled)
 }
@@ -136,9 +142,6 @@ fn wrong(figures: &Figures) -> Option<String> {
 
 /// What keeps a fast program from being ok.
 fn unsteady(figures: &Figures) -> Option<String> {
-    if figures.fireflies > FIREFLIES {
-        return Some(format!("{:.0} fireflies per megapixel", figures.fireflies));
-    }
     match figures.slope {
         Some(slope) if (slope.slope + 1.0).abs() > SLOPE => {
             Some(format!("slope {:.3} ± {:.3}", slope.slope, slope.deviation))

@@ -12,7 +12,7 @@ use traylib_math::{Grid, Rgb};
 const STYLE: &str = "body{font:14px system-ui;margin:2em;color:#222}\
 table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:.4em;vertical-align:top}\
 img{width:96px;image-rendering:pixelated;display:block;background:#000}\
-.ok,.ok-slow,.identical{background:#e6f4e6}.V{background:#fdf3d8}.alarm,.blind{background:#f7dcdc}\
+.ok,.ok-slow,.identical{background:#e6f4e6}.V,.sparks{background:#fdf3d8}.alarm,.blind{background:#f7dcdc}\
 .unsettled{background:#e33}small{color:#555;display:block}";
 
 /// The page; it shows the pictures that [`save_pictures`] leaves beside it.

@@ -11,11 +11,12 @@ use traylib_scene::Scene;
 /// Squares along an edge.
 const SQUARES: u32 = 12;
 
-/// F12: under a square lamp of half-side 0.4.
+/// F12: under a square lamp of the same size, half a metre above; the camera looks
+/// through its back, which is not there.
 pub fn under_lamp() -> Scene {
     // y × x points down.
-    let lamp = rectangle(Vec3::new(-0.4, -0.1, 1.4), 0.8 * Vec3::Y, 0.8 * Vec3::X);
-    plate().lamp(lamp, 4.0, black()).build()
+    let lamp = rectangle(Vec3::new(-1.0, -1.0, 0.5), 2.0 * Vec3::Y, 2.0 * Vec3::X);
+    plate().lamp(lamp, 1.0, black()).build()
 }
 
 /// F12p: under a point light, for `trace`.
@@ -24,7 +25,7 @@ pub fn under_point() -> Scene {
 }
 
 fn plate() -> Stage {
-    let camera = camera(Vec3::new(0.0, -1.5, 1.5), Vec3::ZERO, 40.0, 32);
+    let camera = camera(Vec3::new(0.0, -1.2, 1.8), Vec3::new(0.0, -0.1, 0.0), 50.0, 32);
     Stage::new(camera).mesh(bumpy(), phong(0.4, 0.4, 20.0))
 }
 

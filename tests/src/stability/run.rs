@@ -108,7 +108,8 @@ impl Prepared {
         if announced && self.row.has_area_lamps_only() {
             return None;
         }
-        let kept = cell::run(&self.scene, column, self.row.max_depth, self.row.passes);
+        let kept =
+            cell::run(&self.scene, &self.reference, column, self.row.max_depth, self.row.passes);
         let speed = kept.seconds * 1e3;
         tell(&format!("{} {}, {speed:.2} ms a pass", self.row.id, column.name()));
         Some(kept)

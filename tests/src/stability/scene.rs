@@ -85,7 +85,7 @@ pub const SCENES: [FailureScene; 17] = [
     file("F1", "small lamp", "f01-small-lamp", closed(closed::small_lamp), AREA).passes(256),
     file("F2", "large lamp, sharp lobe", "f02-sharp-lobe", closed(closed::sharp_lobe), AREA)
         .passes(512),
-    file("F3", "plates", "f03-plates", rendered(Column::Combined), AREA).passes(256),
+    file("F3", "plates", "f03-plates", rendered(Column::Combined), AREA).up_to(2).passes(256),
     file("F4", "caustic", "f04-caustic", closed(closed::caustic), CAUSTIC).up_to(3).passes(256),
     file(
         "F5",
@@ -97,7 +97,7 @@ pub const SCENES: [FailureScene; 17] = [
     .up_to(4)
     .passes(2048),
     file("F6", "indirect light only", "f06-baffle", rendered(Column::Bdpt), AREA).passes(256),
-    file("F7", "door ajar", "f07-ajar-door", rendered(Column::Bdpt), AREA).passes(256),
+    file("F7", "door ajar", "f07-ajar-door", rendered(Column::Bdpt), AREA).passes(1024),
     code("F8", "1000 lamps, 999 weak", crowded::weak, closed(crowded::weak_radiance), AREA)
         .passes(256),
     code("F8b", "1000 lamps, 999 hidden", crowded::hidden, closed(crowded::one_radiance), AREA)

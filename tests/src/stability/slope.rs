@@ -12,8 +12,11 @@ pub struct Slope {
     pub deviation: f64,
 }
 
-/// A number of passes and, for each pixel, the relative variance over the runs
-/// of its mean after so many passes.
+/// A number of passes and, for each pixel, the variance over the runs of its
+/// mean after so many passes.
+///
+/// In units of the pixel's own: its variance of single passes. So no few pixels
+/// decide, however noisy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     /// Passes.

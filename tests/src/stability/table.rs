@@ -55,7 +55,7 @@ impl Judged {
     /// The verdict, with the factor where it is the point.
     pub fn word(&self) -> String {
         match (&self.verdict, self.factor) {
-            (Verdict::Ok | Verdict::Slow, Some(factor)) => {
+            (Verdict::Ok | Verdict::Slow | Verdict::Sparks, Some(factor)) => {
                 format!("{} {}×", self.verdict, short(factor))
             }
             (verdict, _) => verdict.to_string(),

@@ -20,8 +20,8 @@ pub struct Largest {
 /// Hill's estimate of a tail index α, the α of P(X > x) ~ x^−α.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TailIndex {
-    /// α; infinite where the largest values are all the same. (No number in
-    /// JSON, which knows no infinity.)
+    /// α; `None` where the largest values are all the same but for rounding, and
+    /// it is infinite.
     pub alpha: Option<f64>,
     /// Upper end of its 95 % interval.
     pub upper: Option<f64>,
@@ -65,7 +65,7 @@ impl Largest {
 fn hill(descending: &[f64], k: usize) -> Option<TailIndex> {
     let threshold = *descending.get(k)?;
     let logarithms: f64 = descending[..k].iter().map(|value| (value / threshold).ln()).sum();
-    let finite = |alpha: f64| alpha.is_finite().then_some(alpha);
+    let finite = |alpha: f64| (alpha < 1e6).then_some(alpha);
     let alpha = k as f64 / logarithms;
     let relative = 1.96 / (k as f64).sqrt();
     Some(TailIndex {
@@ -75,14 +75,18 @@ fn hill(descending: &[f64], k: usize) -> Option<TailIndex> {
     })
 }
 
-/// Whether the law behind these two estimates has no variance: both intervals
-/// lie below two.
+/// Whether the law behind these two estimates has no variance: by the many values
+/// its index is below two, and by the few it is not larger.
 ///
-/// Two, because one is fooled by a tail that ends. The values of a sharp lobe at
-/// random angles are spread evenly in their logarithm up to their largest: from
-/// far below it they look like a power law of a small index, but the nearer to
-/// the end, the larger the index. That of a power law stays.
+/// Two estimates, because one is fooled by a tail that ends. The values of a sharp
+/// lobe at random angles are spread evenly in their logarithm up to their largest:
+/// from far below it they look like a power law of a small index, but with a
+/// quarter of the values the index is four times as large. That of a power law
+/// stays, within 11 % (one deviation). To ask instead that both intervals lie below
+/// two would miss an index of 1.5 three times in ten, for from 64 values it is
+/// known to an eighth.
 pub fn alarm(many: Option<TailIndex>, few: Option<TailIndex>) -> bool {
-    let below = |index: Option<TailIndex>| index.and_then(|i| i.upper).is_some_and(|u| u < 2.0);
-    below(many) && below(few)
+    let (Some(many), Some(few)) = (many, few) else { return false };
+    let (Some(upper), Some(lower)) = (many.upper, few.lower) else { return false };
+    upper < 2.0 && lower <= upper
 }

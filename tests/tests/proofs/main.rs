@@ -15,4 +15,5 @@ mod laws;
 mod mirrored;
 mod reference;
 mod repeat;
+mod stability;
 mod variance;

@@ -1,0 +1,67 @@
+//! What a pass costs.
+
+use crate::stability::column::Column;
+use std::time::Instant;
+use traylib_integrators::{Chunk, ChunkOutput, Integrator};
+use traylib_scene::Scene;
+
+/// Passes timed together.
+const PASSES: u64 = 32;
+
+/// Times they are timed; the fastest counts.
+const REPETITIONS: u64 = 8;
+
+/// Pixels in a chunk, as in `render`.
+const CHUNK: u32 = 256;
+
+/// Seconds of one pass, without film and reports: of the processor, where the
+/// system tells them, so that other programs do not count.
+pub fn seconds_per_pass(scene: &Scene, column: Column, max_depth: Option<u32>) -> f64 {
+    let integrator = column.integrator(max_depth);
+    pass(scene, integrator.as_ref(), 0);
+    let repetition = |number: u64| {
+        let clock = Clock::start();
+        (0..PASSES).for_each(|i| pass(scene, integrator.as_ref(), number * PASSES + i));
+        clock.seconds() / PASSES as f64
+    };
+    (0..REPETITIONS).map(repetition).fold(f64::INFINITY, f64::min)
+}
+
+fn pass(scene: &Scene, integrator: &dyn Integrator, pass: u64) {
+    let pixels = scene.camera().width() * scene.camera().height();
+    let paths = integrator.light_paths(pixels);
+    for start in (0..pixels).step_by(CHUNK as usize) {
+        let end = (start + CHUNK).min(pixels);
+        let share = |pixel: u32| (u64::from(pixel) * u64::from(paths) / u64::from(pixels)) as u32;
+        let light_paths = share(start)..share(end);
+        let chunk = Chunk { seed: 0, pass, pixels: start..end, light_paths };
+        let mut out = ChunkOutput::default();
+        integrator.render_chunk(scene, &chunk, &mut out);
+        std::hint::black_box(out);
+    }
+}
+
+/// Time of this thread since the start.
+struct Clock {
+    processor: Option<u64>,
+    wall: Instant,
+}
+
+impl Clock {
+    fn start() -> Self {
+        Self { processor: nanoseconds_of_thread(), wall: Instant::now() }
+    }
+
+    fn seconds(&self) -> f64 {
+        match (self.processor, nanoseconds_of_thread()) {
+            (Some(start), Some(end)) if end > start => (end - start) as f64 * 1e-9,
+            _ => self.wall.elapsed().as_secs_f64(),
+        }
+    }
+}
+
+/// What Linux has given this thread of its processors.
+fn nanoseconds_of_thread() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    text.split_whitespace().next()?.parse().ok()
+}

@@ -1,0 +1,378 @@
+//! The estimators of the stability table against laws that are known, the order
+//! of judgement, and the table against itself.
+
+use std::collections::BTreeSet;
+use traylib_integrators::SceneFacts;
+use traylib_math::{Purpose, Sampler};
+use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::stability::cell;
+use traylib_tests::stability::column::Column;
+use traylib_tests::stability::expected::{CORRECTIONS, EXPECTED, Expected, expected};
+use traylib_tests::stability::figures::Figures;
+use traylib_tests::stability::judge::{Verdict, Word, best, judge};
+use traylib_tests::stability::moments::{Energy, Moments};
+use traylib_tests::stability::reference::Reference;
+use traylib_tests::stability::scene::SCENES;
+use traylib_tests::stability::slope::{Level, Slope, fit};
+use traylib_tests::stability::tail::{FEWER, KEPT, Largest, TailIndex, alarm};
+
+/// How many draws the laws below are known by.
+const DRAWS: u32 = 400_000;
+
+/// Uniform on (0, 1].
+fn uniform(index: u64, mut take: impl FnMut(f64)) {
+    let mut sampler = Sampler::new(5, Purpose::Test, 0, index);
+    for _ in 0..DRAWS / 2 {
+        let u = sampler.next_2d();
+        take(1.0 - f64::from(u.x));
+        take(1.0 - f64::from(u.y));
+    }
+}
+
+fn tails(law: impl Fn(f64) -> f64) -> [Option<TailIndex>; 2] {
+    let mut largest = Largest::default();
+    uniform(0, |u| largest.add(law(u)));
+    [KEPT, FEWER].map(|k| largest.tail_index(k))
+}
+
+fn finding(claim: &str, statistic: String, level: Option<f64>, holds: bool) -> Finding {
+    Finding { claim: claim.into(), statistic, level, samples: u64::from(DRAWS), holds }
+}
+
+/// P(X > x) = x^−α for X = u^(−1/α). Four deviations: 6·10⁻⁵.
+#[test]
+fn hill_knows_power_laws() {
+    let findings: Vec<Finding> = [0.8_f64, 1.5, 3.0]
+        .iter()
+        .flat_map(|&alpha| {
+            [KEPT, FEWER].into_iter().zip(tails(|u| u.powf(-1.0 / alpha))).map(move |(k, found)| {
+                let found = found.and_then(|index| index.alpha).unwrap();
+                let allowed = 4.0 * alpha / (k as f64).sqrt();
+                let claim = format!("Hill's index of a power law with α = {alpha}, k = {k}");
+                let statistic = format!("{found:.3} ± {allowed:.3}");
+                finding(&claim, statistic, Some(6e-5), (found - alpha).abs() < allowed)
+            })
+        })
+        .collect();
+    settle(&findings);
+}
+
+/// How many of 60 samples of a law, 20,000 values each, raise the alarm.
+fn alarms(law: impl Fn(f64) -> f64) -> usize {
+    let raised = |run| {
+        let mut sampler = Sampler::new(8, Purpose::Test, 2, run);
+        let mut largest = Largest::default();
+        (0..20_000).for_each(|_| largest.add(law(1.0 - f64::from(sampler.next_2d().x))));
+        alarm(largest.tail_index(KEPT), largest.tail_index(FEWER))
+    };
+    (0..60).filter(|&run| raised(run)).count()
+}
+
+/// An index of 1.5 is found if the estimate from 256 values is below 2/(1 + 1.96/16)
+/// = 1.78, three deviations away: 99.8 %; that the one from 64 values exceeds the
+/// other's by half is four and a half. One of 1.2 is found always. Neither an index
+/// of 3 nor a tail that ends raises any alarm: not one with 1500 values in each
+/// power of e, nor one with 33, which to 256 values looks like an index of 1/4.
+#[test]
+fn the_alarm_tells_an_endless_tail_from_a_long_one() {
+    let sound = |name: &str, raised: usize, [least, most]: [usize; 2]| {
+        let claim = format!("alarms for {name} in 60 samples: {least} to {most}");
+        finding(&claim, raised.to_string(), Some(1e-3), (least..=most).contains(&raised))
+    };
+    settle(&[
+        sound("α = 1.2", alarms(|u| u.powf(-1.0 / 1.2)), [60, 60]),
+        sound("α = 1.5", alarms(|u| u.powf(-1.0 / 1.5)), [57, 60]),
+        sound("α = 3", alarms(|u| u.powf(-1.0 / 3.0)), [0, 0]),
+        sound("a tail that ends after 13 powers", alarms(|u| (13.0 * u).exp()), [0, 0]),
+        sound("a tail that ends after 600", alarms(|u| (600.0 * u).exp()), [0, 0]),
+    ]);
+}
+
+/// The geometry factor of random points on two squares at a right angle,
+/// G = xz/r⁴: P(r < ε) ~ ε³, two distances from the edge and one along it, and
+/// G ~ r⁻², so P(G > g) ~ g^−1.5.
+#[test]
+fn the_corner_has_the_index_one_and_a_half() {
+    let mut corner = Largest::default();
+    let mut sampler = Sampler::new(6, Purpose::Test, 0, 0);
+    for _ in 0..DRAWS {
+        let (a, b) = (sampler.next_2d(), sampler.next_2d());
+        let distance =
+            f64::from(a.x).powi(2) + f64::from(b.x).powi(2) + f64::from(a.y - b.y).powi(2);
+        corner.add(f64::from(a.x) * f64::from(b.x) / distance.powi(2));
+    }
+    let alpha = corner.tail_index(KEPT).and_then(|index| index.alpha).unwrap();
+    let statistic = format!("{alpha:.3} ± 0.375");
+    settle(&[finding("index of G in a corner is 1.5", statistic, Some(6e-5), {
+        (alpha - 1.5).abs() < 4.0 * 1.5 / 16.0
+    })]);
+}
+
+#[test]
+fn without_enough_values_there_is_no_index_and_no_alarm() {
+    let mut largest = Largest::default();
+    (0..FEWER).for_each(|i| largest.add(i as f64 + 1.0));
+    assert_eq!(largest.tail_index(FEWER), None);
+    largest.add(0.5);
+    assert!(largest.tail_index(FEWER).is_some() && largest.tail_index(KEPT).is_none());
+    assert!(!alarm(None, largest.tail_index(FEWER)));
+    let mut same = Largest::default();
+    (0..1000).for_each(|_| same.add(3.0));
+    assert_eq!(same.tail_index(KEPT).unwrap().alpha, None);
+}
+
+/// The largest are the largest, in whatever order they come.
+#[test]
+fn what_is_kept_does_not_depend_on_the_order() {
+    let mut values: Vec<f64> = Vec::new();
+    uniform(3, |u| values.push(1.0 / u));
+    let index = |values: &[f64]| {
+        let mut largest = Largest::default();
+        values.iter().for_each(|&value| largest.add(value));
+        largest.tail_index(KEPT)
+    };
+    let found = index(&values);
+    values.sort_by(f64::total_cmp);
+    assert_eq!(found, index(&values));
+    values.reverse();
+    assert_eq!(found, index(&values));
+}
+
+/// A walk that hits a lamp of form factor F or misses it: the excess kurtosis is
+/// (1 − 6F(1 − F))/(F(1 − F)). Exact, for the shares of a finite list.
+#[test]
+fn kurtosis_of_hits_and_misses() {
+    for (hits, all) in [(1, 2), (1, 10), (1, 1000)] {
+        let mut moments = Moments::default();
+        (0..all).for_each(|i| moments.add(if i < hits { 0.7 } else { 0.0 }));
+        let spread = f64::from(hits * (all - hits)) / f64::from(all * all);
+        let known = (1.0 - 6.0 * spread) / spread;
+        let found = moments.excess_kurtosis().unwrap();
+        assert!((found - known).abs() < 1e-9 * known.abs(), "{found} {known}");
+    }
+    let mut constant = Moments::default();
+    (0..1000).for_each(|_| constant.add(0.1));
+    assert_eq!(constant.excess_kurtosis(), None);
+}
+
+/// One value in a thousand is x, the others 1: their energy is x²/(x² + 999).
+#[test]
+fn the_largest_values_share_of_the_energy() {
+    for x in [1.0, 10.0, 1e3] {
+        let mut energy = Energy::default();
+        (0..100_000).for_each(|i| energy.add(if i % 1000 == 0 { x } else { 1.0 }));
+        let known = x * x / (x * x + 999.0);
+        let found = energy.share_of_largest();
+        assert!((found - known).abs() < 1e-9, "{x}: {found} {known}");
+    }
+    assert_eq!(Energy::default().share_of_largest(), 0.0);
+}
+
+/// Sixteen runs over 64 pixels of passes drawn from a law: the variances over the
+/// runs of their means after 16 to 256 passes.
+fn slope(law: impl Fn(f64) -> f64, of_run: impl Fn(u64) -> f64) -> Slope {
+    let mut samplers: Vec<Sampler> =
+        (0..16 * 64).map(|i| Sampler::new(7, Purpose::Test, 1, i)).collect();
+    let mut sums = vec![0.0; samplers.len()];
+    let mut levels = Vec::new();
+    for pass in 1..=256_u32 {
+        for (i, (sum, sampler)) in sums.iter_mut().zip(&mut samplers).enumerate() {
+            *sum += law(1.0 - f64::from(sampler.next_2d().x)) + of_run(i as u64 / 64);
+        }
+        if pass >= 16 && pass.is_power_of_two() {
+            levels.push(level(&sums, f64::from(pass)));
+        }
+    }
+    fit(&levels).unwrap()
+}
+
+fn level(sums: &[f64], passes: f64) -> Level {
+    let variance = |pixel: usize| {
+        let means: Vec<f64> = (0..16).map(|run| sums[run * 64 + pixel] / passes).collect();
+        let mean = means.iter().sum::<f64>() / 16.0;
+        means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / 15.0
+    };
+    Level { passes, variances: (0..64).map(variance).collect() }
+}
+
+/// Independent passes converge as 1/N; a tail of index 1.2 does not reach that,
+/// and what a run's passes share does not average out at all.
+#[test]
+fn slopes_of_known_laws() {
+    let sound = slope(|u| -u.ln(), |_| 0.0);
+    let heavy = slope(|u| u.powf(-1.0 / 1.2), |_| 0.0);
+    let shared = slope(|u| u, |run| run as f64);
+    let text = |found: Slope| format!("{:.3} ± {:.3}", found.slope, found.deviation);
+    settle(&[
+        finding("slope of exponential values is −1", text(sound), Some(1e-3), {
+            (sound.slope + 1.0).abs() < 3.3 * sound.deviation.max(0.015)
+        }),
+        finding("slope of a tail with α = 1.2 is shallower", text(heavy), Some(1e-3), {
+            heavy.slope > -0.95
+        }),
+        finding("slope of what a run shares is 0", text(shared), Some(1e-3), {
+            shared.slope.abs() < 0.01
+        }),
+    ]);
+}
+
+/// Figures of a program that is right and steady.
+fn sound(rel_mse_per_pass: f64) -> Figures {
+    Figures {
+        passes: 256,
+        mean: 1.0,
+        half_width: 0.001,
+        truth: 1.0,
+        median_rel_mse: rel_mse_per_pass / 256.0,
+        worst_rel_mse: rel_mse_per_pass / 256.0,
+        rel_mse_per_pass,
+        seconds_per_pass: 1e-3,
+        tail: Some(TailIndex { alpha: Some(3.0), lower: Some(2.6), upper: Some(3.4) }),
+        far_tail: Some(TailIndex { alpha: Some(3.0), lower: Some(2.3), upper: Some(3.7) }),
+        kurtosis: Some(3.0),
+        kurtosis_growth: Some(1.0),
+        energy_share: 0.01,
+        fireflies: 0.0,
+        slope: Some(Slope { slope: -1.0, deviation: 0.01 }),
+        rejected: 0,
+    }
+}
+
+fn heavy(figures: Figures) -> Figures {
+    let tail = Some(TailIndex { alpha: Some(1.5), lower: Some(1.3), upper: Some(1.7) });
+    Figures { tail, far_tail: tail, ..figures }
+}
+
+/// Blind, then alarm, then slow, then ok; the first that applies.
+#[test]
+fn the_order_of_judgement() {
+    let quick = sound(1.0);
+    let nothing = Figures { mean: 0.0, half_width: 0.0, ..heavy(sound(500.0)) };
+    let verdict = |figures: &Figures| judge(figures, Word::Sees, Some(&quick));
+    assert_eq!(judge(&nothing, Word::Announced, Some(&quick)), Verdict::Blind);
+    assert_eq!(verdict(&heavy(sound(500.0))), Verdict::Alarm);
+    assert_eq!(verdict(&sound(10.1)), Verdict::Slow);
+    assert_eq!(verdict(&sound(9.9)), Verdict::Ok);
+    let sparks = |m| Figures { fireflies: 11.0, ..sound(m) };
+    assert_eq!(verdict(&sparks(1.0)), Verdict::Sparks);
+    assert_eq!(verdict(&sparks(11.0)), Verdict::Slow);
+}
+
+/// Where nothing is fast, one is the best and all others are slow.
+#[test]
+fn the_best_of_the_slow() {
+    let (one, other) = (sound(1000.0), sound(2000.0));
+    let best = best([&other, &one]);
+    assert_eq!(best, Some(&one));
+    assert_eq!(judge(&one, Word::Sees, best), Verdict::OkSlow);
+    assert_eq!(judge(&other, Word::Sees, best), Verdict::Slow);
+}
+
+/// What is wrong is never best, and never anything but unsettled.
+#[test]
+fn wrong_is_not_slow_and_not_ok() {
+    let quick = sound(1.0);
+    let unsettled = |figures: &Figures, word| {
+        matches!(judge(figures, word, Some(&quick)), Verdict::Unsettled(_))
+    };
+    let off = Figures { mean: 1.006, ..sound(0.1) };
+    let wide = Figures { half_width: 0.1, mean: 1.05, ..sound(0.1) };
+    let wide_and_off = Figures { half_width: 0.1, mean: 1.11, ..sound(100.0) };
+    let unsound = Figures { rejected: 1, ..sound(0.1) };
+    let steep = Figures { slope: Some(Slope { slope: -0.9, deviation: 0.01 }), ..sound(1.0) };
+    for figures in [&off, &wide_and_off, &unsound, &steep] {
+        assert!(unsettled(figures, Word::Sees), "{figures:?}");
+    }
+    assert!(!unsettled(&wide, Word::Sees));
+    assert_eq!(best([&off, &unsound, &quick]), Some(&quick));
+    // A blind program must have said so, and who said so must be blind.
+    let nothing = Figures { mean: 0.0, half_width: 0.0, ..quick.clone() };
+    assert!(unsettled(&nothing, Word::Sees) && unsettled(&quick, Word::Announced));
+}
+
+/// Every scene has a row and every row a scene; a correction corrects something,
+/// once, and says why.
+#[test]
+fn the_tables_belong_together() {
+    let scenes: BTreeSet<&str> = SCENES.iter().map(|row| row.id).chain(["F11"]).collect();
+    let rows: BTreeSet<&str> = EXPECTED.iter().map(|(id, _)| *id).collect();
+    assert_eq!(scenes, rows);
+    let mut seen = BTreeSet::new();
+    for correction in CORRECTIONS {
+        let place = (correction.scene, correction.column.name());
+        assert!(seen.insert(place), "{place:?} twice");
+        let expected = expected(correction.scene, correction.column).unwrap();
+        assert_ne!(expected, correction.verdict, "{place:?} corrects nothing");
+        assert!(correction.reason.len() > 20, "{place:?} does not say why");
+    }
+    assert!(SCENES.iter().all(|row| row.passes.is_power_of_two() && row.passes >= 32));
+}
+
+/// Every scene can be built and emits light, and `blind` and `—` are expected just
+/// where a program announces a kind of light that all of the scene's belongs to.
+#[test]
+fn announcements_are_where_blindness_is_expected() {
+    for row in &SCENES {
+        let facts = SceneFacts::of(&row.build());
+        for column in Column::ALL {
+            let announced = column.integrator(row.max_depth).blind_spots(&facts);
+            let concerns = announced.iter().any(|spot| row.light.contains(spot));
+            let expected = expected(row.id, column).unwrap();
+            let none = matches!(expected, Expected::Blind | Expected::No);
+            assert_eq!(concerns, none, "{} {}: {announced:?}", row.id, column.name());
+        }
+    }
+}
+
+/// A program over a scene, in a few passes.
+fn measured(id: &str, column: Column, passes: u32) -> Figures {
+    let row = SCENES.iter().find(|row| row.id == id).unwrap();
+    let scene = row.build();
+    let reference = Reference::of(row, &scene);
+    Figures::of(&cell::run(&scene, &reference, column, row.max_depth, passes), &reference)
+}
+
+/// The corner, by light samples without weights: the tail index is 1.5, and the
+/// alarm is raised. Weighted, the same light samples raise none.
+#[test]
+fn the_corner_raises_the_alarm_without_weights() {
+    let strict = measured("F10", Column::DirectLight, 16);
+    let combined = measured("F10", Column::Combined, 16);
+    let alpha = strict.tail.and_then(|tail| tail.alpha).unwrap();
+    let samples = 16 * 16 * 32 * 32;
+    let finding = |claim: &str, statistic: String, level, holds| Finding {
+        claim: claim.into(),
+        statistic,
+        level,
+        samples,
+        holds,
+    };
+    settle(&[
+        finding("F10, directlight: α is 1.5", format!("{alpha:.3} ± 0.375"), Some(6e-5), {
+            (alpha - 1.5).abs() < 4.0 * 1.5 / 16.0
+        }),
+        finding("F10, directlight: alarm", format!("{:?}", strict.tail), Some(3e-3), {
+            alarm(strict.tail, strict.far_tail)
+        }),
+        finding("F10, combined: no alarm", format!("{:?}", combined.tail), None, {
+            !alarm(combined.tail, combined.far_tail)
+        }),
+    ]);
+}
+
+/// Light of a point by way of two mirrors: there by its closed form, found by
+/// nobody.
+#[test]
+fn nobody_sees_a_point_through_two_mirrors() {
+    let findings: Vec<Finding> = Column::ALL
+        .into_iter()
+        .map(|column| {
+            let figures = measured("F14", column, 1);
+            let statistic = format!("{} of {}", figures.mean, figures.truth);
+            let claim = format!("F14, {}: finds nothing", column.name());
+            let holds = figures.mean == 0.0 && figures.truth > 0.0;
+            Finding { claim, statistic, level: None, samples: 16 * 16 * 16, holds }
+        })
+        .collect();
+    settle(&findings);
+}
