@@ -4,7 +4,6 @@
 //! Everything here is in double precision and written from the definitions, not
 //! from the code under test.
 
-pub mod bounded;
 pub mod chart;
 pub mod chi_square;
 pub mod frequency;

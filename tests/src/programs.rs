@@ -25,9 +25,23 @@ impl Program {
     pub const FROM_CAMERA: [Self; 5] =
         [Self::PureMc, Self::Strict, Self::Combined, Self::BdptPower, Self::BdptBalance];
 
+    /// All that find the light of lamps by way of other surfaces.
+    pub const ALL: [Self; 6] = [
+        Self::PureMc,
+        Self::Strict,
+        Self::Combined,
+        Self::BdptPower,
+        Self::BdptBalance,
+        Self::Particle,
+    ];
+
     /// The integrator, for paths of at most `max_depth` edges.
     pub fn integrator(self, max_depth: Option<u32>) -> Box<dyn Integrator> {
-        let limits = Limits { max_depth, roulette: Roulette::default() };
+        self.within(Limits { max_depth, roulette: Roulette::default() })
+    }
+
+    /// The integrator with these limits.
+    pub fn within(self, limits: Limits) -> Box<dyn Integrator> {
         let bdpt = |heuristic| Box::new(Bdpt { limits, heuristic, ..Bdpt::default() });
         match self {
             Self::PureMc => Box::new(PureMc { limits }),

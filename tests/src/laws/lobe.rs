@@ -65,26 +65,13 @@ impl Lobe {
     /// For each cell of the square of [`coordinates`](Self::coordinates) the
     /// part of the lobe there that is above the horizon.
     pub fn visible(&self) -> Vec<f64> {
-        self.rows(
-            |u0, u1| {
-                let width = (u1 - u0) / FINE as f64;
-                let weight = width / TAU;
-                (0..FINE).map(move |i| (u0 + (i as f64 + 0.5) * width, weight)).collect()
-            },
-            |u| self.lack(u),
-            Ring::length,
-        )
+        self.rows(|u0, u1| crowded(u1, u0, 1.0 / TAU), |u| self.lack(u), Ring::length)
     }
 
     /// For each cell what a diffuse surface, cosθ/π, scatters there.
     pub fn diffuse(&self) -> Vec<f64> {
         self.rows(
-            |u0, u1| {
-                let (near, far) = (self.lack(u1), self.lack(u0));
-                let width = (far - near) / FINE as f64;
-                let weight = width / PI;
-                (0..FINE).map(move |i| (near + (i as f64 + 0.5) * width, weight)).collect()
-            },
+            |u0, u1| crowded(self.lack(u1), self.lack(u0), 1.0 / PI),
             |lack| lack,
             Ring::cosine,
         )
@@ -176,6 +163,19 @@ impl Ring {
         let [from, to] = self.clamp(from, to);
         self.constant * (to - from) + self.amplitude * (to.sin() - from.sin())
     }
+}
+
+/// Points from `near` to `far` and their weights for the midpoint rule, `scale`
+/// for the whole of a unit length.
+///
+/// They crowd at the near end as squares do: the nearer to R, the more azimuths
+/// are above the horizon, so a cell that the horizon hardly leaves a corner has
+/// it there.
+fn crowded(near: f64, far: f64, scale: f64) -> Vec<(f64, f64)> {
+    let step = 1.0 / FINE as f64;
+    let middles = (0..FINE).map(|i| (i as f64 + 0.5) * step);
+    let weight = 2.0 * step * scale * (far - near).abs();
+    middles.map(|x| (near + (far - near) * x * x, weight * x)).collect()
 }
 
 #[cfg(test)]

@@ -8,10 +8,10 @@ use traylib_integrators::{
 };
 use traylib_math::{Grid, Heuristic};
 use traylib_scene::Scene;
-use traylib_tests::laws::bounded::PROGRAMS;
 use traylib_tests::laws::verdict::same_bits;
 use traylib_tests::ledger::settle;
 use traylib_tests::measure::each_pass;
+use traylib_tests::programs::Program;
 use traylib_tests::statistics::{Sample, sidak, tile_means, welch};
 use traylib_tests::still_life::still_life;
 
@@ -20,7 +20,7 @@ fn integrators() -> Vec<(String, Box<dyn Integrator>)> {
     let traces = [false, true].map(|jitter| -> (String, Box<dyn Integrator>) {
         (format!("trace, jitter {jitter}"), Box::new(Trace { jitter }))
     });
-    let programs = PROGRAMS.map(|program| (format!("{program:?}"), program.integrator(None)));
+    let programs = Program::ALL.map(|program| (format!("{program:?}"), program.integrator(None)));
     traces.into_iter().chain(programs).collect()
 }
 

@@ -11,7 +11,6 @@ use traylib_integrators::{Limits, Roulette, Settings};
 use traylib_tests::furnace::{
     central_light, diffuse_walls, glowing_ball, mirroring_walls, offset_light_wide,
 };
-use traylib_tests::laws::bounded::{PROGRAMS, bounded};
 use traylib_tests::laws::verdict::{Known, has_mean};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{Case, pass_means, samples_in_a_pass};
@@ -23,7 +22,7 @@ const ROUNDING: f64 = 2e-5;
 /// The mean radiance of the case, by a program with these limits; `widest` is
 /// relative.
 fn finding(case: &Case, program: Program, roulette: Roulette, passes: u32, widest: f64) -> Finding {
-    let integrator = bounded(program, Limits { max_depth: case.max_depth, roulette });
+    let integrator = program.within(Limits { max_depth: case.max_depth, roulette });
     let settings = Settings { spp: passes, seed: 191, threads: 1 };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let claim = format!("{}, {program:?}, roulette from {}", case.name, roulette.from_edge);
@@ -39,7 +38,7 @@ fn length_laws(passes: u32, widest: f64) {
     let mut findings = Vec::new();
     for edges in 1..=6 {
         let glow = glowing_ball(diffuse_walls(), Some(edges));
-        findings.extend(PROGRAMS.map(|program| {
+        findings.extend(Program::ALL.map(|program| {
             finding(&glow, program, Roulette::OFF, passes_of(program, passes), widest)
         }));
     }
@@ -65,7 +64,7 @@ fn lengths_are_counted_in_edges_at_length() {
     let mut findings = Vec::new();
     for edges in 2..=6 {
         for case in [central_light(Some(edges)), offset_light_wide(Some(edges))] {
-            findings.extend(PROGRAMS.map(|program| {
+            findings.extend(Program::ALL.map(|program| {
                 finding(&case, program, Roulette::OFF, passes_of(program, 400), 5e-3)
             }));
         }
@@ -79,11 +78,11 @@ fn roulette_laws(passes: u32, widest: f64) {
     let early = Roulette { from_edge: 2 };
     let glow = glowing_ball(diffuse_walls(), None);
     let mirrors = glowing_ball(mirroring_walls(), None);
-    let mut findings: Vec<Finding> = PROGRAMS
+    let mut findings: Vec<Finding> = Program::ALL
         .map(|program| finding(&glow, program, early, passes_of(program, passes), widest))
         .into();
     // The particle tracer cannot see what a mirror shows.
-    let seeing = PROGRAMS.into_iter().filter(|&program| program != Program::Particle);
+    let seeing = Program::ALL.into_iter().filter(|&program| program != Program::Particle);
     findings.extend(seeing.map(|program| finding(&mirrors, program, early, passes, widest)));
     settle(&findings);
 }
