@@ -24,7 +24,7 @@ fn a4_cut_sphere() {
 #[ignore = "at length: cargo xtask prove"]
 fn a4_cut_sphere_by_all_programs() {
     all_hold(&cut_sphere(1.1, 0.2), 45, &[(PureMc, 900), (Combined, 340), (BdptBalance, 340)]);
-    for (seed, cosine, passes) in [(46, 0.0, 800), (47, -0.3, 6000)] {
+    for (seed, cosine, passes) in [(46, 0.0, 560), (47, -0.3, 2400)] {
         let programs = [Strict, BdptPower].map(|program| (program, passes));
         all_hold(&cut_sphere(2.0, cosine), seed, &programs);
     }
@@ -60,13 +60,8 @@ fn whole_surfaces() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn whole_surfaces_by_all_programs() {
-    let programs = [
-        (PureMc, 8000),
-        (Combined, 1200),
-        (BdptPower, 1200),
-        (BdptBalance, 1200),
-        (Particle, 4000),
-    ];
+    let programs =
+        [(PureMc, 6500), (Combined, 500), (BdptPower, 500), (BdptBalance, 640), (Particle, 5600)];
     all_hold(&disks(2.0), 94, &programs);
     all_hold(&opposite_sides(), 95, &programs);
 }

@@ -75,8 +75,8 @@ fn d1_corner() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn d1_corner_by_all_programs() {
-    settle(&[corner_tail(20_000), corner_bound(5000)]);
-    let programs = [(PureMc, 6000), (Combined, 3000), (BdptPower, 3000), (Particle, 6000)];
+    settle(&[corner_tail(8000), corner_bound(2000)]);
+    let programs = [(PureMc, 4500), (Combined, 1500), (BdptPower, 1200), (Particle, 4800)];
     all_hold(&corner(), 304, &programs);
 }
 
@@ -151,7 +151,7 @@ fn d7_steep_normals() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn d7_steep_normals_at_length() {
-    settle(&bumpy(8000));
+    settle(&bumpy(3000));
 }
 
 /// Four scales that are no powers of two.
