@@ -88,5 +88,5 @@ fn b7_all_walls_of_a_room() {
 #[ignore = "at length: cargo xtask prove"]
 fn b7_by_all_programs() {
     let programs = [PureMc, Strict, Combined, BdptPower, BdptBalance, Particle];
-    settle(&programs.map(|program| all_walls(program, 1000, 180)));
+    settle(&programs.map(|program| all_walls(program, 400, 180)));
 }
