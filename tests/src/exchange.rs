@@ -78,10 +78,10 @@ fn seen_from_above(name: String, lamp: Primitive, patch: Primitive, truth: f64) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::laws::wide::Wide;
     use crate::polygon::factor;
     use crate::polygonal::standing_factor;
     use crate::{analytic::corner_factor, polygon::square_at};
+    use glam::DVec3;
 
     #[test]
     fn disks_have_their_known_factors() {
@@ -110,7 +110,7 @@ mod tests {
         // The integrand is half a disk at the edge, with a steep end.
         assert!((adjacent / count - ADJACENT).abs() < 1e-5, "{}", adjacent / count);
         assert!((OPPOSITE + 4.0 * ADJACENT - 1.0).abs() < 1e-7);
-        let middle = factor(Wide::new(0.0, 0.0, 0.0), Wide::Z, &square_at(2.0, 1.0));
+        let middle = factor(DVec3::new(0.0, 0.0, 0.0), DVec3::Z, &square_at(2.0, 1.0));
         assert!((middle - 4.0 * corner_factor(0.5, 0.5)).abs() < 1e-12);
     }
 }

@@ -1,12 +1,13 @@
 //! D2 to D11: geometry that hurts, where the answer is known all the same.
 
 use crate::analytic::{from_aside, lit_floor};
-use crate::laws::wide::Wide;
+use crate::laws::frame::frame;
 use crate::measure::Case;
 use crate::scenes::{
     Stage, black, camera, disk, disk_facing_down, floor, hollow_cube_at, lambert, rectangle, sound,
     spot,
 };
+use glam::DVec3;
 use std::f64::consts::PI;
 use traylib_geometry::{Mesh, Primitive, Vec3};
 use traylib_scene::Scene;
@@ -16,12 +17,12 @@ use traylib_scene::Scene;
 ///
 /// A ray leaves the floor as far off as rounding can have moved the hit: not at
 /// all from z = 0, up to some 2·10⁻⁶ m from a floor of this size that leans.
-pub fn close_lamp(normal: Wide, height: f64) -> Case {
-    let [axis, u, v] = normal.frame();
+pub fn close_lamp(normal: DVec3, height: f64) -> Case {
+    let [axis, u, v] = frame(normal);
     let corner = (u + v) * -1.0;
-    let patch = rectangle(corner.narrow(), (u * 2.0).narrow(), (v * 2.0).narrow());
-    let lamp = disk((axis * height).narrow(), (axis * -1.0).narrow(), 1.0);
-    let eye = spot((axis * 2.0 + u * 0.3).narrow(), Vec3::ZERO);
+    let patch = rectangle(corner.as_vec3(), (u * 2.0).as_vec3(), (v * 2.0).as_vec3());
+    let lamp = disk((axis * height).as_vec3(), (axis * -1.0).as_vec3(), 1.0);
+    let eye = spot((axis * 2.0 + u * 0.3).as_vec3(), Vec3::ZERO);
     let scene = Stage::new(eye).surface(patch, lambert(0.5)).lamp(lamp, 3.0, black()).build();
     let truth = 0.5 * 3.0 / (1.0 + height * height);
     Case {

@@ -6,11 +6,11 @@
 
 pub mod chart;
 pub mod chi_square;
+pub mod frame;
 pub mod frequency;
 pub mod grid;
 pub mod lobe;
 pub mod verdict;
-pub mod wide;
 
 /// How often a correct program raises a false alarm, in each family of tests.
 pub const FAMILY_LEVEL: f64 = 1e-3;

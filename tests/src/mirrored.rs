@@ -7,12 +7,12 @@
 //! seen through the mirror and beside the lamp itself, which is black from
 //! behind and casts a shadow. Paths have three edges.
 
-use crate::laws::wide::Wide;
 use crate::measure::Case;
 use crate::polygon::{factor, square_at, through};
 use crate::scenes::{
     Stage, black, camera, disk_facing_up, floor, lambert, mirror, rectangle, spot,
 };
+use glam::DVec3;
 use std::f64::consts::PI;
 use traylib_geometry::{Primitive, Vec3};
 use traylib_materials::SurfaceModel;
@@ -49,7 +49,7 @@ pub struct Picture {
 /// C1: seen from right below the lamp, 64 × 64 pixels over |x|, |y| ≤ 1.2.
 pub fn mirrored_lamp(mirror_half_side: f64) -> Picture {
     let scene = below_mirror(overhead(), mirror_half_side, mirror(MIRROR as f32, 0.0)).build();
-    let lit = |x: Wide| FLOOR * MIRROR * RADIANCE * image_factor(x, mirror_half_side);
+    let lit = |x: DVec3| FLOOR * MIRROR * RADIANCE * image_factor(x, mirror_half_side);
     let truth = over_pixels(scene.camera(), lit);
     let name = format!("C1 half-side {mirror_half_side}");
     Picture { name, scene, max_depth: Some(3), truth }
@@ -61,7 +61,7 @@ pub fn mirrored_lamp(mirror_half_side: f64) -> Picture {
 /// edges still before it is seen.
 pub fn mirrored_lamp_in_a_mirror() -> Case {
     let scene = second_mirror(below_mirror(in_mirror(), WIDE_MIRROR, mirror(MIRROR as f32, 0.0)));
-    let seen = image_factor(Wide::X, WIDE_MIRROR);
+    let seen = image_factor(DVec3::X, WIDE_MIRROR);
     let truth = FLOOR * MIRROR * MIRROR * RADIANCE * seen;
     Case { name: "C2".into(), scene: scene.build(), max_depth: Some(4), truth }
 }
@@ -74,7 +74,7 @@ pub fn mirrored_point() -> Case {
     let camera = camera(0.9 * Vec3::Z, Vec3::ZERO, 2.0 * 2.0_f32.atan().to_degrees(), 32);
     let shadow = 0.2 * 3.0 / (3.0 - f64::from(PLATE));
     let truth = crate::measure::mean_over_floor(&camera, |x| {
-        let square = Wide::from(x).dot(Wide::from(x));
+        let square = DVec3::from(x).dot(DVec3::from(x));
         let seen = if square < shadow * shadow { 0.0 } else { 1.0 };
         seen * FLOOR * MIRROR / PI * INTENSITY * 3.0 / (square + 9.0).powf(1.5)
     });
@@ -95,8 +95,8 @@ pub fn mirrored_point_in_a_mirror() -> Case {
 /// angle. The cosine is taken at the middle of the image, of half-angle 2°.
 pub fn mirrored_in(model: SurfaceModel, specular: f64) -> Picture {
     let scene = below_mirror(overhead(), WIDE_MIRROR, model).build();
-    let lit = |x: Wide| {
-        let cosine = 3.0 / (Wide::new(0.0, 0.0, 3.0) - x).length();
+    let lit = |x: DVec3| {
+        let cosine = 3.0 / (DVec3::new(0.0, 0.0, 3.0) - x).length();
         FLOOR * specular * cosine * RADIANCE * image_factor(x, WIDE_MIRROR)
     };
     let truth = over_pixels(scene.camera(), lit);
@@ -105,10 +105,10 @@ pub fn mirrored_in(model: SurfaceModel, specular: f64) -> Picture {
 
 /// F of what the floor's point sees of the lamp's image: through the mirror, but
 /// for what is behind the lamp.
-fn image_factor(point: Wide, mirror_half_side: f64) -> f64 {
+fn image_factor(point: DVec3, mirror_half_side: f64) -> f64 {
     let seen = through(point, &square_at(3.0, LAMP), &square_at(2.0, mirror_half_side));
     let hidden = through(point, &seen, &square_at(1.0, LAMP));
-    factor(point, Wide::Z, &seen) - factor(point, Wide::Z, &hidden)
+    factor(point, DVec3::Z, &seen) - factor(point, DVec3::Z, &hidden)
 }
 
 /// Straight down on |x|, |y| ≤ 1.2 from right below the lamp.
@@ -155,7 +155,7 @@ fn square_up(height: f32, half_side: f32) -> Primitive {
 
 /// The mean over each pixel of what is seen of the floor, by the midpoint rule on
 /// 4 × 4 film points.
-fn over_pixels(camera: &Camera, radiance: impl Fn(Wide) -> f64) -> Grid<f64> {
+fn over_pixels(camera: &Camera, radiance: impl Fn(DVec3) -> f64) -> Grid<f64> {
     const STEPS: u32 = 4;
     let mut truth = Grid::filled(camera.width() as usize, camera.height() as usize, 0.0);
     let width = camera.width();
@@ -164,7 +164,7 @@ fn over_pixels(camera: &Camera, radiance: impl Fn(Wide) -> f64) -> Grid<f64> {
         let sum: f64 = (0..STEPS * STEPS)
             .map(|i| Vec2::new((i % STEPS) as f32 + 0.5, (i / STEPS) as f32 + 0.5))
             .map(|within| camera.ray(corner + within / STEPS as f32))
-            .map(|ray| radiance(Wide::from(ray.at(-ray.origin.z / ray.direction.z))))
+            .map(|ray| radiance(DVec3::from(ray.at(-ray.origin.z / ray.direction.z))))
             .sum();
         *mean = sum / f64::from(STEPS * STEPS);
     }

@@ -1,6 +1,6 @@
 //! Polygons as seen from a point of a diffuse surface, in double precision.
 
-use crate::laws::wide::Wide;
+use glam::DVec3;
 use std::f64::consts::PI;
 
 /// The share F of the cosine hemisphere around the unit `normal` at `point` that
@@ -12,9 +12,9 @@ use std::f64::consts::PI;
 /// onto the unit sphere is one along its rim. An edge is an arc there, of angle
 /// γᵢ in the plane with unit normal nᵢ, and F = 1/(2π)·Σ γᵢ·(nᵢ·N). The sum's
 /// sign is the sense in which the corners go round, which is not asked for.
-pub fn factor(point: Wide, normal: Wide, corners: &[Wide]) -> f64 {
+pub fn factor(point: DVec3, normal: DVec3, corners: &[DVec3]) -> f64 {
     let above = clip(corners, point, normal);
-    let to: Vec<Wide> = above.iter().map(|&corner| corner - point).collect();
+    let to: Vec<DVec3> = above.iter().map(|&corner| corner - point).collect();
     let sum: f64 = edges(&to)
         .map(|(a, b)| {
             let across = a.cross(b);
@@ -28,8 +28,8 @@ pub fn factor(point: Wide, normal: Wide, corners: &[Wide]) -> f64 {
 
 /// What of a convex polygon lies on the side of the plane through `origin` that
 /// `inward` points to.
-pub fn clip(corners: &[Wide], origin: Wide, inward: Wide) -> Vec<Wide> {
-    let height = |corner: Wide| (corner - origin).dot(inward);
+pub fn clip(corners: &[DVec3], origin: DVec3, inward: DVec3) -> Vec<DVec3> {
+    let height = |corner: DVec3| (corner - origin).dot(inward);
     let mut kept = Vec::new();
     for (a, b) in edges(corners) {
         let (from, to) = (height(a), height(b));
@@ -45,7 +45,7 @@ pub fn clip(corners: &[Wide], origin: Wide, inward: Wide) -> Vec<Wide> {
 
 /// What of a convex polygon is seen from `point` through a convex window, which
 /// may lie before or behind it: the part inside the pyramid over the window.
-pub fn through(point: Wide, corners: &[Wide], window: &[Wide]) -> Vec<Wide> {
+pub fn through(point: DVec3, corners: &[DVec3], window: &[DVec3]) -> Vec<DVec3> {
     let inside = (window[0] + window[1]) * 0.25 + window[2] * 0.5;
     edges(window).fold(corners.to_vec(), |seen, (a, b)| {
         let side = (a - point).cross(b - point);
@@ -54,12 +54,12 @@ pub fn through(point: Wide, corners: &[Wide], window: &[Wide]) -> Vec<Wide> {
 }
 
 /// The corners of the square |x|, |y| ≤ `half_side` at this height.
-pub fn square_at(height: f64, half_side: f64) -> [Wide; 4] {
+pub fn square_at(height: f64, half_side: f64) -> [DVec3; 4] {
     [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
-        .map(|[x, y]| Wide::new(half_side * x, half_side * y, height))
+        .map(|[x, y]| DVec3::new(half_side * x, half_side * y, height))
 }
 
-fn edges(corners: &[Wide]) -> impl Iterator<Item = (Wide, Wide)> + '_ {
+fn edges(corners: &[DVec3]) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
     (0..corners.len()).map(|i| (corners[i], corners[(i + 1) % corners.len()]))
 }
 
@@ -69,7 +69,7 @@ mod tests {
     use crate::analytic::corner_factor;
 
     fn of_square(x: f64, y: f64, height: f64, half_side: f64) -> f64 {
-        factor(Wide::new(x, y, 0.0), Wide::Z, &square_at(height, half_side))
+        factor(DVec3::new(x, y, 0.0), DVec3::Z, &square_at(height, half_side))
     }
 
     #[test]
@@ -92,8 +92,8 @@ mod tests {
     fn what_is_below_the_horizon_does_not_count() {
         let wall = |low: f64| {
             let corners = [[-1e6, low], [1e6, low], [1e6, 1.0], [-1e6, 1.0]]
-                .map(|[y, z]| Wide::new(1.0, y, z));
-            factor(Wide::new(0.0, 0.0, 0.0), Wide::Z, &corners)
+                .map(|[y, z]| DVec3::new(1.0, y, z));
+            factor(DVec3::new(0.0, 0.0, 0.0), DVec3::Z, &corners)
         };
         // A strip without end fills half the difference of the sines of its
         // angles to the normal, 90° and 45°.
@@ -106,11 +106,11 @@ mod tests {
     fn a_window_shows_a_part() {
         let lamp = square_at(3.0, 0.1);
         // From (x, 0, 0) the window at z = 2 throws |y| ≤ a to |y| ≤ 1.5·a.
-        let seen = through(Wide::new(0.0, 0.0, 0.0), &lamp, &square_at(2.0, 0.04));
-        let area_like = factor(Wide::new(0.0, 0.0, 0.0), Wide::Z, &seen);
+        let seen = through(DVec3::new(0.0, 0.0, 0.0), &lamp, &square_at(2.0, 0.04));
+        let area_like = factor(DVec3::new(0.0, 0.0, 0.0), DVec3::Z, &seen);
         let known = of_square(0.0, 0.0, 3.0, 0.06);
         assert!((area_like - known).abs() < 1e-12, "{area_like} {known}");
-        assert!(through(Wide::new(2.0, 0.0, 0.0), &lamp, &square_at(2.0, 0.3)).is_empty());
-        assert_eq!(through(Wide::new(0.0, 0.0, 0.0), &lamp, &square_at(2.0, 0.3)).len(), 4);
+        assert!(through(DVec3::new(2.0, 0.0, 0.0), &lamp, &square_at(2.0, 0.3)).is_empty());
+        assert_eq!(through(DVec3::new(0.0, 0.0, 0.0), &lamp, &square_at(2.0, 0.3)).len(), 4);
     }
 }

@@ -1,10 +1,10 @@
 //! A6 and A7: lamps that are polygons, seen from the origin of the floor.
 
 use crate::analytic::from_aside;
-use crate::laws::wide::Wide;
 use crate::measure::Case;
 use crate::polygon::factor;
 use crate::scenes::{rectangle, triangle};
+use glam::DVec3;
 use std::f64::consts::PI;
 use traylib_geometry::{Primitive, Vec3};
 
@@ -46,13 +46,13 @@ pub fn sunk_pentagon() -> Case {
 /// A fan of triangles around the first corner of a convex polygon, so turned as
 /// to face the origin.
 fn flat<const N: usize>(name: &str, corners: &[[f64; 3]; N]) -> Case {
-    let corners = corners.map(|[x, y, z]| Wide::new(x, y, z));
+    let corners = corners.map(|[x, y, z]| DVec3::new(x, y, z));
     let towards = (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[0]) < 0.0;
     let fan: Vec<Primitive> = (1..N - 1)
         .map(|i| if towards { [0, i, i + 1] } else { [0, i + 1, i] })
-        .map(|indices| triangle(indices.map(|i| corners[i].narrow())))
+        .map(|indices| triangle(indices.map(|i| corners[i].as_vec3())))
         .collect();
-    from_aside(name.into(), &fan, factor(Wide::new(0.0, 0.0, 0.0), Wide::Z, &corners))
+    from_aside(name.into(), &fan, factor(DVec3::new(0.0, 0.0, 0.0), DVec3::Z, &corners))
 }
 
 #[cfg(test)]
@@ -67,8 +67,8 @@ mod tests {
             let found = standing_factor(a, b, c);
             assert!((found - known).abs() < 1e-6, "{found}");
             let corners = [[0.0, 0.0], [b, 0.0], [b, a], [0.0, a]];
-            let corners = corners.map(|[y, z]| Wide::new(c, y, z));
-            assert!((factor(Wide::new(0.0, 0.0, 0.0), Wide::Z, &corners) - found).abs() < 1e-12);
+            let corners = corners.map(|[y, z]| DVec3::new(c, y, z));
+            assert!((factor(DVec3::new(0.0, 0.0, 0.0), DVec3::Z, &corners) - found).abs() < 1e-12);
         }
     }
 }

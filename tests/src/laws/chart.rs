@@ -1,16 +1,17 @@
 //! Shapes laid out on the unit square, equal areas alike.
 
+use crate::laws::frame::frame;
 use crate::laws::grid::At;
-use crate::laws::wide::Wide;
+use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 use traylib_geometry::{Facing, Primitive, Vec3};
 
 /// A map from the unit square to a surface that keeps ratios of areas.
 #[derive(Clone, Copy, Debug)]
 pub struct Chart {
-    origin: Wide,
+    origin: DVec3,
     /// Two vectors in the plane, or axis and two more of a sphere.
-    axes: [Wide; 3],
+    axes: [DVec3; 3],
     normal_sign: f64,
     kind: Kind,
 }
@@ -31,22 +32,22 @@ impl Chart {
     pub fn seen_from(shape: &Primitive, from: Vec3) -> Self {
         match shape {
             Primitive::Quad(quad) => {
-                let [u, v] = quad.edges().map(Wide::from);
-                Self::flat(Wide::from(quad.corner()), [u, v], Kind::Quad)
+                let [u, v] = quad.edges().map(DVec3::from);
+                Self::flat(DVec3::from(quad.corner()), [u, v], Kind::Quad)
             }
             Primitive::Triangle(triangle) => {
-                let [a, b, c] = triangle.corners().map(Wide::from);
+                let [a, b, c] = triangle.corners().map(DVec3::from);
                 Self::flat(a, [b - a, c - a], Kind::Triangle)
             }
             Primitive::Disk(disk) => {
-                let [_, u, v] = Wide::from(disk.normal()).frame();
+                let [_, u, v] = frame(DVec3::from(disk.normal()));
                 let radius = f64::from(disk.radius());
-                Self::flat(Wide::from(disk.centre()), [u * radius, v * radius], Kind::Disk)
+                Self::flat(DVec3::from(disk.centre()), [u * radius, v * radius], Kind::Disk)
             }
             Primitive::Sphere(sphere) => {
-                let (centre, radius) = (Wide::from(sphere.centre()), f64::from(sphere.radius()));
-                let away = Wide::from(from) - centre;
-                let axis = if away.length() > 0.0 { away } else { Wide::Z };
+                let (centre, radius) = (DVec3::from(sphere.centre()), f64::from(sphere.radius()));
+                let away = DVec3::from(from) - centre;
+                let axis = if away.length() > 0.0 { away } else { DVec3::Z };
                 let (extent, normal_sign) = match sphere.facing() {
                     Facing::Outward if away.length() > radius => {
                         (1.0 - radius / away.length(), 1.0)
@@ -54,13 +55,13 @@ impl Chart {
                     Facing::Outward => (2.0, 1.0),
                     Facing::Inward => (2.0, -1.0),
                 };
-                let axes = axis.frame().map(|axis| axis * radius);
+                let axes = frame(axis).map(|axis| axis * radius);
                 Self { origin: centre, axes, normal_sign, kind: Kind::Cap(extent) }
             }
         }
     }
 
-    fn flat(origin: Wide, [u, v]: [Wide; 2], kind: Kind) -> Self {
+    fn flat(origin: DVec3, [u, v]: [DVec3; 2], kind: Kind) -> Self {
         Self { origin, axes: [u.cross(v), u, v], normal_sign: 1.0, kind }
     }
 
@@ -77,7 +78,7 @@ impl Chart {
 
     /// The point of the surface that belongs to one of the square, with the unit
     /// normal of the front.
-    pub fn point(&self, at: At) -> (Wide, Wide) {
+    pub fn point(&self, at: At) -> (DVec3, DVec3) {
         let [up, u, v] = self.axes;
         let (sin, cos) = (at[1] * TAU).sin_cos();
         let from_origin = match self.kind {
@@ -90,13 +91,13 @@ impl Chart {
             }
         };
         let normal = if let Kind::Cap(_) = self.kind { from_origin } else { up };
-        (self.origin + from_origin, normal.unit() * self.normal_sign)
+        (self.origin + from_origin, normal.normalize() * self.normal_sign)
     }
 
     /// The point of the square that belongs to one of the surface.
     pub fn coordinates(&self, point: Vec3) -> At {
         let [up, u, v] = self.axes;
-        let from_origin = Wide::from(point) - self.origin;
+        let from_origin = DVec3::from(point) - self.origin;
         let turn = |a: f64, b: f64| b.atan2(a).rem_euclid(TAU) / TAU;
         match self.kind {
             Kind::Quad => in_plane(from_origin, u, v),
@@ -110,7 +111,7 @@ impl Chart {
             }
             Kind::Cap(extent) => {
                 // 1 − cos of the angle to the axis, without cancellation.
-                let lack = 0.5 * (from_origin.unit() - up.unit()).length().powi(2);
+                let lack = 0.5 * (from_origin.normalize() - up.normalize()).length().powi(2);
                 [lack / extent, turn(from_origin.dot(u), from_origin.dot(v))]
             }
         }
@@ -118,9 +119,9 @@ impl Chart {
 }
 
 /// The coefficients of a vector in the plane of two others.
-fn in_plane(vector: Wide, u: Wide, v: Wide) -> At {
+fn in_plane(vector: DVec3, u: DVec3, v: DVec3) -> At {
     let across = u.cross(v);
-    let share = |a: Wide, b: Wide| a.cross(b).dot(across) / across.dot(across);
+    let share = |a: DVec3, b: DVec3| a.cross(b).dot(across) / across.dot(across);
     [share(vector, v), share(u, vector)]
 }
 
@@ -148,7 +149,7 @@ mod tests {
             for i in 0..100 {
                 let at = [i % 10, i / 10].map(|i| (f64::from(i) + 0.5) / 10.0);
                 let (point, normal) = chart.point(at);
-                let back = chart.coordinates(point.narrow());
+                let back = chart.coordinates(point.as_vec3());
                 assert!(at.iter().zip(back).all(|(a, b)| (a - b).abs() < 1e-5), "{shape:?}");
                 let step = 1e-5;
                 let moved = |x, y| chart.point([at[0] + x, at[1] + y]).0;
@@ -156,7 +157,7 @@ mod tests {
                 let y = (moved(0.0, step) - moved(0.0, -step)) * (0.5 / step);
                 let across = x.cross(y);
                 assert!((across.length() / chart.area() - 1.0).abs() < 1e-6, "{shape:?}");
-                assert!(across.unit().dot(normal).abs() > 1.0 - 1e-6, "{shape:?}");
+                assert!(across.normalize().dot(normal).abs() > 1.0 - 1e-6, "{shape:?}");
             }
         }
     }

@@ -11,7 +11,7 @@
 //! closed forms, and integrals over u or cosα are left to the midpoint rule.
 
 use crate::laws::grid::{At, SIDE};
-use crate::laws::wide::Wide;
+use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 use traylib_geometry::Vec3;
 
@@ -23,7 +23,7 @@ const FINE: usize = 256;
 pub struct Lobe {
     exponent: f64,
     /// R, then the axis of φ = 0 and of a quarter turn.
-    axes: [Wide; 3],
+    axes: [DVec3; 3],
     /// Of the angle between R and the normal.
     cos: f64,
     sin: f64,
@@ -39,11 +39,11 @@ struct Ring {
 impl Lobe {
     /// Of light that leaves toward `wo`, above the surface z = 0.
     pub fn new(exponent: f32, wo: Vec3) -> Self {
-        let wo = Wide::from(wo).unit();
-        let mirrored = Wide::new(-wo.x, -wo.y, wo.z);
+        let wo = DVec3::from(wo).normalize();
+        let mirrored = DVec3::new(-wo.x, -wo.y, wo.z);
         let sin = wo.x.hypot(wo.y);
-        let up = Wide::Z - mirrored * mirrored.z;
-        let first = if sin > 0.0 { up.unit() } else { Wide::X };
+        let up = DVec3::Z - mirrored * mirrored.z;
+        let first = if sin > 0.0 { up.normalize() } else { DVec3::X };
         let axes = [mirrored, first, mirrored.cross(first)];
         Self { exponent: f64::from(exponent), axes, cos: wo.z, sin }
     }
@@ -52,7 +52,7 @@ impl Lobe {
     /// right angle or more from R.
     pub fn coordinates(&self, w: Vec3) -> Option<At> {
         let [mirrored, first, second] = self.axes;
-        let w = Wide::from(w).unit();
+        let w = DVec3::from(w).normalize();
         // 1 − cosα without cancellation.
         let lack = 0.5 * (w - mirrored).length().powi(2);
         (lack < 1.0).then(|| {

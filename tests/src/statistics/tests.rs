@@ -18,7 +18,7 @@ fn quantiles_are_those_of_the_tables() {
     let half_width = mean_interval(&values(2), 1e-6).half_width;
     let exact = 1.0 / (std::f64::consts::FRAC_PI_2 * 1e-6).tan();
     assert!((half_width / exact - 1.0).abs() < 1e-6, "{half_width} {exact}");
-    // Wide families of many passes: normal to the eye, 4.89164 at 1e-6.
+    // DVec3 families of many passes: normal to the eye, 4.89164 at 1e-6.
     let half_width = mean_interval(&values(100_000), 1e-6).half_width;
     assert!((half_width - 4.892).abs() < 2e-3, "{half_width}");
 }

@@ -2,6 +2,7 @@
 //! `traylib_tests::{exchange, hard}`. Comparisons with known radiances belong to
 //! one family with those of `analytic.rs`.
 
+use glam::DVec3;
 use traylib_geometry::{Primitive, Ray, Sides, Triangle, Vec3};
 use traylib_integrators::{DirectLight, Integrator, Settings};
 use traylib_math::{Heuristic, Purpose, Sampler, warp};
@@ -10,7 +11,6 @@ use traylib_tests::exchange::corner;
 use traylib_tests::hard::{
     bumpy_plate, close_lamp, cube_of_slivers, grazing_light, grazing_view, lit_cube, tiny_lamp,
 };
-use traylib_tests::laws::wide::Wide;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{FAMILY_LEVEL, all_hold, each_pass, pass_means, samples_in_a_pass};
 use traylib_tests::polygonal::standing;
@@ -95,8 +95,8 @@ fn d2_lamp_at_a_wall_by_all_programs() {
 #[test]
 fn d3_lamp_close_above_the_floor() {
     let programs = [(PureMc, 32), (Combined, 32), (BdptPower, 32)];
-    all_hold(&close_lamp(Wide::Z, 1e-6), 312, &programs);
-    all_hold(&close_lamp(Wide::new(0.3, -0.5, 0.8), 2e-5), 312, &programs);
+    all_hold(&close_lamp(DVec3::Z, 1e-6), 312, &programs);
+    all_hold(&close_lamp(DVec3::new(0.3, -0.5, 0.8), 2e-5), 312, &programs);
 }
 
 #[test]

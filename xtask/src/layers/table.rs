@@ -66,6 +66,7 @@ pub(super) const LAYERS: &[Layer] = &[
             "traylib-scene",
             "traylib-io",
             "traylib-integrators",
+            "glam",
             "maud",
             "serde",
             "serde_json",

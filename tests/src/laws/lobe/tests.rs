@@ -60,8 +60,8 @@ fn coordinates_are_those_of_the_angles() {
     let [mirrored, first, second] = lobe.axes;
     assert!((mirrored.z - 0.5).abs() < 1e-7 && first.z > 0.0);
     let w = mirrored * 0.8 + second * 0.6;
-    let found = lobe.coordinates(w.narrow()).unwrap();
+    let found = lobe.coordinates(w.as_vec3()).unwrap();
     assert!((found[0] - 0.75).abs() < 1e-6, "{found:?}");
     assert!((found[1] - 0.8_f64.powi(4)).abs() < 1e-6, "{found:?}");
-    assert_eq!(lobe.coordinates((mirrored * -1.0).narrow()), None);
+    assert_eq!(lobe.coordinates((mirrored * -1.0).as_vec3()), None);
 }

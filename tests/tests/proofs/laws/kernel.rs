@@ -2,12 +2,13 @@
 //! K = f·cos_s(w_l)·cos_g(w_e), whichever end a walk comes from.
 
 use super::sampler;
+use glam::DVec3;
 use traylib_geometry::{SurfaceSite, Vec3};
 use traylib_materials::SurfaceModel;
 use traylib_math::{Sampler, warp};
 use traylib_scene::{SurfacePoint, Walk};
+use traylib_tests::laws::frame::frame;
 use traylib_tests::laws::verdict::{same_bits, within, worse};
-use traylib_tests::laws::wide::Wide;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::scenes::{lambert, max_phong, phong};
 
@@ -60,7 +61,7 @@ fn largest(
 
 /// |a·b| of unit vectors.
 fn cosine(a: Vec3, b: Vec3) -> f64 {
-    Wide::from(a).dot(Wide::from(b)).abs()
+    DVec3::from(a).dot(DVec3::from(b)).abs()
 }
 
 /// What a walk from either end multiplies, with the cosine that the density of
@@ -129,7 +130,7 @@ fn steep_bumps_give_sound_numbers() {
         let wo = Vec3::new(grazing.x, grazing.y, grazing.z.abs()).normalize();
         if i % 3 == 0 {
             // Just on the near side of a right angle to N_s.
-            let [side, _, _] = Wide::from(wo).frame().map(Wide::narrow);
+            let [side, _, _] = frame(DVec3::from(wo)).map(DVec3::as_vec3);
             let aside = side.any_orthonormal_vector();
             point.shading_normal = (aside + 1e-6 * side).normalize();
         }

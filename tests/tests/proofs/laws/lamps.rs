@@ -2,15 +2,16 @@
 //! emitted is all that the lamp has.
 
 use super::{FAST, LONG, sampler};
+use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 use traylib_geometry::{Primitive, Triangle, Vec3};
 use traylib_math::Rgb;
 use traylib_scene::{Light, PointLight};
 use traylib_tests::laws::chart::Chart;
 use traylib_tests::laws::chi_square::follows;
+use traylib_tests::laws::frame::frame;
 use traylib_tests::laws::grid::{Counts, even, probabilities};
 use traylib_tests::laws::verdict::{within, worse};
-use traylib_tests::laws::wide::Wide;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::scenes::{ball, disk_facing_down, hollow_ball, rectangle};
 
@@ -48,7 +49,7 @@ fn toward_findings(view: &View, samples: u64) -> Vec<Finding> {
     let chart = Chart::seen_from(shape, *from);
     let density = |at| {
         let (position, normal) = chart.point(at);
-        let pdf = shape.pdf_toward(*from, position.narrow(), normal.narrow());
+        let pdf = shape.pdf_toward(*from, position.as_vec3(), normal.as_vec3());
         f64::from(pdf.0) * chart.area()
     };
     let cells = probabilities(density);
@@ -140,11 +141,11 @@ fn emission_findings(name: &str, light: &Light, samples: u64) -> Vec<Finding> {
         let (u_point, u_direction) = (sampler.next_2d(), sampler.next_2d());
         let emission = light.sample_emission(u_point, u_direction);
         let at = if light.is_point() {
-            let w = Wide::from(emission.direction);
+            let w = DVec3::from(emission.direction);
             [0.5 * (w.z + 1.0), w.y.atan2(w.x).rem_euclid(TAU) / TAU]
         } else {
-            let [_, u, v] = Wide::from(emission.point.site.normal).frame();
-            let [x, y] = [u, v].map(|axis| axis.dot(Wide::from(emission.direction)));
+            let [_, u, v] = frame(DVec3::from(emission.point.site.normal));
+            let [x, y] = [u, v].map(|axis| axis.dot(DVec3::from(emission.direction)));
             [x * x + y * y, y.atan2(x).rem_euclid(TAU) / TAU]
         };
         directions.add(at);

@@ -2,12 +2,13 @@
 //! square.
 
 use super::{FAST, LONG, sampler};
+use glam::DVec3;
 use std::f64::consts::TAU;
 use traylib_geometry::{Vec2, Vec3};
 use traylib_math::{DiscreteDistribution, Purpose, Sampler, VertexNumbers, warp};
 use traylib_tests::laws::chi_square::follows;
+use traylib_tests::laws::frame::frame;
 use traylib_tests::laws::grid::{At, Counts, even};
-use traylib_tests::laws::wide::Wide;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::scenes::{Stage, black, camera, disk_facing_down};
 
@@ -28,8 +29,8 @@ fn turn(x: f64, y: f64) -> f64 {
 
 /// 1 − cosα to an axis, and the azimuth around it.
 fn around(axis: Vec3, w: Vec3) -> At {
-    let [axis, u, v] = Wide::from(axis).frame();
-    let w = Wide::from(w).unit();
+    let [axis, u, v] = frame(DVec3::from(axis));
+    let w = DVec3::from(w).normalize();
     [0.5 * (w - axis).length().powi(2), turn(u.dot(w), v.dot(w))]
 }
 

@@ -1,15 +1,16 @@
 //! Laws of every surface model: sampling, weights, energy, reciprocity.
 
 use super::{FAST, LONG, sampler, tilted};
+use glam::DVec3;
 use traylib_geometry::Vec3;
 use traylib_materials::{BsdfSample, SurfaceModel};
 use traylib_math::{Rgb, Sampler, warp};
 use traylib_tests::laws::chi_square::follows;
+use traylib_tests::laws::frame::frame;
 use traylib_tests::laws::frequency::happens;
 use traylib_tests::laws::grid::{Counts, even};
 use traylib_tests::laws::lobe::Lobe;
 use traylib_tests::laws::verdict::{Known, has_mean, same_bits, within, worse};
-use traylib_tests::laws::wide::Wide;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::scenes::{lambert, max_phong, mirror, phong};
 
@@ -113,15 +114,15 @@ fn glossy_samples_follow_their_density_at_length() {
 /// Diffuse samples are uniform in (sin²θ, φ): cosθ/π dω = d(sin²θ) dφ/(2π).
 fn diffuse_findings(name: &str, model: &SurfaceModel, delta: f64, samples: u64) -> Vec<Finding> {
     let normal = Vec3::new(0.48, -0.6, 0.64);
-    let [up, u, v] = Wide::from(normal).frame();
-    let wo = (up * 0.3 + u * 0.9).unit().narrow();
+    let [up, u, v] = frame(DVec3::from(normal));
+    let wo = (up * 0.3 + u * 0.9).normalize().as_vec3();
     let mut sampler = sampler(name);
     let mut counts = Counts::new(2);
     for _ in 0..samples {
         match model.sample(normal, wo, sampler.next_vertex().bsdf) {
             Some(sample) if sample.is_delta => counts.add_other(0),
             Some(sample) => {
-                let [x, y] = [u, v].map(|axis| axis.dot(Wide::from(sample.wi)));
+                let [x, y] = [u, v].map(|axis| axis.dot(DVec3::from(sample.wi)));
                 counts.add([x * x + y * y, y.atan2(x) / std::f64::consts::TAU + 0.5]);
             }
             None => counts.add_other(1),
