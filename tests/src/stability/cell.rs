@@ -104,7 +104,7 @@ impl Kept {
 
     /// The mean of each pixel in one run after 2^`level` passes.
     pub fn picture(&self, run: usize, level: usize) -> Vec<f64> {
-        let n = 2.0_f64.powi(level as i32);
+        let n = f64::from(1_u32 << level);
         self.runs[run][level].iter().map(|sum| sum / n).collect()
     }
 

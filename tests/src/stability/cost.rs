@@ -5,11 +5,12 @@ use std::time::Instant;
 use traylib_integrators::{Chunk, ChunkOutput, Integrator};
 use traylib_scene::Scene;
 
-/// Passes timed together.
-const PASSES: u64 = 32;
+/// Passes are timed together for as long as this, in seconds: the system counts in
+/// ticks of some thousandths.
+const SPAN: f64 = 0.08;
 
-/// Times they are timed; the fastest counts.
-const REPETITIONS: u64 = 8;
+/// Times they are; the one in the middle counts.
+const REPETITIONS: usize = 5;
 
 /// Pixels in a chunk, as in `render`.
 const CHUNK: u32 = 256;
@@ -18,13 +19,18 @@ const CHUNK: u32 = 256;
 /// system tells them, so that other programs do not count.
 pub fn seconds_per_pass(scene: &Scene, column: Column, max_depth: Option<u32>) -> f64 {
     let integrator = column.integrator(max_depth);
-    pass(scene, integrator.as_ref(), 0);
-    let repetition = |number: u64| {
-        let clock = Clock::start();
-        (0..PASSES).for_each(|i| pass(scene, integrator.as_ref(), number * PASSES + i));
-        clock.seconds() / PASSES as f64
+    let mut number = 0;
+    let mut repetition = || {
+        let (clock, first) = (Clock::start(), number);
+        while number == first || clock.wall.elapsed().as_secs_f64() < SPAN {
+            pass(scene, integrator.as_ref(), number);
+            number += 1;
+        }
+        clock.seconds() / (number - first) as f64
     };
-    (0..REPETITIONS).map(repetition).fold(f64::INFINITY, f64::min)
+    let mut times: Vec<f64> = (0..REPETITIONS).map(|_| repetition()).collect();
+    times.sort_by(f64::total_cmp);
+    times[REPETITIONS / 2]
 }
 
 fn pass(scene: &Scene, integrator: &dyn Integrator, pass: u64) {

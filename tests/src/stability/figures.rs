@@ -118,7 +118,7 @@ fn levels(kept: &Kept) -> Vec<Level> {
             variance_of_mean * count as f64 / unit
         };
         let variances = noisy.iter().map(variance).collect();
-        Level { passes: 2.0_f64.powi(level as i32), variances }
+        Level { passes: f64::from(1_u32 << level), variances }
     };
     (FIRST_LEVEL..=kept.last_level()).map(level).collect()
 }
@@ -128,7 +128,7 @@ fn levels(kept: &Kept) -> Vec<Level> {
 fn fireflies(kept: &Kept, reference: &Reference, passes: f64) -> f64 {
     let level = (passes.max(1.0).log2().ceil() as usize).min(kept.last_level());
     let limit = 0.1 * reference.mean();
-    let deviation = |pixel| (kept.variance(pixel) / 2.0_f64.powi(level as i32)).sqrt();
+    let deviation = |pixel| (kept.variance(pixel) / f64::from(1_u32 << level)).sqrt();
     let limits: Vec<f64> =
         (0..reference.pixels.len()).map(|p| (10.0 * deviation(p)).max(limit)).collect();
     let count = |run: usize| {

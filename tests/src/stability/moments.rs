@@ -31,7 +31,7 @@ impl Moments {
 /// Bins an octave.
 const FINENESS: f64 = 8.0;
 /// From 2⁻⁶⁴ to 2⁶⁴.
-const BINS: usize = 1024;
+const BINS: u16 = 1024;
 
 /// How many values of each size there are, and their squares: a histogram with
 /// bins of an eighth of an octave.
@@ -43,7 +43,7 @@ pub struct Energy {
 
 impl Default for Energy {
     fn default() -> Self {
-        Self { count: 0.0, bins: vec![(0.0, 0.0); BINS] }
+        Self { count: 0.0, bins: vec![(0.0, 0.0); usize::from(BINS)] }
     }
 }
 
@@ -52,8 +52,8 @@ impl Energy {
     pub fn add(&mut self, value: f64) {
         self.count += 1.0;
         if value > 0.0 {
-            let bin = (value.log2() * FINENESS) as i64 + BINS as i64 / 2;
-            let bin = &mut self.bins[bin.clamp(0, BINS as i64 - 1) as usize];
+            let bin = value.log2() * FINENESS + f64::from(BINS / 2);
+            let bin = &mut self.bins[bin.clamp(0.0, f64::from(BINS - 1)) as usize];
             bin.0 += 1.0;
             bin.1 += value * value;
         }

@@ -60,6 +60,7 @@ fn table_row(row: &Row) -> Markup {
 fn table_cell(cell: &Judged) -> Markup {
     let mark = match cell.agreement() {
         Agreement::Expected => "",
+        Agreement::Border => " ~",
         Agreement::Corrected(_) => " *",
         Agreement::Disagrees => " — unexpected",
     };

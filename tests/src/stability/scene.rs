@@ -105,7 +105,7 @@ pub const SCENES: [FailureScene; 17] = [
     code("F8p", "1000 points, 999 weak", crowded::points, closed(crowded::points_radiance), &[])
         .passes(64),
     file("F9", "bright room", "f09-bright-room", rendered(Column::Combined), AREA).passes(128),
-    file("F10", "corner", "f10-corner", closed(closed::corner), AREA).passes(256),
+    file("F10", "corner", "f10-corner", closed(closed::corner), AREA).passes(1024),
     code("F12", "bump plate", plate::under_lamp, rendered(Column::Combined), AREA).passes(256),
     code("F12p", "bump plate, point light", plate::under_point, rendered(Column::Trace), &[])
         .passes(256),

@@ -1,11 +1,15 @@
 //! The finished table, and how it is written as text.
 
 use crate::stability::column::Column;
-use crate::stability::expected::{correction, expected};
+use crate::stability::expected::{Expected, correction, expected};
 use crate::stability::figures::Figures;
-use crate::stability::judge::Verdict;
+use crate::stability::judge::{SLOW, Verdict};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
+
+/// Times on a busy machine scatter by about a third; a factor as near as this to
+/// the limit, either way, decides nothing.
+pub const BORDER: f64 = 1.5;
 
 /// One cell, judged.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -31,6 +35,9 @@ pub struct Judged {
 pub enum Agreement {
     /// As expected.
     Expected,
+    /// Ok where slow was expected or the other way round, but too near to the limit
+    /// for noisy times to tell.
+    Border,
     /// As corrected, for this reason.
     Corrected(&'static str),
     /// Neither.
@@ -48,8 +55,19 @@ impl Judged {
                 Agreement::Disagrees
             };
         }
-        let agrees = expected(&self.scene, self.column).is_some_and(|e| e.agrees(&self.verdict));
-        if agrees { Agreement::Expected } else { Agreement::Disagrees }
+        let expected = expected(&self.scene, self.column);
+        if expected.is_some_and(|expected| expected.agrees(&self.verdict)) {
+            Agreement::Expected
+        } else if self.is_at_the_border() && matches!(expected, Some(Expected::Ok | Expected::V)) {
+            Agreement::Border
+        } else {
+            Agreement::Disagrees
+        }
+    }
+
+    fn is_at_the_border(&self) -> bool {
+        let near = |factor: f64| (SLOW / BORDER..SLOW * BORDER).contains(&factor);
+        matches!(self.verdict, Verdict::Ok | Verdict::Slow) && self.factor.is_some_and(near)
     }
 
     /// The verdict, with the factor where it is the point.
@@ -103,6 +121,7 @@ pub fn markdown(cells: &[Judged]) -> String {
 fn marked(cell: &Judged) -> String {
     let mark = match cell.agreement() {
         Agreement::Expected => "",
+        Agreement::Border => " ~",
         Agreement::Corrected(_) => " \\*",
         Agreement::Disagrees => " **!**",
     };
@@ -154,6 +173,7 @@ fn differences(cells: &[Judged]) -> String {
         let place = format!("{} {}", cell.scene, cell.column.name());
         let why = match (cell.agreement(), &cell.verdict) {
             (Agreement::Expected, _) => continue,
+            (Agreement::Border, _) => String::from("too near to 10× to tell"),
             (Agreement::Corrected(reason), _) => reason.to_owned(),
             (Agreement::Disagrees, Verdict::Unsettled(what)) => format!("**unexpected**: {what}"),
             (Agreement::Disagrees, _) => String::from("**unexpected**"),

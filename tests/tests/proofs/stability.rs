@@ -128,7 +128,9 @@ fn what_is_kept_does_not_depend_on_the_order() {
     uniform(3, |u| values.push(1.0 / u));
     let index = |values: &[f64]| {
         let mut largest = Largest::default();
-        values.iter().for_each(|&value| largest.add(value));
+        for &value in values {
+            largest.add(value);
+        }
         largest.tail_index(KEPT)
     };
     let found = index(&values);
@@ -238,19 +240,19 @@ fn sound(rel_mse_per_pass: f64) -> Figures {
     }
 }
 
-fn heavy(figures: Figures) -> Figures {
+fn heavy(rel_mse_per_pass: f64) -> Figures {
     let tail = Some(TailIndex { alpha: Some(1.5), lower: Some(1.3), upper: Some(1.7) });
-    Figures { tail, far_tail: tail, ..figures }
+    Figures { tail, far_tail: tail, ..sound(rel_mse_per_pass) }
 }
 
 /// Blind, then alarm, then slow, then ok; the first that applies.
 #[test]
 fn the_order_of_judgement() {
     let quick = sound(1.0);
-    let nothing = Figures { mean: 0.0, half_width: 0.0, ..heavy(sound(500.0)) };
+    let nothing = Figures { mean: 0.0, half_width: 0.0, ..heavy(500.0) };
     let verdict = |figures: &Figures| judge(figures, Word::Sees, Some(&quick));
     assert_eq!(judge(&nothing, Word::Announced, Some(&quick)), Verdict::Blind);
-    assert_eq!(verdict(&heavy(sound(500.0))), Verdict::Alarm);
+    assert_eq!(verdict(&heavy(500.0)), Verdict::Alarm);
     assert_eq!(verdict(&sound(10.1)), Verdict::Slow);
     assert_eq!(verdict(&sound(9.9)), Verdict::Ok);
     let sparks = |m| Figures { fireflies: 11.0, ..sound(m) };
