@@ -2,7 +2,6 @@
 
 use crate::measure::each_pass;
 use crate::stability::column::Column;
-use crate::stability::cost::seconds_per_pass;
 use crate::stability::moments::{Energy, Moments};
 use crate::stability::reference::{Reference, values};
 use crate::stability::tail::Largest;
@@ -36,7 +35,7 @@ pub struct Kept {
     pub squares: Vec<f64>,
     /// Samples that were not sound numbers.
     pub rejected: u64,
-    /// Of one pass, timed apart from all that is kept here.
+    /// Of one pass, where somebody timed it ([`cost`](crate::stability::cost)).
     pub seconds: f64,
 }
 
@@ -62,7 +61,6 @@ pub fn run(
         kept.rejected += statistics.rejected;
         kept.runs.push(run.checkpoints);
     }
-    kept.seconds = seconds_per_pass(scene, column, max_depth);
     kept
 }
 
