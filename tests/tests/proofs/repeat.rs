@@ -9,7 +9,6 @@ use traylib_integrators::{
 use traylib_math::{Grid, Heuristic};
 use traylib_scene::Scene;
 use traylib_tests::laws::verdict::same_bits;
-use traylib_tests::ledger::settle;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::each_pass;
 use traylib_tests::programs::Program;
