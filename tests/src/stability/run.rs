@@ -2,6 +2,7 @@
 
 use crate::stability::cell::{self, Kept};
 use crate::stability::column::Column;
+use crate::stability::cost::seconds_per_pass;
 use crate::stability::figures::Figures;
 use crate::stability::judge::{Verdict, Word, best, factor, judge};
 use crate::stability::reference::Reference;
@@ -108,8 +109,9 @@ impl Prepared {
         if announced && self.row.has_area_lamps_only() {
             return None;
         }
-        let kept =
+        let mut kept =
             cell::run(&self.scene, &self.reference, column, self.row.max_depth, self.row.passes);
+        kept.seconds = seconds_per_pass(&self.scene, column, self.row.max_depth);
         let speed = kept.seconds * 1e3;
         tell(&format!("{} {}, {speed:.2} ms a pass", self.row.id, column.name()));
         Some(kept)
