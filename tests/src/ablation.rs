@@ -2,7 +2,7 @@
 //!
 //! A batch is a rendering with a seed of its own; batches are independent.
 
-use crate::furnace::{glowing_ball, offset_light_wide};
+use crate::known::furnace::{glowing_ball, offset_light_wide};
 use crate::ledger::Finding;
 use crate::measure::{Case, samples_in_a_pass};
 use crate::statistics::{Interval, mean_interval};

@@ -44,13 +44,17 @@ pub struct Entry {
 /// With everything that does not hold; if there are no findings, for then
 /// nothing was tested; if the file cannot be written.
 pub fn settle(findings: &[Finding]) {
-    assert!(!findings.is_empty(), "nothing was tested");
     if let Some(file) = std::env::var_os(FILE) {
         let mut file = OpenOptions::new().create(true).append(true).open(file).expect(FILE);
         let lines: String = findings.iter().map(line).collect();
         // One write: tests run side by side.
         file.write_all(lines.as_bytes()).expect(FILE);
     }
+    conclude(findings);
+}
+
+fn conclude(findings: &[Finding]) {
+    assert!(!findings.is_empty(), "nothing was tested");
     let wrong: Vec<String> = findings
         .iter()
         .filter(|finding| !finding.holds)
@@ -77,19 +81,19 @@ mod tests {
 
     #[test]
     fn what_holds_passes() {
-        settle(&[finding(true)]);
+        conclude(&[finding(true)]);
     }
 
     #[test]
     #[should_panic(expected = "the sky is blue: 470 nm")]
     fn what_does_not_hold_fails() {
-        settle(&[finding(true), finding(false)]);
+        conclude(&[finding(true), finding(false)]);
     }
 
     #[test]
     #[should_panic(expected = "nothing was tested")]
     fn nothing_is_no_proof() {
-        settle(&[]);
+        conclude(&[]);
     }
 
     #[test]

@@ -85,14 +85,16 @@ fn row(catch: &Catch) -> String {
         Extent::Whole => "tests at length",
     };
     let fewest = outcome.findings.iter().filter(|f| !f.holds).map(|f| f.samples).min();
-    let without = outcome.failed.iter().find(|test| outcome.findings_of(test).next().is_none());
+    let is_silent = |test: &&String| outcome.findings_of(test).next().is_none();
+    let without = outcome.failed.iter().find(is_silent);
     let samples = match (fewest, without) {
         (_, Some(_)) => "none".into(),
         (Some(samples), None) => samples.to_string(),
         (None, None) => "-".into(),
     };
+    let others = outcome.failed.iter().filter(|&test| Some(test) != without);
     let examples: Vec<&str> =
-        without.into_iter().chain(&outcome.failed).take(3).map(String::as_str).collect();
+        without.into_iter().chain(others).take(3).map(String::as_str).collect();
     let tests = outcome.failed.len();
     format!("| {defect:?} | {by} | {tests} | {samples} | {} |\n", examples.join(", "))
 }

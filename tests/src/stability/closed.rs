@@ -1,7 +1,7 @@
 //! Closed forms of the scenes in `scenes/failure`: the radiance seen from a place
 //! in a direction that meets the floor y = 0.
 
-use crate::analytic::corner_factor;
+use crate::known::analytic::corner_factor;
 use std::f64::consts::{FRAC_PI_2, PI};
 use traylib_geometry::Vec3;
 

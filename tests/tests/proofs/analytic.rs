@@ -1,5 +1,5 @@
 //! Direct light against closed forms; what they are and why stands in
-//! `traylib_tests::analytic`.
+//! `traylib_tests::known::analytic`.
 //!
 //! All comparisons here and in `furnace.rs` are one family, for which a correct
 //! renderer raises a false alarm with probability 10⁻³
@@ -9,7 +9,7 @@
 //! spot has 4096 and one over a wide view 1024; and at least 32 passes.
 
 use traylib_integrators::{Settings, Trace};
-use traylib_tests::analytic::{
+use traylib_tests::known::analytic::{
     disk, max_phong_disk, phong_disk, point_light, point_light_wide, sphere, square, square_wide,
 };
 use traylib_tests::measure::{Case, all_hold, each_pass};

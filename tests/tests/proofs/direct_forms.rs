@@ -3,11 +3,11 @@
 //! `traylib_tests::{horizon, polygonal, exchange}`; the comparisons belong to one
 //! family with those of `analytic.rs`.
 
-use traylib_tests::analytic::coincident_lights;
-use traylib_tests::exchange::{disks, opposite_sides};
-use traylib_tests::horizon::cut_sphere;
+use traylib_tests::known::analytic::coincident_lights;
+use traylib_tests::known::exchange::{disks, opposite_sides};
+use traylib_tests::known::horizon::cut_sphere;
+use traylib_tests::known::polygonal::{standing, sunk_pentagon, tilted_triangle};
 use traylib_tests::measure::all_hold;
-use traylib_tests::polygonal::{standing, sunk_pentagon, tilted_triangle};
 use traylib_tests::programs::Program::{
     self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
 };

@@ -6,14 +6,14 @@ use glam::DVec3;
 use traylib_geometry::{Primitive, Ray, Sides, Triangle, Vec3};
 use traylib_integrators::{DirectLight, Integrator, Settings};
 use traylib_math::{Heuristic, Purpose, Sampler, warp};
-use traylib_tests::analytic::phong_disk;
-use traylib_tests::exchange::corner;
-use traylib_tests::hard::{
+use traylib_tests::known::analytic::phong_disk;
+use traylib_tests::known::exchange::corner;
+use traylib_tests::known::hard::{
     bumpy_plate, close_lamp, cube_of_slivers, grazing_light, grazing_view, lit_cube, tiny_lamp,
 };
+use traylib_tests::known::polygonal::standing;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{FAMILY_LEVEL, all_hold, each_pass, pass_means, samples_in_a_pass};
-use traylib_tests::polygonal::standing;
 use traylib_tests::programs::Program::{
     self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
 };

@@ -3,13 +3,13 @@
 //! belong to one family with those of `analytic.rs`.
 
 use traylib_integrators::{Settings, Statistics};
-use traylib_tests::concentric::{Shell, concentric};
+use traylib_tests::known::concentric::{Shell, concentric};
+use traylib_tests::known::rooms::{glossy_ball, room_of_flux};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, judge, pass_means};
 use traylib_tests::programs::Program::{
     self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
 };
-use traylib_tests::rooms::{glossy_ball, room_of_flux};
 
 #[test]
 fn b3_glossy_ball() {

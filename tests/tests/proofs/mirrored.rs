@@ -1,17 +1,17 @@
 //! Light that a mirror throws onto the floor, against closed forms; the scenes
-//! and their truths stand in `traylib_tests::mirrored`. Comparisons of whole
+//! and their truths stand in `traylib_tests::known::mirrored`. Comparisons of whole
 //! pictures belong to one family with those of `analytic.rs`; the 64 blocks of a
 //! picture are a family of their own.
 
 use std::time::Instant;
 use traylib_integrators::{BlindSpot, SceneFacts, Settings, Statistics};
+use traylib_tests::known::mirrored::{
+    NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
+    mirrored_point, mirrored_point_in_a_mirror,
+};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{
     Case, EQUIVALENCE, FAMILY_LEVEL, Measured, each_pass, judge, pass_means, samples_in_a_pass,
-};
-use traylib_tests::mirrored::{
-    NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
-    mirrored_point, mirrored_point_in_a_mirror,
 };
 use traylib_tests::programs::Program::{
     self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,

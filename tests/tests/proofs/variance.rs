@@ -1,5 +1,5 @@
 //! The noise of one sample against its closed form; the derivations stand in
-//! `traylib_tests::variance`.
+//! `traylib_tests::known::variance`.
 //!
 //! A pixel of a spot in one pass is one sample, so a pass has 4096 of them.
 //! Every comparison is held to a level of its own, 10⁻³: with seeds fixed, the
@@ -8,12 +8,12 @@
 
 use traylib_integrators::{DirectLight, Settings};
 use traylib_math::Heuristic;
-use traylib_tests::analytic::disk;
+use traylib_tests::known::analytic::disk;
+use traylib_tests::known::variance::{crossing, of_both, of_light_samples, of_walks};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::each_pass;
 use traylib_tests::programs::Program;
 use traylib_tests::statistics::{Interval, Moments};
-use traylib_tests::variance::{crossing, of_both, of_light_samples, of_walks};
 
 /// Two sides of the normal law, 10⁻³ outside.
 const QUANTILE: f64 = 3.2905;
@@ -45,7 +45,7 @@ impl Method {
     /// Moments of single samples, in units of ρ·Le.
     fn samples(self, radius: f64, passes: u32, seed: u64) -> Moments {
         let case = disk(radius);
-        let unit = case.truth / traylib_tests::variance::mean(radius);
+        let unit = case.truth / traylib_tests::known::variance::mean(radius);
         let integrator = match self {
             Self::Walks => Program::PureMc.integrator(None),
             Self::LightSamples => Program::Strict.integrator(None),

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use traylib_geometry::{Vec2, Vec3};
 use traylib_integrators::Settings;
 use traylib_scene::{Camera, Scene};
-use traylib_tests::furnace::{diffuse_walls, glowing_ball};
+use traylib_tests::known::furnace::{diffuse_walls, glowing_ball};
 use traylib_tests::laws::chi_square::follows;
 use traylib_tests::laws::grid::{Counts, SIDE, even};
 use traylib_tests::laws::verdict::{Known, has_mean, same_bits, within, worse};

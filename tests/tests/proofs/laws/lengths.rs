@@ -8,7 +8,7 @@
 //! out at any number of samples.
 
 use traylib_integrators::{Limits, Roulette, Settings};
-use traylib_tests::furnace::{
+use traylib_tests::known::furnace::{
     central_light, diffuse_walls, glowing_ball, mirroring_walls, offset_light_wide,
 };
 use traylib_tests::laws::verdict::{Known, has_mean};

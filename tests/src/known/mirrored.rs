@@ -7,8 +7,8 @@
 //! seen through the mirror and beside the lamp itself, which is black from
 //! behind and casts a shadow. Paths have three edges.
 
+use crate::known::polygon::{factor, square_at, through};
 use crate::measure::Case;
-use crate::polygon::{factor, square_at, through};
 use crate::scenes::{
     Stage, black, camera, disk_facing_up, floor, lambert, mirror, rectangle, spot,
 };
@@ -26,7 +26,7 @@ const RADIANCE: f64 = 100.0;
 const INTENSITY: f64 = 5.0;
 /// Half-side of the lamp.
 const LAMP: f64 = 0.1;
-/// Half-side of a mirror that cuts nothing off what [`overhead`] shows: the way
+/// Half-side of a mirror that cuts nothing off what the camera sees: the way
 /// from the floor at 1.2 to the far end of the image crosses it at 0.47.
 pub const WIDE_MIRROR: f64 = 0.6;
 /// Half-side of a mirror that cuts off the light of the outer parts of the view,

@@ -1,8 +1,8 @@
 //! A6 and A7: lamps that are polygons, seen from the origin of the floor.
 
-use crate::analytic::from_aside;
+use crate::known::analytic::from_aside;
+use crate::known::polygon::factor;
 use crate::measure::Case;
-use crate::polygon::factor;
 use crate::scenes::{rectangle, triangle};
 use glam::DVec3;
 use std::f64::consts::PI;

@@ -66,7 +66,7 @@ fn edges(corners: &[DVec3]) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analytic::corner_factor;
+    use crate::known::analytic::corner_factor;
 
     fn of_square(x: f64, y: f64, height: f64, half_side: f64) -> f64 {
         factor(DVec3::new(x, y, 0.0), DVec3::Z, &square_at(height, half_side))

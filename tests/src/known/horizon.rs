@@ -1,6 +1,6 @@
 //! A4: a spherical lamp that the horizon cuts.
 
-use crate::analytic::from_aside;
+use crate::known::analytic::from_aside;
 use crate::measure::Case;
 use crate::scenes::ball;
 use std::f64::consts::PI;

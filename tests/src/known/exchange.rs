@@ -56,7 +56,7 @@ pub fn corner() -> Case {
     seen_from_above("D1 corner".into(), lamp, side_below(), truth)
 }
 
-/// The integral of [`corner_factor`](crate::analytic::corner_factor) over a
+/// The integral of [`corner_factor`](crate::known::analytic::corner_factor) over a
 /// square, and what it leaves to the four other sides.
 const OPPOSITE: f64 = 0.199_824_90;
 const ADJACENT: f64 = 0.200_043_78;
@@ -78,9 +78,9 @@ fn seen_from_above(name: String, lamp: Primitive, patch: Primitive, truth: f64) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::polygon::factor;
-    use crate::polygonal::standing_factor;
-    use crate::{analytic::corner_factor, polygon::square_at};
+    use crate::known::polygon::factor;
+    use crate::known::polygonal::standing_factor;
+    use crate::known::{analytic::corner_factor, polygon::square_at};
     use glam::DVec3;
 
     #[test]

@@ -1,6 +1,6 @@
 //! D2 to D11: geometry that hurts, where the answer is known all the same.
 
-use crate::analytic::{from_aside, lit_floor};
+use crate::known::analytic::{from_aside, lit_floor};
 use crate::laws::frame::frame;
 use crate::measure::Case;
 use crate::scenes::{

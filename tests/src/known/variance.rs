@@ -1,7 +1,7 @@
 //! The variance oracle: how noisy one sample must be.
 //!
 //! A diffuse floor under a coaxial disk of radius R at the height 1
-//! ([`disk`](crate::analytic::disk)), in units of ρ·Le: the light that arrives
+//! ([`disk`](crate::known::analytic::disk)), in units of ρ·Le: the light that arrives
 //! from directions with cosine c has the integrand c/π, from c₀ = 1/√(1 + R²) to
 //! 1, and dω = 2π·dc. A walk chooses directions with p_b = c/π, light sampling
 //! points of the disk with 1/(πR²), which is p_l = 1/(πR²c³) per steradian. A
@@ -22,7 +22,7 @@ pub fn of_walks(radius: f64) -> f64 {
     f * (1.0 - f)
 }
 
-/// Of one light sample: E[R⁴c⁸] over the disk is
+/// Of one light sample: the mean of R⁴c⁸ over the disk is
 /// ∫ R⁴c⁸·2r·dr/R² with c² = 1/(1 + r²): R²/3·(1 − (1 + R²)⁻³), less F².
 pub fn of_light_samples(radius: f64) -> f64 {
     let square = radius * radius;
