@@ -64,7 +64,7 @@ pub struct Agreement {
     pub findings: Vec<Finding>,
     /// The probabilities of Welch's test for the tiles at the last look, a list a
     /// program.
-    pub p_values: Vec<Vec<f64>>,
+    pub p_values: Vec<(Program, Vec<f64>)>,
 }
 
 /// Holds programs against `bdpt` on one scene.
@@ -80,10 +80,10 @@ pub fn agree(subject: &Subject<'_>, others: &[Other], budget: &Budget) -> Agreem
         let mut undecided = Vec::new();
         for (other, mut tiles) in open {
             tiles.render(subject, passes * other.passes);
-            let comparison = Comparison::of(subject, &other, &bdpt, &tiles, level);
+            let comparison = Comparison::of(&other, &bdpt, &tiles, level);
             if is_last || comparison.is_decided() {
                 done.findings.push(comparison.finding(subject, &other, &tiles, level));
-                done.p_values.push(comparison.p_values);
+                done.p_values.push((other.program, comparison.p_values));
             } else {
                 undecided.push((other, tiles));
             }
@@ -95,12 +95,22 @@ pub fn agree(subject: &Subject<'_>, others: &[Other], budget: &Budget) -> Agreem
 
 /// Whether the probabilities of all tiles are as even as those of the same
 /// pictures must be: sees a bias that is too small for any one tile.
-pub fn evenness(claim: &str, agreements: &[Agreement], which: usize) -> Finding {
-    let p_values: Vec<f64> =
-        agreements.iter().flat_map(|agreement| agreement.p_values[which].clone()).collect();
+///
+/// Of one program alone: all are held against the same picture of `bdpt`, so
+/// what they find hangs together.
+pub fn evenness(program: Program, agreements: &[Agreement]) -> Finding {
+    let p_values: Vec<f64> = agreements
+        .iter()
+        .flat_map(|agreement| &agreement.p_values)
+        .filter(|(other, _)| *other == program)
+        .flat_map(|(_, p_values)| p_values.iter().copied())
+        .collect();
     let p = uniformity(&p_values);
     Finding {
-        claim: format!("{claim}: Welch's probabilities of {} tiles are even", p_values.len()),
+        claim: format!(
+            "{program:?} and bdpt: Welch's probabilities of {} tiles are even",
+            p_values.len()
+        ),
         statistic: format!("Kolmogorov-Smirnov p = {p:.3}"),
         level: Some(SCENE_LEVEL),
         samples: 0,
@@ -191,13 +201,11 @@ struct Comparison {
 }
 
 impl Comparison {
-    fn of(subject: &Subject<'_>, other: &Other, bdpt: &Tiles, tiles: &Tiles, level: f64) -> Self {
+    fn of(other: &Other, bdpt: &Tiles, tiles: &Tiles, level: f64) -> Self {
         let count = tiles.visible.len();
         let visible: Vec<usize> = (0..count).filter(|&tile| tiles.visible[tile]).collect();
         let is_steady = |&tile: &usize| bdpt.is_steady(tile) && tiles.is_steady(tile);
         let keep: Vec<usize> = visible.iter().copied().filter(is_steady).collect();
-        let program = other.program;
-        assert!(2 * keep.len() >= count, "{}, {program:?}: {} steady", subject.name, keep.len());
         let p_values: Vec<f64> =
             keep.iter().map(|&tile| welch(&bdpt.sample(tile), &tiles.sample(tile))).collect();
         let (a, b) = (bdpt.image(&keep), tiles.image(&keep));
@@ -217,8 +225,13 @@ impl Comparison {
         (self.ratio - 1.0).abs() + self.half_width <= self.promise
     }
 
+    /// Whether half the picture has noise that can be judged.
+    fn sees_enough(&self) -> bool {
+        2 * self.p_values.len() >= self.tiles
+    }
+
     fn is_decided(&self) -> bool {
-        self.refused || self.is_equivalent()
+        self.refused || (self.is_equivalent() && self.sees_enough())
     }
 
     fn finding(&self, subject: &Subject<'_>, other: &Other, tiles: &Tiles, level: f64) -> Finding {
@@ -240,7 +253,7 @@ impl Comparison {
             ),
             level: Some(level),
             samples: passes * samples_in_a_pass(subject.scene),
-            holds: !refused && self.is_equivalent(),
+            holds: !refused && self.is_equivalent() && self.sees_enough(),
         }
     }
 }
