@@ -10,8 +10,8 @@ use traylib_tests::ledger::{Finding, settle};
 const LEVEL: f64 = 1e-5;
 /// A single technique may find its light by rare and bright paths.
 const FAST: Budget = Budget { batches: 16, passes: 12, level: LEVEL, equivalence: 0.15 };
-const LONG_ALONE: Budget = Budget { batches: 32, passes: 192, level: LEVEL, equivalence: 0.02 };
-const LONG_SETS: Budget = Budget { batches: 32, passes: 48, level: LEVEL, equivalence: 0.04 };
+const LONG_ALONE: Budget = Budget { batches: 32, passes: 96, level: LEVEL, equivalence: 0.03 };
+const LONG_SETS: Budget = Budget { batches: 32, passes: 32, level: LEVEL, equivalence: 0.05 };
 
 fn subsets(spectrum: &Spectrum, count: u64, budget: Budget) -> Vec<Finding> {
     (0..count)
