@@ -126,7 +126,7 @@ fn chunks(scene: &Scene, integrator: &dyn Integrator, seed: u64, pass: u64) -> V
 impl Rendering {
     fn add_pass(&mut self, mut outputs: Vec<ChunkOutput>, width: u32, height: u32) {
         let mut image = PassImage::new(width, height);
-        if planted(Defect::SumInAnyOrder) {
+        if planted(Defect::SplatsAsAtomics) {
             let some = std::time::UNIX_EPOCH.elapsed().map_or(0, |time| time.subsec_nanos());
             let places = some as usize % outputs.len();
             outputs.rotate_left(places);

@@ -46,8 +46,8 @@ pub enum Defect {
     PowerByPowf,
     /// Rays start a fixed length off a surface.
     AbsoluteEpsilon,
-    /// Chunks are summed in whatever order.
-    SumInAnyOrder,
+    /// Light is summed in single precision and in whatever order, as atomics do.
+    SplatsAsAtomics,
 }
 
 impl Defect {
@@ -70,7 +70,7 @@ impl Defect {
         Self::DistanceForgotten,
         Self::PowerByPowf,
         Self::AbsoluteEpsilon,
-        Self::SumInAnyOrder,
+        Self::SplatsAsAtomics,
     ];
 }
 

@@ -1,6 +1,6 @@
 //! Where light is gathered.
 
-use traylib_math::{Grid, Rgb};
+use traylib_math::{Defect, Grid, Rgb, planted};
 
 /// One pass over the whole picture: an estimate of the radiance of each pixel,
 /// from its own camera sample and from whatever light paths splatted into it.
@@ -29,6 +29,9 @@ impl PassImage {
         let sum = &mut self.0.values_mut()[pixel as usize];
         for (sum, band) in sum.iter_mut().zip(radiance.to_array()) {
             *sum += f64::from(band);
+            if planted(Defect::SplatsAsAtomics) {
+                *sum = f64::from(*sum as f32);
+            }
         }
     }
 
