@@ -75,6 +75,9 @@ pub fn agree(subject: &Subject<'_>, others: &[Other], budget: &Budget) -> Agreem
     let mut done = Agreement::default();
     let level = SCENE_LEVEL / (budget.looks.len() * others.len()) as f64;
     for (look, &passes) in budget.looks.iter().enumerate() {
+        if open.is_empty() {
+            break;
+        }
         let is_last = look + 1 == budget.looks.len();
         bdpt.render(subject, passes);
         let mut undecided = Vec::new();
