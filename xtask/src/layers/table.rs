@@ -74,6 +74,28 @@ pub(super) const LAYERS: &[Layer] = &[
         ],
     ),
     layer(
+        "traylib-compare",
+        &[
+            "traylib-math",
+            "traylib-geometry",
+            "traylib-materials",
+            "traylib-scene",
+            "traylib-io",
+            "traylib-integrators",
+            "traylib-tests",
+            "base64",
+            "clap",
+            "ctrlc",
+            "image",
+            "indicatif",
+            "maud",
+            "peak_alloc",
+            "plotters",
+            "serde",
+            "serde_json",
+        ],
+    ),
+    layer(
         "xtask",
         &[
             "traylib-math",
