@@ -9,6 +9,7 @@ mod camera;
 mod error;
 mod film;
 mod light;
+mod picture_error;
 mod scene;
 mod surface_point;
 
@@ -17,5 +18,6 @@ pub use camera::{Camera, CameraSettings, Projection};
 pub use error::Error;
 pub use film::{Film, PassImage};
 pub use light::{Emission, Light, LightPoint, PointLight};
+pub use picture_error::{PictureError, error_floor, relative_square_errors};
 pub use scene::{LightChoice, LightDensities, LightId, Scene};
 pub use surface_point::{SurfacePoint, Walk};

@@ -1,0 +1,78 @@
+use super::*;
+
+fn row(pixels: &[[f64; 3]]) -> Grid<[f64; 3]> {
+    Grid::from_values(pixels.len(), 1, pixels.to_vec()).unwrap()
+}
+
+fn close(value: f64, expected: f64) {
+    assert!((value - expected).abs() <= 1e-12 * expected.abs(), "{value} is not {expected}");
+}
+
+#[test]
+fn the_floor_is_a_hundredth_of_the_squared_mean() {
+    close(error_floor(&row(&[[1.0, 2.0, 3.0], [4.0, 0.0, 2.0]])), 0.04);
+    assert_eq!(error_floor(&row(&[[0.0; 3]])), 0.0);
+}
+
+#[test]
+fn figures_follow_their_definitions() {
+    let reference = row(&[[1.0, 2.0, 3.0], [0.0, 0.0, 0.0]]);
+    let picture = row(&[[2.0, 2.0, 1.0], [1.0, 0.0, 0.0]]);
+    let error = PictureError::between(&picture, &reference, 1.0).unwrap();
+    // Squares 1, 0, 4 and 1, 0, 0, over 2, 5, 10 and 1, 1, 1.
+    close(error.mse, 1.0);
+    close(error.rel_mse, (0.5 + 0.4 + 1.0) / 6.0);
+    close(error.smape, (1.0 / 3.0 + 2.0 / 4.0 + 1.0) / 6.0);
+    // Sums 6 and 6.
+    assert_eq!(error.mean_ratio, 1.0);
+    let pixels = relative_square_errors(&picture, &reference, 1.0).unwrap();
+    close(*pixels.get(0, 0), 0.3);
+    close(*pixels.get(1, 0), 1.0 / 3.0);
+}
+
+#[test]
+fn the_ratio_is_that_of_the_means() {
+    let error = PictureError::between(&row(&[[1.0, 1.0, 4.0]]), &row(&[[1.0; 3]]), 1.0).unwrap();
+    close(error.mean_ratio, 2.0);
+}
+
+#[test]
+fn without_a_floor_light_where_none_should_be_is_an_infinite_error() {
+    let black = row(&[[0.0; 3]]);
+    let same = PictureError::between(&black, &black, 0.0).unwrap();
+    let none =
+        PictureError { mse: 0.0, rel_mse: 0.0, trimmed_rel_mse: 0.0, smape: 0.0, mean_ratio: 1.0 };
+    assert_eq!(same, none);
+    let lit = PictureError::between(&row(&[[0.0, 0.5, 0.0]]), &black, 0.0).unwrap();
+    assert_eq!((lit.rel_mse, lit.mean_ratio), (f64::INFINITY, f64::INFINITY));
+    close(lit.smape, 1.0 / 3.0);
+}
+
+#[test]
+fn one_pixel_in_a_thousand_is_trimmed() {
+    let reference = row(&[[1.0; 3]; 2000]);
+    let mut pixels = [[2.0; 3]; 2000];
+    pixels[7] = [1001.0; 3];
+    let error = PictureError::between(&row(&pixels), &reference, 0.0).unwrap();
+    close(error.rel_mse, (1999.0 + 1e6) / 2000.0);
+    close(error.trimmed_rel_mse, 1.0);
+    let few = PictureError::between(&row(&pixels[..999]), &row(&[[1.0; 3]; 999]), 0.0).unwrap();
+    assert_eq!(few.trimmed_rel_mse, few.rel_mse, "of 999 none is left out");
+}
+
+#[test]
+fn other_sizes_and_no_pixels_have_no_error() {
+    let (two, three) = (row(&[[1.0; 3]; 2]), row(&[[1.0; 3]; 3]));
+    assert_eq!(PictureError::between(&two, &three, 0.1), None);
+    assert_eq!(relative_square_errors(&two, &three, 0.1), None);
+    let column = Grid::filled(1, 2, [1.0; 3]);
+    assert_eq!(PictureError::between(&two, &column, 0.1), None);
+    assert_eq!(PictureError::between(&row(&[]), &row(&[]), 0.1), None);
+}
+
+#[test]
+fn a_value_that_is_not_a_number_shows() {
+    let error = PictureError::between(&row(&[[f64::NAN, 1.0, 1.0]]), &row(&[[1.0; 3]]), 0.1);
+    let error = error.unwrap();
+    assert!(error.mse.is_nan() && error.smape.is_nan() && error.mean_ratio.is_nan());
+}
