@@ -50,13 +50,13 @@ fn without_a_floor_light_where_none_should_be_is_an_infinite_error() {
 
 #[test]
 fn one_pixel_in_a_thousand_is_trimmed() {
-    let reference = row(&[[1.0; 3]; 2000]);
-    let mut pixels = [[2.0; 3]; 2000];
+    let all = |value: f64, n: usize| vec![[value; 3]; n];
+    let mut pixels = all(2.0, 2000);
     pixels[7] = [1001.0; 3];
-    let error = PictureError::between(&row(&pixels), &reference, 0.0).unwrap();
+    let error = PictureError::between(&row(&pixels), &row(&all(1.0, 2000)), 0.0).unwrap();
     close(error.rel_mse, (1999.0 + 1e6) / 2000.0);
     close(error.trimmed_rel_mse, 1.0);
-    let few = PictureError::between(&row(&pixels[..999]), &row(&[[1.0; 3]; 999]), 0.0).unwrap();
+    let few = PictureError::between(&row(&pixels[..999]), &row(&all(1.0, 999)), 0.0).unwrap();
     assert_eq!(few.trimmed_rel_mse, few.rel_mse, "of 999 none is left out");
 }
 
