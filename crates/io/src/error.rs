@@ -57,6 +57,20 @@ pub enum Error {
         /// The decoder's reason.
         cause: Box<dyn std::error::Error + Send + Sync>,
     },
+    /// A picture can be read, and which of its channels are its light cannot be
+    /// told.
+    #[error(
+        "{}: no picture found: wanted are channels R, G and B, or Y alone, of one layer or \
+         prefix as beauty.R; it has {}",
+        .file.display(),
+        quoted_list(.channels.iter().map(String::as_str))
+    )]
+    NoLight {
+        /// The file.
+        file: PathBuf,
+        /// The channels that it has, those of a named layer with its name.
+        channels: Vec<String>,
+    },
 }
 
 fn unknown_scene(name: &str, known: &[&str]) -> String {

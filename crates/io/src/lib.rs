@@ -30,4 +30,6 @@ pub use builtin::builtin_names;
 pub use error::{Error, Warning};
 pub use import::MAX_PIXELS;
 pub use load::{LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
-pub use picture::{PictureInfo, check_writable, load_exr, save_picture};
+pub use picture::{
+    ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, open_exr, save_picture,
+};

@@ -7,7 +7,7 @@ mod exr;
 mod png;
 mod replace;
 
-pub use exr::load_exr;
+pub use exr::{ExrChannel, ExrFile, ExrLayer, load_exr, open_exr};
 
 use crate::Error;
 use std::path::Path;

@@ -1,14 +1,18 @@
-//! OpenEXR, 32-bit floats.
+//! OpenEXR: ours are 32-bit floats, others' may be anything.
+
+mod light;
+mod read;
+
+pub use light::load_exr;
+pub use read::{ExrChannel, ExrFile, ExrLayer, open_exr};
 
 use super::PictureInfo;
-use crate::Error;
+use exr::image::Blocks;
 use exr::prelude::{
-    AttributeValue, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder, ReadChannels,
-    ReadLayers, SpecificChannels, Text, Vec2, WritableImage,
+    AttributeValue, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder,
+    SpecificChannels, Text, Vec2, WritableImage,
 };
-use exr::{image::Blocks, prelude::ReadSpecificChannel};
 use std::io::Cursor;
-use std::path::Path;
 use traylib_math::{Grid, Rgb};
 
 type Cause = Box<dyn std::error::Error + Send + Sync>;
@@ -55,33 +59,4 @@ fn attributes(info: &PictureInfo) -> LayerAttributes {
 fn text(value: &str) -> Text {
     let plain = |c: char| u8::try_from(c).map_or('?', char::from);
     Text::new_or_none(value.chars().map(plain).collect::<String>()).unwrap_or_default()
-}
-
-/// Reads the channels R, G and B of the first layer that has them.
-///
-/// # Errors
-/// [`Error::ReadPicture`] if the file cannot be read or has no such layer.
-pub fn load_exr(path: &Path) -> Result<Grid<Rgb>, Error> {
-    decode(path).map_err(|cause| Error::ReadPicture { file: path.to_path_buf(), cause })
-}
-
-fn decode(path: &Path) -> Result<Grid<Rgb>, Cause> {
-    let image = exr::prelude::read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .specific_channels()
-        .required("R")
-        .required("G")
-        .required("B")
-        .collect_pixels(
-            |size, _| Grid::filled(size.width(), size.height(), Rgb::BLACK),
-            |grid, at, (r, g, b): (f32, f32, f32)| {
-                let index = at.y() * grid.width() + at.x();
-                grid.values_mut()[index] = Rgb::new(r, g, b);
-            },
-        )
-        .first_valid_layer()
-        .all_attributes()
-        .from_file(path)?;
-    Ok(image.layer_data.channel_data.pixels)
 }

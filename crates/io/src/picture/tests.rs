@@ -3,13 +3,17 @@ use std::fs;
 use std::path::PathBuf;
 
 /// A folder that is removed at the end.
-struct Folder(PathBuf);
+pub(super) struct Folder(PathBuf);
 
 impl Folder {
-    fn new(test: &str) -> Self {
+    pub(super) fn new(test: &str) -> Self {
         let path = std::env::temp_dir().join(format!("traylib-{}-{test}", std::process::id()));
         fs::create_dir_all(&path).unwrap();
         Self(path)
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.0
     }
 
     fn files(&self) -> Vec<String> {
@@ -105,4 +109,26 @@ fn a_failure_leaves_what_was_there() {
     assert!(save_picture(&path, &nothing, &info()).is_err());
     assert_eq!(fs::read(&path).unwrap(), b"before");
     assert_eq!(folder.files(), ["a.png"]);
+}
+
+/// Cut anywhere, or with any byte of its header changed, a file is read or refused.
+#[test]
+fn damaged_files_are_errors() {
+    let folder = Folder::new("damaged");
+    let path = folder.0.join("a.exr");
+    save_picture(&path, &picture(), &info()).unwrap();
+    let whole = fs::read(&path).unwrap();
+    for length in (0..whole.len()).step_by(97) {
+        fs::write(&path, &whole[..length]).unwrap();
+        let read = load_exr(&path);
+        assert!(matches!(read, Err(Error::ReadPicture { .. })), "{length} bytes: {read:?}");
+    }
+    let mut refused = 0;
+    for (at, change) in (0..900).step_by(5).flat_map(|at| [(at, 0x01), (at, 0xff)]) {
+        let mut bytes = whole.clone();
+        bytes[at] ^= change;
+        fs::write(&path, &bytes).unwrap();
+        refused += u32::from(load_exr(&path).is_err());
+    }
+    assert!(refused > 20, "{refused}");
 }

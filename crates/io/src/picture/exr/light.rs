@@ -1,0 +1,133 @@
+//! Which channels of an EXR file are the picture.
+//!
+//! Every renderer has its own names. A *group* is a set of channels of one layer
+//! whose names begin alike: `R`, `G`, `B` or `ViewLayer.Combined.R` and so on. Its
+//! name is the last word before the band's, or the layer's where there is none.
+
+use super::read::{ExrChannel, ExrFile, ExrLayer, open_exr};
+use crate::Error;
+use std::path::Path;
+use traylib_math::{Grid, Rgb};
+
+/// What programs call the whole picture, in lower case.
+const WHOLE: [&str; 7] = ["", "combined", "beauty", "rgba", "rgb", "color", "image"];
+
+/// Reads the light of an EXR file, in the size of its display window: black where
+/// a layer does not reach, cut where it goes beyond.
+///
+/// It is the first group with R, G and B, or with Y alone, that has no name or one
+/// that says the whole picture, as `beauty`; else the first layer that has them
+/// without a prefix; else the only group that has them.
+///
+/// # Errors
+/// [`Error::ReadPicture`] if the file cannot be read, [`Error::NoLight`] if there
+/// is no such group.
+pub fn load_exr(path: &Path) -> Result<Grid<Rgb>, Error> {
+    let file = open_exr(path)?;
+    let unknown = || Error::NoLight { file: path.to_path_buf(), channels: channel_names(&file) };
+    Ok(picture(&file, &choose(groups(&file)).ok_or_else(unknown)?))
+}
+
+/// The bands of a picture.
+struct Group<'a> {
+    layer: &'a ExrLayer,
+    /// What stands before the names of its channels.
+    prefix: &'a str,
+    bands: [&'a ExrChannel; 3],
+}
+
+impl Group<'_> {
+    fn is_whole(&self) -> bool {
+        let name =
+            if self.prefix.is_empty() { self.layer.name.as_deref() } else { Some(self.prefix) };
+        let name = name.unwrap_or_default();
+        let last = name.rsplit('.').next().unwrap_or_default();
+        WHOLE.contains(&last.to_ascii_lowercase().as_str())
+    }
+}
+
+fn choose(groups: Vec<Group<'_>>) -> Option<Group<'_>> {
+    let whole = groups.iter().position(Group::is_whole);
+    let plain = || groups.iter().position(|group| group.prefix.is_empty());
+    let only = || (groups.len() == 1).then_some(0);
+    let best = whole.or_else(plain).or_else(only)?;
+    groups.into_iter().nth(best)
+}
+
+fn groups(file: &ExrFile) -> Vec<Group<'_>> {
+    file.layers.iter().flat_map(groups_of).collect()
+}
+
+fn groups_of(layer: &ExrLayer) -> Vec<Group<'_>> {
+    let mut prefixes: Vec<&str> = Vec::new();
+    for channel in &layer.channels {
+        let prefix = split(&channel.name).0;
+        if !prefixes.contains(&prefix) {
+            prefixes.push(prefix);
+        }
+    }
+    let group = |prefix| bands(layer, prefix).map(|bands| Group { layer, prefix, bands });
+    prefixes.into_iter().filter_map(group).collect()
+}
+
+/// R, G and B, or three times Y. Y with RY and BY is a picture in colours, of
+/// which Y would be a part.
+fn bands<'a>(layer: &'a ExrLayer, prefix: &str) -> Option<[&'a ExrChannel; 3]> {
+    let band = |wanted: &str| {
+        layer.channels.iter().find(|channel| {
+            let (before, last) = split(&channel.name);
+            before == prefix && last.eq_ignore_ascii_case(wanted) && channel.complete
+        })
+    };
+    match (band("R"), band("G"), band("B"), band("Y")) {
+        (Some(r), Some(g), Some(b), _) => Some([r, g, b]),
+        (None, None, None, Some(y)) if !has_chroma(layer, prefix) => Some([y; 3]),
+        _ => None,
+    }
+}
+
+fn has_chroma(layer: &ExrLayer, prefix: &str) -> bool {
+    layer.channels.iter().map(|channel| split(&channel.name)).any(|(before, last)| {
+        before == prefix && ["RY", "BY"].iter().any(|name| last.eq_ignore_ascii_case(name))
+    })
+}
+
+/// What stands before the last dot, and the name of the band.
+fn split(name: &str) -> (&str, &str) {
+    name.rsplit_once('.').unwrap_or(("", name))
+}
+
+fn picture(file: &ExrFile, group: &Group<'_>) -> Grid<Rgb> {
+    let layer = group.layer;
+    let mut shown = Grid::filled(file.width, file.height, Rgb::BLACK);
+    for y in 0..layer.height {
+        for x in 0..layer.width {
+            let Some(place) = place(file, layer, x, y) else { continue };
+            let [r, g, b] = group.bands.map(|band| band.values[y * layer.width + x]);
+            shown.values_mut()[place] = Rgb::new(r, g, b);
+        }
+    }
+    shown
+}
+
+/// Where a layer's pixel is shown.
+fn place(file: &ExrFile, layer: &ExrLayer, x: usize, y: usize) -> Option<usize> {
+    let [column, row] = [(0, x), (1, y)]
+        .map(|(axis, n)| usize::try_from(layer.at[axis].saturating_add_unsigned(n as u64)).ok());
+    let (column, row) = (column?, row?);
+    (column < file.width && row < file.height).then_some(row * file.width + column)
+}
+
+fn channel_names(file: &ExrFile) -> Vec<String> {
+    let full = |layer: &ExrLayer, channel: &ExrChannel| match &layer.name {
+        Some(layer) => format!("{layer}/{}", channel.name),
+        None => channel.name.clone(),
+    };
+    let names = |layer: &ExrLayer| {
+        layer.channels.iter().map(|channel| full(layer, channel)).collect::<Vec<_>>()
+    };
+    file.layers.iter().flat_map(names).collect()
+}
+
+#[cfg(test)]
+mod tests;
