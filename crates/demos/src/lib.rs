@@ -1,9 +1,11 @@
 //! What the demo programs have in common: options, loading, progress, saving
 //! and the words of every message. Each program names its integrator and its own
-//! options, and nothing more.
+//! options, and nothing more. `film` renders nothing: it looks into pictures and
+//! compares them ([`FilmCommand`]).
 
 mod bug;
 mod duration;
+mod film;
 mod interrupt;
 mod messages;
 mod options;
@@ -12,6 +14,7 @@ mod progress;
 mod run;
 mod technique_pictures;
 
+pub use film::{DiffOptions, FilmCommand, InfoOptions};
 pub use messages::print_notes;
 pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions};
 pub use outcome::Failure;

@@ -16,7 +16,7 @@ impl Failure {
         Self::new(2, message)
     }
 
-    /// A scene could not be read or makes no sense: status 3.
+    /// A scene or a picture could not be read or makes no sense: status 3.
     pub(crate) fn scene(message: impl Display) -> Self {
         Self::new(3, message)
     }
@@ -24,6 +24,11 @@ impl Failure {
     /// Something could not be written, or the system refused: status 4.
     pub(crate) fn output(message: impl Display) -> Self {
         Self::new(4, message)
+    }
+
+    /// Two pictures differ by more than is allowed: status 7.
+    pub(crate) fn different(message: impl Display) -> Self {
+        Self::new(7, message)
     }
 
     /// A bug, which has been told of: status 1.

@@ -64,7 +64,16 @@ pub fn run<I: Integrator>(
     prepare: impl FnOnce(&Scene, Limits) -> Result<I, Failure>,
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> ExitCode {
-    match report_bugs(job.program, || try_run(job, prepare, finish)) {
+    conclude(job.program, || try_run(job, prepare, finish))
+}
+
+/// Does the work of a program, prints what went wrong, a panic included, and
+/// returns the exit status.
+pub(crate) fn conclude(
+    program: &'static str,
+    work: impl FnOnce() -> Result<(), Failure>,
+) -> ExitCode {
+    match report_bugs(program, work) {
         Some(Ok(())) => ExitCode::SUCCESS,
         Some(Err(failure)) => {
             say(&failure);

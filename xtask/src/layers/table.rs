@@ -55,6 +55,7 @@ pub(super) const LAYERS: &[Layer] = &[
             "clap",
             "ctrlc",
             "indicatif",
+            "serde_json",
         ],
     ),
     layer(

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Name and file of every program.
+/// Name and file of every program that renders.
 pub(crate) const PROGRAMS: [(&str, &str); 5] = [
     ("trace", env!("CARGO_BIN_EXE_trace")),
     ("puremc", env!("CARGO_BIN_EXE_puremc")),
@@ -55,7 +55,9 @@ impl Folder {
 
     /// A program that is to run here, with arguments separated by blanks.
     pub(crate) fn command(&self, program: &str, arguments: &str) -> Command {
-        let (_, file) = PROGRAMS.iter().find(|(name, _)| *name == program).unwrap();
+        let film = ("film", env!("CARGO_BIN_EXE_film"));
+        let mut programs = PROGRAMS.into_iter().chain([film]);
+        let (_, file) = programs.find(|(name, _)| *name == program).unwrap();
         let mut command = Command::new(file);
         command.current_dir(&self.0).args(arguments.split_whitespace());
         command

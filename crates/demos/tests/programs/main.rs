@@ -4,6 +4,7 @@
 mod bdpt;
 mod common;
 mod errors;
+mod film;
 #[cfg(unix)]
 mod interrupts;
 mod pictures;

@@ -1,0 +1,31 @@
+//! What picture files hold, and how far two are apart.
+
+use clap::Parser;
+use std::process::ExitCode;
+use traylib_demos::FilmCommand;
+
+const EXAMPLES: &str = "\
+Examples:
+  film info bdpt.exr                             size, channels, how it was made
+  film diff noisy.exr reference.exr              the second is taken for the truth
+  film diff a.exr b.exr --max-relmse 1e-3        status 7 if they differ by more
+
+Light is channels R, G and B, or Y alone: without a prefix, or of a layer named
+as beauty or Combined, or the only ones there are. Pixels that are not finite in
+one of two pictures are left out of all figures and counted.
+
+Ends with 0, 2 if the command line was not understood, 3 if a picture cannot be
+read or sizes differ, 4 if the result cannot be written, 7 if pictures differ by
+more than --max-relmse.";
+
+/// Looks into pictures (.exr) of any renderer and compares them
+#[derive(Parser)]
+#[command(version, max_term_width = 80, after_long_help = EXAMPLES)]
+struct Options {
+    #[command(subcommand)]
+    command: FilmCommand,
+}
+
+fn main() -> ExitCode {
+    Options::parse().command.run()
+}

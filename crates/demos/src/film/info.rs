@@ -1,0 +1,135 @@
+//! `film info`.
+
+use crate::messages::tell;
+use crate::outcome::Failure;
+use clap::Args;
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
+use traylib_io::{ExrChannel, ExrFile, ExrLayer, open_exr};
+
+/// Files to look into.
+#[derive(Args, Clone, Debug)]
+pub struct InfoOptions {
+    /// Pictures, .exr
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+
+    /// Print JSON instead of text; figures that do not exist are null
+    #[arg(long)]
+    pub json: bool,
+}
+
+pub(super) fn info(options: &InfoOptions) -> Result<(), Failure> {
+    if options.json {
+        let files: Result<Vec<Value>, Failure> =
+            options.files.iter().map(|path| Ok(to_json(path, &open_exr(path)?))).collect();
+        return tell(format_args!("{:#}", Value::from(files?)));
+    }
+    options.files.iter().try_for_each(|path| {
+        let file = open_exr(path)?;
+        tell(format_args!("{}: {}x{} pixels", path.display(), file.width, file.height))?;
+        file.layers.iter().flat_map(lines).try_for_each(tell)
+    })
+}
+
+fn lines(layer: &ExrLayer) -> Vec<String> {
+    let ([x, y], width, height) = (layer.at, layer.width, layer.height);
+    let name = layer.name.as_deref().map_or_else(String::new, |name| format!(" {}", plain(name)));
+    let mut lines = vec![format!("  layer{name}: {width}x{height} pixels at {x},{y}")];
+    lines.extend(layer.channels.iter().map(channel_line));
+    let attribute =
+        |(name, value): &(String, String)| format!("    {} = {}", plain(name), plain(value));
+    lines.extend(layer.attributes.iter().map(attribute));
+    lines
+}
+
+/// Text of a file, which is to stay on its line.
+fn plain(text: &str) -> String {
+    text.replace(char::is_control, " ")
+}
+
+fn channel_line(channel: &ExrChannel) -> String {
+    let found = Summary::of(&channel.values);
+    let range = found.range.map_or_else(
+        || "no finite value".into(),
+        |[mean, min, max]| format!("mean {mean:.4e}, min {min:.4e}, max {max:.4e}"),
+    );
+    let Summary { not_finite, negative, .. } = found;
+    let (name, kind) = (plain(&channel.name), channel.kind);
+    format!("    {name} {kind}: {range}; {not_finite} not finite, {negative} negative")
+}
+
+/// What the values of a channel are like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Summary {
+    /// Mean, least and greatest of those that are finite, if any is.
+    range: Option<[f64; 3]>,
+    not_finite: usize,
+    negative: usize,
+}
+
+impl Summary {
+    fn of(values: &[f32]) -> Self {
+        let finite = || values.iter().filter(|value| value.is_finite()).map(|&x| f64::from(x));
+        let count = finite().count();
+        let range = (count > 0).then(|| {
+            let mean = finite().sum::<f64>() / count as f64;
+            [
+                mean,
+                finite().fold(f64::INFINITY, f64::min),
+                finite().fold(f64::NEG_INFINITY, f64::max),
+            ]
+        });
+        let negative = values.iter().filter(|&&value| value < 0.0).count();
+        Self { range, not_finite: values.len() - count, negative }
+    }
+}
+
+fn to_json(path: &Path, file: &ExrFile) -> Value {
+    json!({
+        "file": path.to_string_lossy(),
+        "width": file.width,
+        "height": file.height,
+        "layers": file.layers.iter().map(layer_json).collect::<Vec<_>>(),
+    })
+}
+
+fn layer_json(layer: &ExrLayer) -> Value {
+    let attributes = layer.attributes.iter().cloned().map(|(name, text)| (name, text.into()));
+    json!({
+        "name": layer.name,
+        "at": layer.at,
+        "width": layer.width,
+        "height": layer.height,
+        "channels": layer.channels.iter().map(channel_json).collect::<Vec<_>>(),
+        "attributes": attributes.collect::<Map<String, Value>>(),
+    })
+}
+
+fn channel_json(channel: &ExrChannel) -> Value {
+    let Summary { range, not_finite, negative } = Summary::of(&channel.values);
+    let [mean, min, max] = range.map_or([None; 3], |range| range.map(Some));
+    json!({
+        "name": channel.name,
+        "kind": channel.kind,
+        "mean": mean,
+        "min": min,
+        "max": max,
+        "not_finite": not_finite,
+        "negative": negative,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_finite_values_have_a_mean() {
+        let found = Summary::of(&[1.0, f32::NAN, -3.0, f32::NEG_INFINITY, 5.0]);
+        let expected = Summary { range: Some([1.0, -3.0, 5.0]), not_finite: 2, negative: 2 };
+        assert_eq!(found, expected);
+        let nothing = Summary { range: None, not_finite: 1, negative: 0 };
+        assert_eq!(Summary::of(&[f32::NAN]), nothing);
+    }
+}
