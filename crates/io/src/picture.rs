@@ -8,6 +8,7 @@ mod png;
 mod replace;
 
 pub use exr::{ExrChannel, ExrFile, ExrLayer, load_exr, open_exr};
+pub use png::screen_rgb;
 
 use crate::Error;
 use std::path::Path;

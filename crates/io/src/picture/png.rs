@@ -9,15 +9,18 @@ use traylib_math::{Grid, Rgb};
 type Cause = Box<dyn Error + Send + Sync>;
 
 pub(super) fn encode(radiance: &Grid<Rgb>, exposure: f32) -> Result<Vec<u8>, Cause> {
-    let pixels: Vec<u8> = radiance
-        .values()
-        .iter()
-        .flat_map(|&light| (light * exposure).to_array().map(screen_byte))
-        .collect();
+    let pixels: Vec<u8> =
+        radiance.values().iter().flat_map(|&light| screen_rgb(light, exposure)).collect();
     let (width, height) = (u32::try_from(radiance.width())?, u32::try_from(radiance.height())?);
     let mut bytes = Vec::new();
     PngEncoder::new(&mut bytes).write_image(&pixels, width, height, ExtendedColorType::Rgb8)?;
     Ok(bytes)
+}
+
+/// Red, green and blue as a screen shows radiance: times the exposure, clipped to
+/// [0, 1], sRGB curve (IEC 61966-2-1), 8 bits a channel.
+pub fn screen_rgb(radiance: Rgb, exposure: f32) -> [u8; 3] {
+    (radiance * exposure).to_array().map(screen_byte)
 }
 
 /// The byte that a screen shows as this linear value: clipped to [0, 1], sRGB
