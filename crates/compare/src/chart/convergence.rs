@@ -1,0 +1,116 @@
+//! The main chart: error against time.
+
+use crate::chart::axis::{Decades, drawable};
+use crate::chart::canvas::{Failed, svg, text};
+use crate::chart::colour::{INK, MUTED};
+use crate::chart::crossings::crossings;
+use crate::chart::marker::DIAMOND;
+use crate::chart::palette::{Look, Palette};
+use crate::chart::plot::{Plot, Stroke};
+use crate::results::{MethodResults, Point, SceneResults};
+use maud::Markup;
+use plotters::style::text_anchor::{HPos, VPos};
+
+const HEIGHT: u32 = 860;
+const BIG: f64 = 9.0;
+const SMALL: f64 = 6.0;
+
+/// Error against seconds, a line each method.
+pub(crate) fn convergence(scene: &SceneResults, palette: &Palette) -> Markup {
+    let label = format!("Error against time on {}, both logarithmic, a line each method", scene.name);
+    svg(&label, HEIGHT, |area| {
+        let (x, y) = axes(scene);
+        let targets = targets_within(scene, &y);
+        let plot = Plot::new(area, (x.clone(), "seconds"), (y, "relMSE"))?;
+        crossings(&plot, scene, palette, &targets, &x)?;
+        guide(&plot, scene, &x)?;
+        for method in &scene.methods {
+            band(&plot, method, palette.look(&method.name))?;
+        }
+        for method in &scene.methods {
+            lines(&plot, method, palette.look(&method.name))?;
+        }
+        outside(&plot, scene)
+    })
+}
+
+fn axes(scene: &SceneResults) -> (Decades, Decades) {
+    let drawn = || scene.methods.iter().flat_map(|m| own(m).chain(averaged(m)));
+    let outside = || scene.outside.iter().filter(|o| drawable(o.error) && drawable(o.seconds));
+    let seconds = drawn().map(|p| p.seconds).chain(outside().map(|o| o.seconds));
+    let errors = drawn().flat_map(|p| [p.error.value, p.high]).chain(outside().map(|o| o.error));
+    (Decades::around(seconds), Decades::around(errors))
+}
+
+/// Errors that somebody asked for and that the chart shows, largest first.
+fn targets_within(scene: &SceneResults, y: &Decades) -> Vec<f64> {
+    let all = scene.methods.iter().flat_map(|m| &m.targets).map(|target| target.error);
+    let mut shown: Vec<f64> = all.filter(|&error| y.holds(error)).collect();
+    shown.sort_by(|a, b| b.total_cmp(a));
+    shown.dedup();
+    shown
+}
+
+fn visible(point: &&Point) -> bool {
+    drawable(point.seconds) && drawable(point.error.value)
+}
+
+fn own(method: &MethodResults) -> impl Iterator<Item = &Point> {
+    method.points.iter().filter(visible)
+}
+
+fn averaged(method: &MethodResults) -> impl Iterator<Item = &Point> {
+    method.budgets.iter().filter(|point| point.averaged > 1).filter(visible)
+}
+
+fn xy(point: &Point) -> (f64, f64) {
+    (point.seconds, point.error.value)
+}
+
+fn band(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), Failed> {
+    let edge = |of: fn(&Point) -> f64| -> Vec<(f64, f64)> {
+        own(method).map(|point| (point.seconds, of(point))).collect()
+    };
+    plot.band(&edge(|point| point.low), &edge(|point| point.high), look.colour())
+}
+
+fn lines(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), Failed> {
+    let main: Vec<_> = own(method).map(xy).collect();
+    let longer: Vec<_> = main.last().copied().into_iter().chain(averaged(method).map(xy)).collect();
+    let stroke = if method.biased { Stroke::Dashed(14) } else { Stroke::Solid };
+    plot.line(&main, look.colour(), 4, stroke)?;
+    plot.line(&longer, look.colour(), 3, Stroke::Dashed(4))?;
+    for point in own(method) {
+        plot.marker(xy(point), look.mark(), BIG, point.solid)?;
+    }
+    for point in averaged(method) {
+        plot.marker(xy(point), look.mark(), SMALL, point.solid)?;
+    }
+    Ok(())
+}
+
+/// Error ∝ 1/time, through the last solid point of the best method.
+fn guide(plot: &Plot<'_, '_>, scene: &SceneResults, x: &Decades) -> Result<(), Failed> {
+    let best = scene.methods.iter().find(|method| method.name == scene.verdict.best);
+    let Some((seconds, error)) = best.and_then(|m| own(m).filter(|p| p.solid).last()).map(xy)
+    else {
+        return Ok(());
+    };
+    let (low, high) = plot.y_ends();
+    let ends = x.ends();
+    // No further than the chart, or clamping would bend the line.
+    let from = ends.0.max(error * seconds / high);
+    let to = ends.1.min(error * seconds / low);
+    let along = [from, to].map(|t| (t, error * seconds / t));
+    plot.line(&along, MUTED, 2, Stroke::Solid)
+}
+
+fn outside(plot: &Plot<'_, '_>, scene: &SceneResults) -> Result<(), Failed> {
+    let drawn = |o: &&crate::results::OutsidePoint| drawable(o.error) && drawable(o.seconds);
+    for point in scene.outside.iter().filter(drawn) {
+        let (x, y) = plot.place((point.seconds, point.error));
+        plot.marker((point.seconds, point.error), (DIAMOND, INK), BIG + 2.0, point.solid)?;
+        text(plot.area(), &point.name, (x + 18, y), (HPos::Left, VPos::Center), INK)?;
+    }
+    Ok(())
+}

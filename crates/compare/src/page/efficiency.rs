@@ -1,0 +1,137 @@
+//! What an error costs, and why.
+
+use crate::chart::{Bar, Baseline, Palette, bars};
+use crate::page::legend;
+use crate::page::number::{bytes, interval, percent, prefixed, seconds, short};
+use crate::results::{Estimate, MethodResults, SceneResults};
+use maud::{Markup, html};
+
+/// Bars of efficiency, bars of its two factors, and a table of both.
+pub(crate) fn efficiency(scene: &SceneResults, palette: &Palette) -> Markup {
+    let best = scene.methods.iter().find(|method| method.name == scene.verdict.best);
+    let rows = |of: &dyn Fn(&MethodResults) -> Estimate| -> Vec<Bar> {
+        scene.methods.iter().map(|method| bar(method, of(method), palette)).collect()
+    };
+    let per = |what: &str| format!("{what} of {}", scene.verdict.best);
+    html! {
+        h3 { "Efficiency" }
+        figure {
+            div.chart {
+                (bars(
+                    &format!("Efficiency on {} relative to the best, logarithmic", scene.name),
+                    "1/(error × seconds), best = 1",
+                    &rows(&|method| inverse(method.cost_ratio)),
+                    Baseline::Left,
+                ))
+            }
+            @if let Some(best) = best {
+                div.pair {
+                    div.chart {
+                        (bars(
+                            "Error of a pass relative to the best's, logarithmic",
+                            &per("error of a pass over that"),
+                            &rows(&|m| over(m.error_per_pass, best.error_per_pass.value)),
+                            Baseline::One,
+                        ))
+                    }
+                    div.chart {
+                        (bars(
+                            "Seconds of a pass relative to the best's, logarithmic",
+                            &per("time of a pass over that"),
+                            &rows(&|m| over(m.seconds_per_pass, best.seconds_per_pass.value)),
+                            Baseline::One,
+                        ))
+                    }
+                }
+            }
+            figcaption {
+                "Above: how much less a given error costs than elsewhere; longer is better, and \
+                 the intervals of all methods hold together with 95 %. Below, why: a method is \
+                 slow because a pass is noisy (left) or because a pass takes long (right); bars \
+                 to the left of one are better than the best. Noise alone, without the light that \
+                 a method loses."
+            }
+        }
+        (costs(scene, palette))
+        (metrics(scene, palette))
+    }
+}
+
+fn bar(method: &MethodResults, estimate: Estimate, palette: &Palette) -> Bar {
+    let colour = palette.look(&method.name).colour();
+    Bar { name: method.name.clone(), colour, estimate, words: short(estimate.value) }
+}
+
+fn inverse(Estimate { value, low, high }: Estimate) -> Estimate {
+    Estimate { value: 1.0 / value, low: 1.0 / high, high: 1.0 / low }
+}
+
+fn over(Estimate { value, low, high }: Estimate, divisor: f64) -> Estimate {
+    Estimate { value: value / divisor, low: low / divisor, high: high / divisor }
+}
+
+fn costs(scene: &SceneResults, palette: &Palette) -> Markup {
+    html! {
+        div.scroll {
+            table {
+                caption { "Costs: intervals of 95 %; time of a pass as median and range" }
+                thead { tr {
+                    th scope="col" { "method" } th scope="col" { "cost over the best's" }
+                    th scope="col" { "error a pass" } th scope="col" { "time a pass" }
+                    th scope="col" { "rays a second" } th scope="col" { "rays a pass: camera" }
+                    th scope="col" { "bounce" } th scope="col" { "shadow" }
+                    th scope="col" { "peak memory" }
+                } }
+                tbody { @for method in &scene.methods { tr {
+                    th scope="row" { (legend::name(palette, &method.name)) }
+                    td { (interval(method.cost_ratio)) }
+                    td { (interval(method.error_per_pass)) }
+                    td { (pass(method.seconds_per_pass)) }
+                    td { (prefixed(method.rays.per_second)) }
+                    td { (prefixed(method.rays.camera)) }
+                    td { (prefixed(method.rays.bounce)) }
+                    td { (prefixed(method.rays.shadow)) }
+                    td { (bytes(method.peak_bytes)) }
+                } } }
+            }
+        }
+    }
+}
+
+fn pass(Estimate { value, low, high }: Estimate) -> String {
+    format!("{} ({} – {})", seconds(value), seconds(low), seconds(high))
+}
+
+fn metrics(scene: &SceneResults, palette: &Palette) -> Markup {
+    html! {
+        div.scroll {
+            table {
+                caption { "Pictures after the longest budget: means over the runs" }
+                thead { tr {
+                    th scope="col" { "method" } th scope="col" { "relMSE" }
+                    th scope="col" { "without the worst 0.1 %" } th scope="col" { "SMAPE" }
+                    th scope="col" { "brightness" } th scope="col" { "in standard errors" }
+                    th scope="col" { "share of noise in the error" }
+                } }
+                tbody { @for method in &scene.methods { @let m = method.metrics; tr {
+                    th scope="row" { (legend::name(palette, &method.name)) }
+                    td { (short(m.rel_mse)) }
+                    td { (short(m.trimmed_rel_mse)) }
+                    td { (short(m.smape)) }
+                    td { (signed(m.bias)) }
+                    td { (z(m.bias_z)) }
+                    td { (percent(m.noise_share)) }
+                } } }
+            }
+        }
+    }
+}
+
+fn signed(share: f64) -> String {
+    format!("{}{}", if share > 0.0 { "+" } else { "" }, percent(share))
+}
+
+/// One digit behind the point: nobody needs more, and zero is zero.
+fn z(value: f64) -> String {
+    if value.is_finite() { format!("{value:+.1}").replace('-', "−") } else { "–".into() }
+}

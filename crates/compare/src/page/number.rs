@@ -1,0 +1,147 @@
+//! Numbers as people read them.
+
+use crate::results::Estimate;
+
+/// What stands where a number does not exist.
+const NONE: &str = "–";
+
+/// An exponent in raised digits.
+pub(crate) fn superscript(exponent: i32) -> String {
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => char::from_u32(u32::from(digit) - u32::from('0') + u32::from('⁰')).unwrap_or(c),
+    };
+    exponent.to_string().chars().map(raised).collect()
+}
+
+/// A number with so many digits that matter: `0.0123`, `1.23·10⁻⁵`.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return NONE.into();
+    }
+    if value == 0.0 {
+        return "0".into();
+    }
+    let digits = digits.max(1) - 1;
+    // Rounded first, or 9.996 would be 10.00.
+    let scientific = format!("{value:.digits$e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let text = if (-3..5).contains(&exponent) {
+        let decimals = (digits as i32 - exponent).max(0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{mantissa}·10{}", superscript(exponent))
+    };
+    text.replace('-', "−")
+}
+
+/// Three digits.
+pub(crate) fn short(value: f64) -> String {
+    significant(value, 3)
+}
+
+/// `1.23 (1.10–1.40)`; the number alone where it has no interval.
+pub(crate) fn interval(Estimate { value, low, high }: Estimate) -> String {
+    if low >= high {
+        return short(value);
+    }
+    format!("{} ({}–{})", short(value), short(low), short(high))
+}
+
+/// Seconds with a unit that suits them: `3.4 ms`, `12 s`, `1.5 h`.
+pub(crate) fn seconds(seconds: f64) -> String {
+    if !seconds.is_finite() {
+        return NONE.into();
+    }
+    let (unit, name) = unit(seconds);
+    format!("{} {name}", significant(seconds / unit, 2))
+}
+
+/// `12 s (10–15)`, all three in the unit of the first.
+pub(crate) fn seconds_interval(Estimate { value, low, high }: Estimate) -> String {
+    if !value.is_finite() || low >= high {
+        return seconds(value);
+    }
+    let unit = unit(value).0;
+    let [low, high] = [low, high].map(|end| significant(end / unit, 2));
+    format!("{} ({low}–{high})", seconds(value))
+}
+
+fn unit(seconds: f64) -> (f64, &'static str) {
+    match seconds {
+        s if s < 1e-3 => (1e-6, "µs"),
+        s if s < 0.995 => (1e-3, "ms"),
+        s if s < 120.0 => (1.0, "s"),
+        s if s < 7200.0 => (60.0, "min"),
+        s if s < 172_800.0 => (3600.0, "h"),
+        _ => (86_400.0, "d"),
+    }
+}
+
+/// Bytes in kB, MB, GB of a thousand.
+pub(crate) fn bytes(bytes: u64) -> String {
+    format!("{}B", prefixed(bytes as f64))
+}
+
+/// A number with k, M or G behind a blank that does not break.
+pub(crate) fn prefixed(value: f64) -> String {
+    let (unit, name) = match value.abs() {
+        v if v >= 1e9 => (1e9, "G"),
+        v if v >= 1e6 => (1e6, "M"),
+        v if v >= 1e3 => (1e3, "k"),
+        _ => (1.0, ""),
+    };
+    format!("{}\u{a0}{name}", short(value / unit))
+}
+
+/// A share as per cent.
+pub(crate) fn percent(share: f64) -> String {
+    if share.is_finite() { format!("{}\u{a0}%", significant(100.0 * share, 2)) } else { NONE.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_that_matter() {
+        let cases = [
+            (0.012_345, "0.0123"),
+            (9.996, "10.0"),
+            (123_456.0, "1.23·10⁵"),
+            (-1.5e-12, "−1.50·10⁻¹²"),
+            (0.0, "0"),
+            (f64::NAN, "–"),
+            (f64::INFINITY, "–"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(short(value), text);
+        }
+    }
+
+    #[test]
+    fn times_have_a_unit() {
+        let cases = [(2.5e-7, "0.25 µs"), (0.0123, "12 ms"), (99.6, "100 s"), (600.0, "10 min")];
+        for (value, text) in cases {
+            assert_eq!(seconds(value), text);
+        }
+        let estimate = Estimate { value: 12.0, low: 10.0, high: 15.0 };
+        assert_eq!(seconds_interval(estimate), "12 s (10–15)");
+        assert_eq!(seconds_interval(Estimate { value: f64::INFINITY, ..estimate }), "–");
+    }
+
+    #[test]
+    fn one_has_no_interval() {
+        assert_eq!(interval(Estimate { value: 1.0, low: 1.0, high: 1.0 }), "1.00");
+    }
+
+    #[test]
+    fn sizes_and_shares() {
+        assert_eq!(bytes(1_500_000), "1.50\u{a0}MB");
+        assert_eq!(percent(0.1234), "12\u{a0}%");
+    }
+}

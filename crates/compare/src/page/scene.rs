@@ -1,0 +1,54 @@
+//! Everything about one scene.
+
+use crate::chart::Palette;
+use crate::page::number::{prefixed, short};
+use crate::page::{efficiency, pictures, settings, speed, stability, techniques};
+use crate::pictures::ScenePictures;
+use crate::results::SceneResults;
+use maud::{Markup, html};
+
+/// The name of a scene's place on the page.
+pub(crate) fn anchor(index: usize) -> String {
+    format!("scene-{}", index + 1)
+}
+
+/// The section of a scene.
+pub(crate) fn scene(
+    index: usize,
+    found: &SceneResults,
+    pictures: Option<&ScenePictures>,
+    palette: &Palette,
+) -> Markup {
+    html! {
+        section.scene id=(anchor(index)) {
+            h2 { (found.name) }
+            p.facts { (facts(found)) }
+            p.verdict { (found.verdict.sentence) }
+            (speed::speed(found, palette))
+            (efficiency::efficiency(found, palette))
+            (settings::settings(found, palette))
+            (techniques::techniques(found, pictures))
+            @if let Some(pictures) = pictures {
+                (pictures::pictures(index, found, pictures, palette))
+            }
+            (stability::stability(found, palette))
+        }
+    }
+}
+
+fn facts(scene: &SceneResults) -> String {
+    format!(
+        "{} × {} pixels · {} · {} · {} · ε = {}",
+        scene.width,
+        scene.height,
+        counted(scene.primitives, "primitive"),
+        counted(scene.area_lights, "area light"),
+        counted(scene.point_lights, "point light"),
+        short(scene.epsilon),
+    )
+}
+
+fn counted(count: u64, what: &str) -> String {
+    let number = if count < 10_000 { count.to_string() } else { prefixed(count as f64) };
+    format!("{number} {what}{}", if count == 1 { "" } else { "s" })
+}

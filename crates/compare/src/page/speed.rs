@@ -1,0 +1,67 @@
+//! Error against time.
+
+use crate::chart::{Palette, convergence};
+use crate::page::legend;
+use crate::page::number::{seconds_interval, short};
+use crate::results::{MethodResults, SceneResults, Target};
+use maud::{Markup, html};
+
+const CAPTION: &str = "relMSE against seconds of rendering, both logarithmic. A marker at each \
+    power of two of passes; the band holds nine runs in ten. Dotted, with small markers: runs \
+    averaged, as a longer run would be. Dashed: the method loses some light however long it \
+    renders. Hollow: the reference is too noisy here to tell. The thin straight line falls as \
+    1/time, as noise does, through the last sure point of the best method. Level lines are the \
+    errors asked for, with a tick and the time where a method reaches them.";
+
+/// The main chart, with the times to the errors that were asked for below.
+pub(crate) fn speed(scene: &SceneResults, palette: &Palette) -> Markup {
+    html! {
+        h3 { "Error against time" }
+        figure.main-chart {
+            (legend::legend(scene, palette))
+            div.chart { (convergence(scene, palette)) }
+            figcaption { (CAPTION) }
+        }
+        (times(scene, palette))
+    }
+}
+
+fn times(scene: &SceneResults, palette: &Palette) -> Markup {
+    let errors = errors(scene);
+    if errors.is_empty() {
+        return html! {};
+    }
+    html! {
+        div.scroll {
+            table {
+                caption { "Time to reach an error, with its 95 % interval" }
+                thead { tr {
+                    th scope="col" { "method" }
+                    @for error in &errors { th scope="col" { "relMSE " (short(*error)) } }
+                } }
+                tbody { @for method in &scene.methods { tr {
+                    th scope="row" { (legend::name(palette, &method.name)) }
+                    @for &error in &errors { td { (time(method, error)) } }
+                } } }
+            }
+        }
+    }
+}
+
+/// All errors asked for, largest first.
+fn errors(scene: &SceneResults) -> Vec<f64> {
+    let all = scene.methods.iter().flat_map(|method| &method.targets);
+    let mut errors: Vec<f64> = all.map(|target| target.error).collect();
+    errors.sort_by(|a, b| b.total_cmp(a));
+    errors.dedup();
+    errors
+}
+
+fn time(method: &MethodResults, error: f64) -> String {
+    match method.targets.iter().find(|target| target.error == error) {
+        Some(Target { seconds: Some(seconds), .. }) => seconds_interval(*seconds),
+        Some(_) if method.blind.is_empty() => "never".into(),
+        Some(_) => "blind".into(),
+        None => "–".into(),
+    }
+}

@@ -1,0 +1,56 @@
+//! How steady each method is, and what it cannot see.
+
+use crate::chart::Palette;
+use crate::page::legend;
+use crate::page::number::{interval, short};
+use crate::results::{MethodResults, SceneResults, Stability};
+use maud::{Markup, html};
+
+/// Red boxes for blind methods, then the figures of all.
+pub(crate) fn stability(scene: &SceneResults, palette: &Palette) -> Markup {
+    html! {
+        h3 { "Stability" }
+        @for method in scene.methods.iter().filter(|method| !method.blind.is_empty()) {
+            (blind(method, palette))
+        }
+        div.scroll { table {
+            caption { "Steadiness over runs, after the longest budget" }
+            thead { tr {
+                th scope="col" { "method" } th scope="col" { "tail index (95 %)" }
+                th scope="col" { "variance" } th scope="col" { "fireflies a megapixel" }
+                th scope="col" { "worst run over median" } th scope="col" { "samples left out" }
+            } }
+            tbody { @for method in &scene.methods { (row(method, palette)) } }
+        } }
+        p.note {
+            "A tail index below 2 means that single samples are so large, so often, that no \
+             variance exists: error bars are void and averages do not settle. A firefly is a \
+             pixel off by more than ten deviations and a tenth of the mean. Samples left out \
+             were negative or not finite."
+        }
+    }
+}
+
+fn blind(method: &MethodResults, palette: &Palette) -> Markup {
+    html! {
+        div.box.blind role="note" {
+            b { (legend::name(palette, &method.name)) " is blind here." }
+            " It cannot produce, however long it renders:"
+            ul { @for light in &method.blind { li { (light) } } }
+        }
+    }
+}
+
+fn row(method: &MethodResults, palette: &Palette) -> Markup {
+    let Stability { tail, alarm, fireflies, worst_over_median, rejected } = method.stability;
+    html! {
+        tr {
+            th scope="row" { (legend::name(palette, &method.name)) }
+            td { @match tail { Some(tail) => (interval(tail)), None => "no tail" } }
+            td.alarm[alarm] { @if alarm { "alarm: infinite" } @else { "finite" } }
+            td { (short(fireflies)) }
+            td { (short(worst_over_median)) }
+            td.alarm[rejected > 0] { (rejected) }
+        }
+    }
+}
