@@ -12,10 +12,11 @@
 //! | C1 to C4: light that a mirror throws | [`mirrored`] |
 //! | D1: the corner; what whole surfaces send one another | [`exchange`] |
 //! | D2 to D11: geometry that hurts | [`hard`] |
-//! | the noise of A2 | [`variance`] |
+//! | the noise of A2 | [`variance`], measured by [`estimators`] |
 
 pub mod analytic;
 pub mod concentric;
+pub mod estimators;
 pub mod exchange;
 pub mod furnace;
 pub mod hard;

@@ -1,6 +1,5 @@
 //! What a pass costs.
 
-use crate::stability::column::Column;
 use std::time::Instant;
 use traylib_integrators::{Chunk, ChunkOutput, Integrator};
 use traylib_scene::Scene;
@@ -17,20 +16,46 @@ const CHUNK: u32 = 256;
 
 /// Seconds of one pass, without film and reports: of the processor, where the
 /// system tells them, so that other programs do not count.
-pub fn seconds_per_pass(scene: &Scene, column: Column, max_depth: Option<u32>) -> f64 {
-    let integrator = column.integrator(max_depth);
+pub fn seconds_per_pass(scene: &Scene, integrator: &dyn Integrator) -> f64 {
+    let times = interleaved(scene, &[integrator], SPAN, REPETITIONS);
+    median(times.into_iter().flatten().collect())
+}
+
+/// Seconds of one pass of each of these, as often as `repetitions` says, in turns:
+/// what makes the machine slower for a while does so for all. Each time is that of
+/// as many passes as fill `span` seconds.
+pub fn interleaved(
+    scene: &Scene,
+    integrators: &[&dyn Integrator],
+    span: f64,
+    repetitions: usize,
+) -> Vec<Vec<f64>> {
+    let mut times = vec![Vec::new(); integrators.len()];
     let mut number = 0;
-    let mut repetition = || {
-        let (clock, first) = (Clock::start(), number);
-        while number == first || clock.wall.elapsed().as_secs_f64() < SPAN {
-            pass(scene, integrator.as_ref(), number);
-            number += 1;
+    for _ in 0..repetitions {
+        for (times, &integrator) in times.iter_mut().zip(integrators) {
+            times.push(repetition(scene, integrator, span, &mut number));
         }
-        clock.seconds() / (number - first) as f64
-    };
-    let mut times: Vec<f64> = (0..REPETITIONS).map(|_| repetition()).collect();
-    times.sort_by(f64::total_cmp);
-    times[REPETITIONS / 2]
+    }
+    times
+}
+
+/// The value in the middle, the upper one of two.
+///
+/// # Panics
+/// If there are no values.
+pub fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+fn repetition(scene: &Scene, integrator: &dyn Integrator, span: f64, number: &mut u64) -> f64 {
+    let (clock, first) = (Clock::start(), *number);
+    while *number == first || clock.wall.elapsed().as_secs_f64() < span {
+        pass(scene, integrator, *number);
+        *number += 1;
+    }
+    clock.seconds() / (*number - first) as f64
 }
 
 fn pass(scene: &Scene, integrator: &dyn Integrator, pass: u64) {

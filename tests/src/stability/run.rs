@@ -111,7 +111,8 @@ impl Prepared {
         }
         let mut kept =
             cell::run(&self.scene, &self.reference, column, self.row.max_depth, self.row.passes);
-        kept.seconds = seconds_per_pass(&self.scene, column, self.row.max_depth);
+        let integrator = column.integrator(self.row.max_depth);
+        kept.seconds = seconds_per_pass(&self.scene, integrator.as_ref());
         let speed = kept.seconds * 1e3;
         tell(&format!("{} {}, {speed:.2} ms a pass", self.row.id, column.name()));
         Some(kept)
