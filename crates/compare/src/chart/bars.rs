@@ -1,7 +1,7 @@
 //! Bars over a logarithmic axis, a row each method.
 
 use crate::chart::axis::{Decades, drawable};
-use crate::chart::canvas::{Area, Failed, axis_text, svg, text};
+use crate::chart::canvas::{Area, BREADTH, Failed, HALF, axis_text, svg, text};
 use crate::chart::colour::{GRID, INK, PAPER};
 use crate::results::Estimate;
 use maud::Markup;
@@ -29,13 +29,22 @@ pub(crate) struct Bar {
     pub(crate) words: String,
 }
 
-/// Where bars begin.
+/// Where bars begin, and how broad their chart is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Baseline {
-    /// At the left end; one is the right end.
+    /// At the left end, in a chart by itself.
     Left,
-    /// At one.
+    /// At one, in one of two charts.
     One,
+}
+
+impl Baseline {
+    fn breadth(self) -> u32 {
+        match self {
+            Self::Left => BREADTH,
+            Self::One => HALF,
+        }
+    }
 }
 
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Decades, RangedCoordf64>>;
@@ -44,7 +53,7 @@ type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Decades, Range
 pub(crate) fn bars(label: &str, axis_name: &str, rows: &[Bar], baseline: Baseline) -> Markup {
     let rows: Vec<&Bar> = rows.iter().filter(|row| drawable(row.estimate.value)).collect();
     let height = ROW * rows.len().max(1) as u32 + 110;
-    svg(label, height, |area| {
+    svg(label, (baseline.breadth(), height), |area| {
         let axis = axis(&rows, baseline);
         let mut chart = frame(area, axis.clone(), rows.len(), axis_name)?;
         let from = if baseline == Baseline::Left { axis.ends().0 } else { 1.0 };

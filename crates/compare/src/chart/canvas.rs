@@ -5,7 +5,7 @@ use maud::{Markup, PreEscaped, html};
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, IntoFont, IntoTextStyle, RGBColor, TextStyle};
+use plotters::style::{Color, IntoFont, RGBColor, TextStyle};
 
 /// What is drawn on.
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -16,20 +16,22 @@ pub(crate) type Place = (i32, i32);
 
 /// Height of letters in the charts' own units.
 pub(crate) const LETTER: u32 = 26;
-/// Breadth of a chart; its units are about half a pixel in a wide window, since the
-/// library draws at whole units only.
-pub(crate) const BREADTH: u32 = 1200;
+/// Breadth of a chart of its own; its units are about half a pixel in a wide window,
+/// since the library draws at whole units only.
+pub(crate) const BREADTH: u32 = 1300;
+/// Breadth of one of two charts beside each other.
+pub(crate) const HALF: u32 = 800;
 
 /// An SVG that is as broad as its place on the page, described by `label` for those
 /// who do not see it.
 pub(crate) fn svg(
     label: &str,
-    height: u32,
+    size: (u32, u32),
     draw: impl FnOnce(&Area<'_>) -> Result<(), Failed>,
 ) -> Markup {
     let mut text = String::new();
     let drawn = {
-        let area = SVGBackend::with_string(&mut text, (BREADTH, height)).into_drawing_area();
+        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
         draw(&area).and_then(|()| area.present())
     };
     match drawn {
@@ -44,10 +46,9 @@ fn described(label: &str, svg: &str) -> Markup {
     PreEscaped(svg.replacen("<svg ", &open, 1))
 }
 
-/// Text of a size in units.
-pub(crate) fn text_style(colour: RGBColor, size: u32) -> TextStyle<'static> {
+fn text_style(colour: RGBColor) -> TextStyle<'static> {
     // The library divides by this factor before it writes the size.
-    ("sans-serif", f64::from(size) * 1.24).into_font().color(&colour.to_rgba())
+    ("sans-serif", f64::from(LETTER) * 1.24).into_font().color(&colour.to_rgba())
 }
 
 /// Text at a place: which point of the text lies there is told by `h` and `v`.
@@ -58,7 +59,7 @@ pub(crate) fn text(
     (h, v): (HPos, VPos),
     colour: RGBColor,
 ) -> Result<(), Failed> {
-    let style = text_style(colour, LETTER).pos(Pos::new(h, v));
+    let style = text_style(colour).pos(Pos::new(h, v));
     area.draw_text(words, &style, at)
 }
 
@@ -69,5 +70,5 @@ pub(crate) fn breadth(words: &str) -> i32 {
 
 /// The style of axis names and ticks.
 pub(crate) fn axis_text() -> TextStyle<'static> {
-    text_style(INK, LETTER).into_text_style(&(BREADTH, BREADTH))
+    text_style(INK)
 }

@@ -1,7 +1,7 @@
 //! The main chart: error against time.
 
 use crate::chart::axis::{Decades, drawable};
-use crate::chart::canvas::{Failed, svg, text};
+use crate::chart::canvas::{BREADTH, Failed, svg, text};
 use crate::chart::colour::{INK, MUTED};
 use crate::chart::crossings::crossings;
 use crate::chart::marker::DIAMOND;
@@ -11,14 +11,15 @@ use crate::results::{MethodResults, Point, SceneResults};
 use maud::Markup;
 use plotters::style::text_anchor::{HPos, VPos};
 
-const HEIGHT: u32 = 860;
+const SIZE: (u32, u32) = (BREADTH, 860);
 const BIG: f64 = 9.0;
 const SMALL: f64 = 6.0;
 
 /// Error against seconds, a line each method.
 pub(crate) fn convergence(scene: &SceneResults, palette: &Palette) -> Markup {
-    let label = format!("Error against time on {}, both logarithmic, a line each method", scene.name);
-    svg(&label, HEIGHT, |area| {
+    let label =
+        format!("Error against time on {}, both logarithmic, a line each method", scene.name);
+    svg(&label, SIZE, |area| {
         let (x, y) = axes(scene);
         let targets = targets_within(scene, &y);
         let plot = Plot::new(area, (x.clone(), "seconds"), (y, "relMSE"))?;

@@ -1,26 +1,33 @@
 //! Where the methods reach the errors that are asked for.
+//!
+//! Curves fall from left to right. Below a level line and to the left of a crossing,
+//! and above it to the right of the last, there is nothing but paper: there the
+//! times are written.
 
 use crate::chart::axis::Decades;
-use crate::chart::canvas::{Failed, LETTER, Place, breadth, text};
+use crate::chart::canvas::{Failed, LETTER, breadth, text};
 use crate::chart::colour::MUTED;
 use crate::chart::palette::{Look, Palette};
 use crate::chart::plot::{Plot, Stroke};
 use crate::page::number;
-use crate::results::SceneResults;
+use crate::results::{MethodResults, SceneResults};
 use plotters::style::text_anchor::{HPos, VPos};
-use std::ops::Range;
 
 /// Half the height of the mark at a crossing.
 const TICK: i32 = 12;
+/// Between texts, and between a text and a tick.
+const GAP: i32 = 14;
 
 /// A method reaches an error.
+#[derive(Clone, Debug)]
 struct Crossing {
-    seconds: f64,
+    x: i32,
+    words: String,
     look: Look,
 }
 
-/// A level line for each target, a tick where a method crosses it, and the time
-/// beside the tick where there is room.
+/// A level line for each target, a tick where a method crosses it, and the times
+/// beside the ticks where there is room.
 pub(crate) fn crossings(
     plot: &Plot<'_, '_>,
     scene: &SceneResults,
@@ -28,87 +35,122 @@ pub(crate) fn crossings(
     targets: &[f64],
     x: &Decades,
 ) -> Result<(), Failed> {
-    let mut taken = Taken::default();
     for &error in targets {
         let (from, to) = x.ends();
         plot.line(&[(from, error), (to, error)], MUTED, 2, Stroke::Dashed(6))?;
-        for crossing in reached(scene, palette, error, x) {
-            tick(plot, (crossing.seconds, error), crossing.look, &mut taken)?;
+        let (left, y) = plot.place((from, error));
+        let found = reached(plot, scene, palette, error, x);
+        for Crossing { x, look, .. } in &found {
+            plot.segment((*x, y - TICK), (*x, y + TICK), look.colour(), 4)?;
+        }
+        for (at, side, Crossing { words, look, .. }) in written(&found, left, plot.right_end()) {
+            let row = y + side.rise();
+            text(plot.area(), words, (at, row), (HPos::Left, VPos::Center), look.colour())?;
         }
     }
     Ok(())
 }
 
 /// Who reaches the error at a time that the chart shows, soonest first.
-fn reached(scene: &SceneResults, palette: &Palette, error: f64, x: &Decades) -> Vec<Crossing> {
-    let crossing = |method: &crate::results::MethodResults| {
+fn reached(
+    plot: &Plot<'_, '_>,
+    scene: &SceneResults,
+    palette: &Palette,
+    error: f64,
+    axis: &Decades,
+) -> Vec<Crossing> {
+    let crossing = |method: &MethodResults| {
         let target = method.targets.iter().find(|target| target.error == error)?;
         let seconds = target.seconds?.value;
-        x.holds(seconds).then(|| Crossing { seconds, look: palette.look(&method.name) })
+        axis.holds(seconds).then(|| Crossing {
+            x: plot.place((seconds, error)).0,
+            words: number::seconds(seconds),
+            look: palette.look(&method.name),
+        })
     };
     let mut found: Vec<_> = scene.methods.iter().filter_map(crossing).collect();
-    found.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    found.sort_by_key(|crossing| crossing.x);
     found
 }
 
-fn tick(
-    plot: &Plot<'_, '_>,
-    point: (f64, f64),
-    look: Look,
-    taken: &mut Taken,
-) -> Result<(), Failed> {
-    let (x, y) = plot.place(point);
-    plot.segment((x, y - TICK), (x, y + TICK), look.colour(), 4)?;
-    let words = number::seconds(point.0);
-    match taken.place(&words, (x, y), plot.right_end()) {
-        Some(at) => {
-            text(plot.area(), &words, at, (HPos::Left, VPos::Bottom), look.colour())
+/// Where a time stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    /// Below the line, left of the first tick of a group.
+    LeftBelow,
+    /// Above the line, right of the last of all.
+    RightAbove,
+}
+
+impl Side {
+    /// From the line to the middle of the text.
+    fn rise(self) -> i32 {
+        let half = LETTER as i32 / 2 + 8;
+        match self {
+            Self::LeftBelow => half,
+            Self::RightAbove => -half,
         }
-        None => Ok(()),
     }
 }
 
-/// Where texts are already.
-#[derive(Default)]
-struct Taken(Vec<(Range<i32>, i32)>);
-
-impl Taken {
-    /// A free place for a text beside a tick, above the line if possible, below it
-    /// otherwise.
-    fn place(&mut self, words: &str, (x, y): Place, end: i32) -> Option<Place> {
-        let across = x + 6..x + 6 + breadth(words);
-        let rows = [y - TICK + 2, y + TICK + LETTER as i32 + 2];
-        let row = rows.into_iter().find(|&row| across.end < end && self.is_free(&across, row))?;
-        self.0.push((across, row));
-        Some((x + 6, row))
+/// Left end and side of the times that have room between `left` and `right`.
+fn written(found: &[Crossing], left: i32, right: i32) -> Vec<(i32, Side, &Crossing)> {
+    let mut free_from = left;
+    let mut placed = Vec::new();
+    // Ticks too close for a text between them share one row of texts.
+    let groups: Vec<_> = found.chunk_by(|a, b| b.x - a.x < breadth(&b.words) + 2 * GAP).collect();
+    for (i, group) in groups.iter().enumerate() {
+        let (first, last) = (group[0].x, group[group.len() - 1].x);
+        let start = first - GAP - length(group);
+        if start >= free_from + GAP {
+            placed.extend(in_a_row(group, start, Side::LeftBelow));
+        } else if i + 1 == groups.len() && last + GAP + length(group) <= right {
+            placed.extend(in_a_row(group, last + GAP, Side::RightAbove));
+        }
+        free_from = last;
     }
+    placed
+}
 
-    fn is_free(&self, across: &Range<i32>, row: i32) -> bool {
-        let touches = |(other, at): &(Range<i32>, i32)| {
-            (row - at).abs() < LETTER as i32
-                && across.start < other.end + 8
-                && other.start < across.end + 8
-        };
-        !self.0.iter().any(touches)
-    }
+fn length(group: &[Crossing]) -> i32 {
+    group.iter().map(|crossing| breadth(&crossing.words) + GAP).sum::<i32>() - GAP
+}
+
+fn in_a_row(group: &[Crossing], start: i32, side: Side) -> Vec<(i32, Side, &Crossing)> {
+    let starts = group.iter().scan(start, |at, crossing| {
+        let here = *at;
+        *at += breadth(&crossing.words) + GAP;
+        Some(here)
+    });
+    starts.zip(group).map(|(at, crossing)| (at, side, crossing)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn texts_go_above_then_below_then_nowhere() {
-        let mut taken = Taken::default();
-        let places: Vec<_> =
-            [100, 110, 120, 400].map(|x| taken.place("12 s", (x, 300), 900)).to_vec();
-        let (first, second) = (places[0].unwrap(), places[1].unwrap());
-        assert!(first.1 < 300 && second.1 > 300);
-        assert_eq!((places[2], places[3]), (None, Some((406, first.1))));
+    fn sides(places: &[i32]) -> Vec<(i32, Side)> {
+        let look = Look { slot: 0, shape: 0 };
+        let crossing = |x: &i32| Crossing { x: *x, words: "12 s".into(), look };
+        let found: Vec<_> = places.iter().map(crossing).collect();
+        written(&found, 100, 1000).into_iter().map(|(at, side, _)| (at, side)).collect()
     }
 
     #[test]
-    fn no_text_leaves_the_chart() {
-        assert_eq!(Taken::default().place("12 s", (880, 300), 900), None);
+    fn close_ticks_share_a_row_left_of_the_first() {
+        let found = sides(&[500, 510, 900]);
+        assert!(found.iter().all(|(_, side)| *side == Side::LeftBelow));
+        assert!(found[0].0 < found[1].0 && found[1].0 + breadth("12 s") < 500);
+        assert!(found[2].0 > 510 && found[2].0 + breadth("12 s") < 900);
+    }
+
+    #[test]
+    fn without_room_at_the_left_they_go_to_the_right() {
+        assert!(matches!(sides(&[110, 120])[..], [(134, Side::RightAbove), (_, Side::RightAbove)]));
+    }
+
+    #[test]
+    fn without_any_room_they_are_left_to_the_table() {
+        assert!(sides(&(100..1000).step_by(20).collect::<Vec<_>>()).is_empty());
     }
 }

@@ -1,6 +1,6 @@
 //! What paths of each length bring and cost.
 
-use crate::chart::canvas::{Area, Failed, LETTER, axis_text, svg, text};
+use crate::chart::canvas::{Area, BREADTH, Failed, LETTER, axis_text, svg, text};
 use crate::chart::colour::{GRID, INK, MUTED, PALE};
 use crate::results::LengthShare;
 use maud::Markup;
@@ -9,7 +9,7 @@ use plotters::element::Rectangle;
 use plotters::style::text_anchor::{HPos, VPos};
 use plotters::style::{Color, RGBColor};
 
-const HEIGHT: u32 = 560;
+const SIZE: (u32, u32) = (BREADTH, 560);
 
 /// A share, its name and its grey: by lightness alone, since hues are for methods.
 type Kind = (&'static str, RGBColor, fn(&LengthShare) -> f64);
@@ -22,7 +22,7 @@ const KINDS: [Kind; 3] = [
 /// Shares of light, noise and rays, three bars each length.
 pub(crate) fn lengths(scene: &str, shares: &[LengthShare]) -> Markup {
     let label = format!("Shares of light, noise and rays by path length on {scene}");
-    svg(&label, HEIGHT, |area| {
+    svg(&label, SIZE, |area| {
         draw(area, shares)?;
         key(area)
     })

@@ -1,14 +1,14 @@
 //! Measured noise over what theory says.
 
 use crate::chart::axis::{Decades, drawable};
-use crate::chart::canvas::{Failed, svg};
+use crate::chart::canvas::{Failed, HALF, svg};
 use crate::chart::colour::{INK, MUTED};
 use crate::chart::palette::{Look, Palette};
 use crate::chart::plot::{Plot, Stroke};
 use crate::results::{Estimate, Oracle, OracleCrossing, OraclePoint};
 use maud::Markup;
 
-const HEIGHT: u32 = 760;
+const SIZE: (u32, u32) = (HALF, 640);
 
 /// What is drawn over R/h.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +45,7 @@ impl Quantity {
 /// Theory as lines, measurements as points over them, the crossing as a level.
 pub(crate) fn oracle(oracle: &Oracle, quantity: Quantity, palette: &Palette) -> Markup {
     let label = format!("{} against R/h, measured and by theory", quantity.name());
-    svg(&label, HEIGHT, |area| {
+    svg(&label, SIZE, |area| {
         let points = || oracle.curves.iter().flat_map(|curve| &curve.points);
         let both = |p: &OraclePoint| [p.theory, p.variance.value].map(|v| v * quantity.factor(p));
         let x = Decades::around(points().map(|point| point.radius));

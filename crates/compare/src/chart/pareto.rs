@@ -1,14 +1,14 @@
 //! Which settings are worth using: what nothing else beats in both time and error.
 
 use crate::chart::axis::{Decades, drawable};
-use crate::chart::canvas::svg;
+use crate::chart::canvas::{BREADTH, svg};
 use crate::chart::colour::{INK, PALE};
 use crate::chart::palette::{Look, Palette};
 use crate::chart::plot::{Plot, Stroke};
 use crate::results::SceneResults;
 use maud::Markup;
 
-const HEIGHT: u32 = 720;
+const SIZE: (u32, u32) = (BREADTH, 720);
 
 /// A setting: time, error and who it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,8 +77,9 @@ fn settings(scene: &SceneResults) -> impl Iterator<Item = Setting> {
 
 /// The front as a staircase, what it beats in grey.
 pub(crate) fn pareto(scene: &SceneResults, front: &Front, palette: &Palette) -> Markup {
-    let label = format!("Settings on {}: those that no other beats in both time and error", scene.name);
-    svg(&label, HEIGHT, |area| {
+    let label =
+        format!("Settings on {}: those that no other beats in both time and error", scene.name);
+    svg(&label, SIZE, |area| {
         let all = || front.front.iter().chain(&front.beaten).map(|setting| setting.at);
         let x = Decades::around(all().map(|at| at.0));
         let y = Decades::around(all().map(|at| at.1));

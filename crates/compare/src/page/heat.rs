@@ -85,7 +85,9 @@ mod tests {
 
     #[test]
     fn more_error_is_lighter() {
-        let luma = |[r, g, b]: [u8; 3]| 0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b);
+        let luma = |[r, g, b]: [u8; 3]| {
+            0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b)
+        };
         let steps: Vec<f64> = (0..=50).map(|i| luma(mixed(f64::from(i) / 50.0))).collect();
         assert!(steps.is_sorted_by(|a, b| a < b), "{steps:?}");
     }

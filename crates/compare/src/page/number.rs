@@ -39,6 +39,11 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     text.replace('-', "−")
 }
 
+/// A number that somebody chose, as it was written: `0.1`, `0.015`.
+pub(crate) fn chosen(value: f64) -> String {
+    if (1e-4..1e5).contains(&value) { value.to_string() } else { significant(value, 1) }
+}
+
 /// Three digits.
 pub(crate) fn short(value: f64) -> String {
     significant(value, 3)
@@ -100,7 +105,11 @@ pub(crate) fn prefixed(value: f64) -> String {
 
 /// A share as per cent.
 pub(crate) fn percent(share: f64) -> String {
-    if share.is_finite() { format!("{}\u{a0}%", significant(100.0 * share, 2)) } else { NONE.into() }
+    if share.is_finite() {
+        format!("{}\u{a0}%", significant(100.0 * share, 2))
+    } else {
+        NONE.into()
+    }
 }
 
 #[cfg(test)]
@@ -121,6 +130,12 @@ mod tests {
         for (value, text) in cases {
             assert_eq!(short(value), text);
         }
+    }
+
+    #[test]
+    fn chosen_numbers_stay_as_they_are() {
+        let texts = [0.1, 0.015, 1e-5].map(chosen);
+        assert_eq!(texts, ["0.1", "0.015", "1·10⁻⁵"]);
     }
 
     #[test]

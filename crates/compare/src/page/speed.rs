@@ -2,7 +2,7 @@
 
 use crate::chart::{Palette, convergence};
 use crate::page::legend;
-use crate::page::number::{seconds_interval, short};
+use crate::page::number::{chosen, seconds_interval};
 use crate::results::{MethodResults, SceneResults, Target};
 use maud::{Markup, html};
 
@@ -37,7 +37,7 @@ fn times(scene: &SceneResults, palette: &Palette) -> Markup {
                 caption { "Time to reach an error, with its 95 % interval" }
                 thead { tr {
                     th scope="col" { "method" }
-                    @for error in &errors { th scope="col" { "relMSE " (short(*error)) } }
+                    @for error in &errors { th scope="col" { "relMSE " (chosen(*error)) } }
                 } }
                 tbody { @for method in &scene.methods { tr {
                     th scope="row" { (legend::name(palette, &method.name)) }

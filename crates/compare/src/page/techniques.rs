@@ -45,6 +45,7 @@ fn pyramid(pictures: &ScenePictures, weighted: bool) -> Markup {
         div.scroll { div.pyramid {
             @for row in kind.chunk_by(|a, b| edges(a.0) == edges(b.0)) {
                 div.row {
+                    @if let Some((technique, _)) = row.first() { span { "k = " (edges(*technique)) } }
                     @for (technique, grid) in row { (tile(*technique, grid, pictures.exposure)) }
                 }
             }

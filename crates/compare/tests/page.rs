@@ -1,0 +1,176 @@
+//! The page by its text: what it says, that it is whole, and that no result makes it
+//! panic or draw nonsense.
+
+use traylib_compare::page::page;
+use traylib_compare::results::{Estimate, Point, Results};
+use traylib_compare::sample::sample;
+
+fn text(results: &Results) -> String {
+    page(results, &sample().1)
+}
+
+/// Everything between `<svg` and `</svg>`.
+fn charts(page: &str) -> Vec<&str> {
+    let parts = page.split("<svg").skip(1);
+    parts.map(|part| part.split("</svg>").next().unwrap()).collect()
+}
+
+/// No attribute holds what is not a number.
+fn assert_sound(page: &str) {
+    for chart in charts(page) {
+        for nonsense in ["NaN", "inf\"", "inf,", "inf "] {
+            assert!(!chart.contains(nonsense), "{nonsense} in {chart}");
+        }
+    }
+    assert!(!page.contains("could not be drawn"));
+}
+
+#[test]
+fn every_method_and_every_verdict_is_there() {
+    let results = sample().0;
+    let page = text(&results);
+    for scene in &results.scenes {
+        assert!(page.contains(&scene.verdict.sentence));
+        for method in &scene.methods {
+            assert!(page.contains(&method.name), "{}", method.name);
+        }
+        for point in &scene.outside {
+            assert!(page.contains(&point.name));
+        }
+    }
+    assert!(page.contains("is blind here"));
+    assert!(page.contains("a lamp mirrored twice"));
+    assert!(page.contains("alarm: infinite"));
+    assert!(page.contains(&results.how.command));
+    assert_sound(&page);
+}
+
+#[test]
+fn nothing_is_asked_from_outside() {
+    let page = text(&sample().0).replace("http://www.w3.org/2000/svg", "");
+    for outside in ["http:", "https:", "src=\"//", "url(", "@import", "<link"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert!(page.contains("default-src 'none'"));
+}
+
+#[test]
+fn an_interrupted_comparison_says_so() {
+    let mut results = sample().0;
+    assert!(text(&results).contains("Interrupted."));
+    results.complete = true;
+    assert!(!text(&results).contains("Interrupted."));
+}
+
+#[test]
+fn names_and_sentences_are_text_not_markup() {
+    let mut results = sample().0;
+    for scene in &mut results.scenes {
+        scene.name = "<b>\"a&b".into();
+        scene.methods[0].name = "<script>x".into();
+    }
+    let page = text(&results);
+    assert!(!page.contains("<b>\"a&b") && !page.contains("<script>x"));
+    assert!(page.contains("&lt;b&gt;"));
+}
+
+#[test]
+fn times_that_do_not_exist_have_a_word() {
+    let page = text(&sample().0);
+    let table = page.split("Time to reach an error").nth(1).unwrap();
+    let table = table.split("</table>").next().unwrap();
+    assert!(table.contains("<td>blind</td>") && table.contains("<td>never</td>"), "{table}");
+    assert!(table.contains("<td>210 ms (183–241)</td>"), "{table}");
+}
+
+#[test]
+fn hollow_points_have_paper_inside() {
+    let paper = |page: &str| charts(page)[5].matches("#FFFFFF").count();
+    let (mut solid, mut hollow) = (sample().0, sample().0);
+    let set = |results: &mut Results, to: bool| {
+        for method in &mut results.scenes[0].methods {
+            method.points.iter_mut().chain(&mut method.budgets).for_each(|p| p.solid = to);
+        }
+    };
+    set(&mut solid, true);
+    set(&mut hollow, false);
+    assert!(paper(&text(&hollow)) > paper(&text(&solid)));
+}
+
+fn spoil(point: &mut Point, value: f64) {
+    point.error = Estimate { value, low: value, high: value };
+    (point.low, point.high) = (value, value);
+}
+
+#[test]
+fn errors_without_a_logarithm_are_left_out() {
+    for value in [0.0, -1e-9, f64::NAN, f64::INFINITY] {
+        let mut results = sample().0;
+        for method in results.scenes.iter_mut().flat_map(|scene| &mut scene.methods) {
+            spoil(&mut method.points[0], value);
+            spoil(method.budgets.last_mut().unwrap(), value);
+            method.cost_ratio.value = value;
+            method.error_per_pass.low = value;
+            method.seconds_per_pass.high = value;
+        }
+        results.scenes[0].outside[0].error = value;
+        results.oracle.as_mut().unwrap().curves[0].points[0].theory = value;
+        results.scenes[0].lengths[0].light = value;
+        assert_sound(&text(&results));
+    }
+}
+
+#[test]
+fn all_of_a_scene_without_logarithms_still_makes_a_page() {
+    let mut results = sample().0;
+    for method in results.scenes.iter_mut().flat_map(|scene| &mut scene.methods) {
+        method.points.iter_mut().chain(&mut method.budgets).for_each(|p| spoil(p, 0.0));
+    }
+    assert_sound(&text(&results));
+}
+
+#[test]
+fn little_is_enough() {
+    let mut results = sample().0;
+    results.oracle = None;
+    results.scenes.truncate(1);
+    let scene = &mut results.scenes[0];
+    scene.methods.truncate(1);
+    scene.methods[0].points.truncate(1);
+    scene.methods[0].budgets.clear();
+    scene.methods[0].targets.clear();
+    scene.outside.clear();
+    scene.lengths.clear();
+    scene.reference.agreement = None;
+    let mut pictures = sample().1;
+    pictures.truncate(1);
+    pictures[0].techniques.clear();
+    pictures[0].errors.clear();
+    pictures[0].outside.clear();
+    let page = page(&results, &pictures);
+    assert_sound(&page);
+    assert!(!page.contains("Inside bdpt"));
+}
+
+#[test]
+fn nothing_at_all_is_a_page_too() {
+    let mut results = sample().0;
+    results.scenes[0].methods[0].points.clear();
+    assert_sound(&page(&results, &[]));
+    results.scenes.clear();
+    results.oracle = None;
+    assert!(page(&results, &[]).contains("How it was made"));
+}
+
+#[test]
+fn numbers_of_any_size_fit() {
+    let mut results = sample().0;
+    for (i, method) in results.scenes[0].methods.iter_mut().enumerate() {
+        let factor = 1e3_f64.powi(i as i32);
+        for point in method.points.iter_mut().chain(&mut method.budgets) {
+            point.seconds /= factor;
+            point.error.value *= factor;
+        }
+    }
+    assert_sound(&text(&results));
+}
