@@ -16,9 +16,11 @@ pub mod contestant;
 pub mod csv;
 pub mod how;
 pub mod judge;
+pub mod lengths;
 pub mod memory;
 mod mirrors;
 pub mod options;
+pub mod oracle;
 pub mod outside;
 pub mod page;
 pub mod pictures;
@@ -32,6 +34,7 @@ pub mod run;
 pub mod sample;
 pub mod store;
 pub mod table;
+pub mod techniques;
 
 use std::path::PathBuf;
 

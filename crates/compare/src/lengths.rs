@@ -1,0 +1,97 @@
+//! What paths of each length bring and cost in bdpt: how much of the light, of the
+//! noise and of the rays.
+
+mod rays;
+#[cfg(test)]
+mod tests;
+
+use crate::results::LengthShare;
+use crate::techniques::{edges, one_pass};
+use traylib_integrators::{Technique, ThreadError};
+use traylib_math::{Grid, Rgb};
+use traylib_scene::{Film, PassImage, Scene};
+
+/// Lengths told apart; the last stands for all longer ones too.
+const LENGTHS: usize = 12;
+
+/// Shares of light, noise and rays by path length, from 1 to 12 edges, of bdpt with
+/// the power heuristic and its usual roulette; the last entry holds all paths of 12
+/// edges and more. In the size of the scene's camera, from this many passes.
+///
+/// - light: of the sum over all pixels and bands.
+/// - noise: the variance of one pass over r² + ε, r the mean of all passes, summed
+///   over pixels and bands, as if lengths were independent: one path lends its
+///   vertices to all lengths, so they are not quite.
+/// - rays: what a limit of K edges casts beyond one of K − 1. Limits spare the rays
+///   of longer paths alone, as random numbers are the same.
+///
+/// A share of nothing is zero: of light in the dark, of noise in one pass.
+///
+/// # Errors
+/// [`ThreadError`] if the system refuses the threads.
+pub fn lengths(scene: &Scene, epsilon: f64, passes: u32) -> Result<Vec<LengthShare>, ThreadError> {
+    let films = films(scene, passes)?;
+    let light = shares(&films.each_ref().map(light));
+    let squares = squares(&films, epsilon);
+    let variance = shares(&films.each_ref().map(|film| noise(film, &squares)));
+    let rays = shares(&rays::rays(scene, passes)?);
+    let share = |i: usize| LengthShare {
+        edges: i as u32 + 1,
+        light: light[i],
+        variance: variance[i],
+        rays: rays[i],
+    };
+    Ok((0..LENGTHS).map(share).collect())
+}
+
+/// The light of each length.
+fn films(scene: &Scene, passes: u32) -> Result<[Film; LENGTHS], ThreadError> {
+    let (width, height) = (scene.camera().width(), scene.camera().height());
+    let mut films = [(); LENGTHS].map(|()| Film::new(width, height));
+    for seed in 0..passes {
+        let mut images = [(); LENGTHS].map(|()| PassImage::new(width, height));
+        for (technique, picture) in one_pass(scene, u64::from(seed))? {
+            if technique.weighted {
+                add(&mut images[class(technique)], &picture);
+            }
+        }
+        for (film, image) in films.iter_mut().zip(&images) {
+            film.add_pass(image);
+        }
+    }
+    Ok(films)
+}
+
+fn class(technique: Technique) -> usize {
+    (edges(technique) as usize).clamp(1, LENGTHS) - 1
+}
+
+fn add(image: &mut PassImage, picture: &Grid<Rgb>) {
+    for (pixel, &radiance) in (0..).zip(picture.values()) {
+        image.add(pixel, radiance);
+    }
+}
+
+fn light(film: &Film) -> f64 {
+    film.mean().values().as_flattened().iter().sum()
+}
+
+/// r² + ε of every pixel and band.
+fn squares(films: &[Film; LENGTHS], epsilon: f64) -> Vec<f64> {
+    let means: Vec<Grid<[f64; 3]>> = films.iter().map(Film::mean).collect();
+    let whole = |i: usize| means.iter().map(|mean| mean.values().as_flattened()[i]).sum::<f64>();
+    let values = means[0].values().as_flattened().len();
+    (0..values).map(|i| whole(i).powi(2) + epsilon).collect()
+}
+
+fn noise(film: &Film, squares: &[f64]) -> f64 {
+    let Some(variance) = film.variance_of_mean() else { return 0.0 };
+    let pairs = variance.values().as_flattened().iter().zip(squares);
+    // Where there is never any light there is no noise.
+    pairs.filter(|&(&variance, _)| variance > 0.0).map(|(variance, square)| variance / square).sum()
+}
+
+fn shares(parts: &[f64; LENGTHS]) -> [f64; LENGTHS] {
+    let whole: f64 = parts.iter().sum();
+    parts.map(|part| if whole > 0.0 { part / whole } else { 0.0 })
+}
