@@ -1,6 +1,8 @@
 //! The page by its text: what it says, that it is whole, and that no result makes it
 //! panic or draw nonsense.
 
+#![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
+
 use traylib_compare::page::page;
 use traylib_compare::results::{Estimate, Point, Results};
 use traylib_compare::sample::sample;
@@ -165,8 +167,8 @@ fn nothing_at_all_is_a_page_too() {
 #[test]
 fn numbers_of_any_size_fit() {
     let mut results = sample().0;
-    for (i, method) in results.scenes[0].methods.iter_mut().enumerate() {
-        let factor = 1e3_f64.powi(i as i32);
+    for (i, method) in (0..).zip(&mut results.scenes[0].methods) {
+        let factor = 1e3_f64.powi(i);
         for point in method.points.iter_mut().chain(&mut method.budgets) {
             point.seconds /= factor;
             point.error.value *= factor;

@@ -107,7 +107,7 @@ fn bar(chart: &mut Chart<'_, '_>, row: &Bar, top: f64, from: f64) -> Result<(), 
     if !(drawable(low) && drawable(high) && low < high) {
         return Ok(());
     }
-    let middle = top + (NAME + BAR_END) / 2.0;
+    let middle = top + NAME.midpoint(BAR_END);
     let cap = 0.1;
     let strokes = [
         vec![(low, middle), (high, middle)],

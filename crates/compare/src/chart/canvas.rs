@@ -15,7 +15,7 @@ pub(crate) type Failed = DrawingAreaErrorKind<std::io::Error>;
 pub(crate) type Place = (i32, i32);
 
 /// Height of letters in the charts' own units.
-pub(crate) const LETTER: u32 = 26;
+pub(crate) const LETTER: i32 = 26;
 /// Breadth of a chart of its own; its units are about half a pixel in a wide window,
 /// since the library draws at whole units only.
 pub(crate) const BREADTH: u32 = 1300;
@@ -65,7 +65,7 @@ pub(crate) fn text(
 
 /// About how broad a text is, in units.
 pub(crate) fn breadth(words: &str) -> i32 {
-    (words.chars().count() as f64 * 0.56 * f64::from(LETTER)) as i32
+    (words.chars().count() as f64 * 0.62 * f64::from(LETTER)) as i32
 }
 
 /// The style of axis names and ticks.

@@ -10,34 +10,34 @@ struct Ink {
     dark: RGBColor,
 }
 
-const fn ink(name: &'static str, light: u32, dark: u32) -> Ink {
+const fn ink(name: &'static str, light: [u8; 3], dark: [u8; 3]) -> Ink {
     Ink { name, light: rgb(light), dark: rgb(dark) }
 }
 
-const fn rgb(hex: u32) -> RGBColor {
-    RGBColor((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
+const fn rgb([r, g, b]: [u8; 3]) -> RGBColor {
+    RGBColor(r, g, b)
 }
 
 /// Hues after Okabe and Ito's palette, which people who see few colours can tell
-/// apart; darkened or lightened until each has a contrast of 3 with both the paper
-/// and the panels. Markers differ as well.
+/// apart; darkened or lightened until each has a contrast of 4.5 with the paper, as
+/// text needs it. Markers differ as well.
 const METHOD_INKS: [Ink; 8] = [
-    ink("m0", 0x0072_B2, 0x56_B4E9),
-    ink("m1", 0xC4_4E00, 0xF0_8A4B),
-    ink("m2", 0x00_7F5F, 0x2F_C49B),
-    ink("m3", 0xA6_437F, 0xE3_92C0),
-    ink("m4", 0x8A_6500, 0xE6_B422),
-    ink("m5", 0x4B_5B73, 0xAE_BACB),
-    ink("m6", 0x7A_3B1D, 0xD2_A078),
-    ink("m7", 0x5B_4FC0, 0xA9_A3F5),
+    ink("m0", [0x00, 0x72, 0xB2], [0x56, 0xB4, 0xE9]),
+    ink("m1", [0xC4, 0x4E, 0x00], [0xF0, 0x8A, 0x4B]),
+    ink("m2", [0x00, 0x7F, 0x5F], [0x2F, 0xC4, 0x9B]),
+    ink("m3", [0xA6, 0x43, 0x7F], [0xE3, 0x92, 0xC0]),
+    ink("m4", [0x8A, 0x65, 0x00], [0xE6, 0xB4, 0x22]),
+    ink("m5", [0x4B, 0x5B, 0x73], [0xAE, 0xBA, 0xCB]),
+    ink("m6", [0x7A, 0x3B, 0x1D], [0xD2, 0xA0, 0x78]),
+    ink("m7", [0x5B, 0x4F, 0xC0], [0xA9, 0xA3, 0xF5]),
 ];
 
 const ROLE_INKS: [Ink; 5] = [
-    ink("ink", 0x1A_1D21, 0xE7_E9EC),
-    ink("muted", 0x5C_636C, 0xA3_ABB5),
-    ink("grid", 0xDF_E2E6, 0x34_3A42),
-    ink("paper", 0xFF_FFFF, 0x14_171B),
-    ink("pale", 0xB4_BAC2, 0x5E_6670),
+    ink("ink", [0x1A, 0x1D, 0x21], [0xE7, 0xE9, 0xEC]),
+    ink("muted", [0x5C, 0x63, 0x6C], [0xA3, 0xAB, 0xB5]),
+    ink("grid", [0xDF, 0xE2, 0xE6], [0x34, 0x3A, 0x42]),
+    ink("paper", [0xFF, 0xFF, 0xFF], [0x14, 0x17, 0x1B]),
+    ink("pale", [0xB4, 0xBA, 0xC2], [0x5E, 0x66, 0x70]),
 ];
 
 /// Text and axes.
@@ -66,6 +66,14 @@ fn hex(RGBColor(r, g, b): RGBColor) -> String {
     format!("#{r:02X}{g:02X}{b:02X}")
 }
 
+/// Times beside ticks are the only texts in colours of methods; a narrow window has
+/// no room for them, and the table below the chart has them too.
+fn narrow_style() -> String {
+    let texts: Vec<String> =
+        METHOD_INKS.iter().map(|ink| format!("svg text[fill=\"{}\"]", hex(ink.light))).collect();
+    format!("@media (max-width:40rem){{{}{{display:none}}}}\n", texts.join(","))
+}
+
 /// Style: each colour as a variable, and charts that obey the variables.
 pub(crate) fn style() -> String {
     let (mut light, mut dark, mut rules) = (String::new(), String::new(), String::new());
@@ -74,13 +82,16 @@ pub(crate) fn style() -> String {
         // A `String` takes any text.
         let _ = write!(light, "--{name}:{sentinel};");
         let _ = write!(dark, "--{name}:{};", hex(*on_black));
-        let _ = write!(
+        let _ = writeln!(
             rules,
             "svg [fill=\"{sentinel}\"]{{fill:var(--{name})}}\
-             svg [stroke=\"{sentinel}\"]{{stroke:var(--{name})}}\n"
+             svg [stroke=\"{sentinel}\"]{{stroke:var(--{name})}}"
         );
     }
-    format!(":root{{{light}}}\n@media (prefers-color-scheme:dark){{:root{{{dark}}}}}\n{rules}")
+    let narrow = narrow_style();
+    format!(
+        ":root{{{light}}}\n@media (prefers-color-scheme:dark){{:root{{{dark}}}}}\n{rules}{narrow}"
+    )
 }
 
 #[cfg(test)]

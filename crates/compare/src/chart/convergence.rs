@@ -1,19 +1,21 @@
 //! The main chart: error against time.
 
 use crate::chart::axis::{Decades, drawable};
-use crate::chart::canvas::{BREADTH, Failed, svg, text};
+use crate::chart::canvas::{BREADTH, Failed, breadth, svg, text};
 use crate::chart::colour::{INK, MUTED};
 use crate::chart::crossings::crossings;
 use crate::chart::marker::DIAMOND;
 use crate::chart::palette::{Look, Palette};
 use crate::chart::plot::{Plot, Stroke};
-use crate::results::{MethodResults, Point, SceneResults};
+use crate::results::{MethodResults, OutsidePoint, Point, SceneResults};
 use maud::Markup;
 use plotters::style::text_anchor::{HPos, VPos};
 
 const SIZE: (u32, u32) = (BREADTH, 860);
 const BIG: f64 = 9.0;
 const SMALL: f64 = 6.0;
+/// From a marker's middle to its name.
+const BESIDE: i32 = 18;
 
 /// Error against seconds, a line each method.
 pub(crate) fn convergence(scene: &SceneResults, palette: &Palette) -> Markup {
@@ -52,16 +54,16 @@ fn targets_within(scene: &SceneResults, y: &Decades) -> Vec<f64> {
     shown
 }
 
-fn visible(point: &&Point) -> bool {
+fn visible(point: &Point) -> bool {
     drawable(point.seconds) && drawable(point.error.value)
 }
 
 fn own(method: &MethodResults) -> impl Iterator<Item = &Point> {
-    method.points.iter().filter(visible)
+    method.points.iter().filter(|point| visible(point))
 }
 
 fn averaged(method: &MethodResults) -> impl Iterator<Item = &Point> {
-    method.budgets.iter().filter(|point| point.averaged > 1).filter(visible)
+    method.budgets.iter().filter(|point| point.averaged > 1).filter(|point| visible(point))
 }
 
 fn xy(point: &Point) -> (f64, f64) {
@@ -107,11 +109,15 @@ fn guide(plot: &Plot<'_, '_>, scene: &SceneResults, x: &Decades) -> Result<(), F
 }
 
 fn outside(plot: &Plot<'_, '_>, scene: &SceneResults) -> Result<(), Failed> {
-    let drawn = |o: &&crate::results::OutsidePoint| drawable(o.error) && drawable(o.seconds);
-    for point in scene.outside.iter().filter(drawn) {
-        let (x, y) = plot.place((point.seconds, point.error));
-        plot.marker((point.seconds, point.error), (DIAMOND, INK), BIG + 2.0, point.solid)?;
-        text(plot.area(), &point.name, (x + 18, y), (HPos::Left, VPos::Center), INK)?;
+    for OutsidePoint { name, seconds, error, solid } in &scene.outside {
+        if !(drawable(*seconds) && drawable(*error)) {
+            continue;
+        }
+        plot.marker((*seconds, *error), (DIAMOND, INK), BIG + 2.0, *solid)?;
+        let (x, y) = plot.place((*seconds, *error));
+        let at_right = x + BESIDE + breadth(name) < plot.right_end();
+        let (x, h) = if at_right { (x + BESIDE, HPos::Left) } else { (x - BESIDE, HPos::Right) };
+        text(plot.area(), name, (x, y), (h, VPos::Center), INK)?;
     }
     Ok(())
 }

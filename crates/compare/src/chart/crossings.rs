@@ -85,7 +85,7 @@ enum Side {
 impl Side {
     /// From the line to the middle of the text.
     fn rise(self) -> i32 {
-        let half = LETTER as i32 / 2 + 8;
+        let half = LETTER / 2 + 8;
         match self {
             Self::LeftBelow => half,
             Self::RightAbove => -half,

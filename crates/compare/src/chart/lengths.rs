@@ -31,7 +31,7 @@ pub(crate) fn lengths(scene: &str, shares: &[LengthShare]) -> Markup {
 fn draw(area: &Area<'_>, shares: &[LengthShare]) -> Result<(), Failed> {
     let top = highest(shares);
     let mut chart = ChartBuilder::on(area)
-        .margin_top(20 + LETTER)
+        .margin_top(LETTER + 20)
         .margin_right(44)
         .x_label_area_size(84)
         .y_label_area_size(124)
@@ -83,8 +83,7 @@ fn length_name(shares: &[LengthShare], place: f64) -> String {
 }
 
 fn key(area: &Area<'_>) -> Result<(), Failed> {
-    for (i, (name, colour, _)) in KINDS.iter().enumerate() {
-        let x = 150 + 170 * i as i32;
+    for (x, (name, colour, _)) in (150..).step_by(170).zip(KINDS) {
         area.draw(&Rectangle::new([(x, 8), (x + 24, 32)], colour.filled()))?;
         text(area, name, (x + 34, 20), (HPos::Left, VPos::Center), INK)?;
     }

@@ -30,7 +30,7 @@ impl Scale {
     /// Holds nearly all pixels of all maps: from the power of ten below the
     /// hundredth part of them up to the one above the largest but a thousandth.
     pub(crate) fn of(maps: &[Grid<f64>]) -> Self {
-        let errors = maps.iter().flat_map(|map| map.values()).copied();
+        let errors = maps.iter().flat_map(Grid::values).copied();
         let mut errors: Vec<f64> = errors.filter(|e| *e > 0.0 && e.is_finite()).collect();
         if errors.is_empty() {
             return Self { low: -3, high: 0 };
@@ -63,7 +63,8 @@ impl Scale {
                 div.ramp style={ "background:linear-gradient(to right," (stops.join(",")) ")" } {}
                 div.ticks {
                     @for exponent in self.low..=self.high {
-                        span { "10" (superscript(exponent)) }
+                        @let place = 100 * (exponent - self.low) / (self.high - self.low);
+                        span style={ "left:" (place) "%" } { "10" (superscript(exponent)) }
                     }
                 }
             }

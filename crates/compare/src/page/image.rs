@@ -20,14 +20,10 @@ pub(crate) fn picture(
 
 /// A picture of 8 bits a channel.
 pub(crate) fn bytes_as_image(pixels: &Grid<[u8; 3]>, alt: &str, id: Option<String>) -> Markup {
-    match png(pixels) {
-        Some(png) => {
-            let source = format!("data:image/png;base64,{}", STANDARD.encode(png));
-            let (width, height) = (pixels.width(), pixels.height());
-            html! { img id=[id] src=(source) width=(width) height=(height) alt=(alt); }
-        }
-        None => html! { p.note { "No picture." } },
-    }
+    let Some(png) = png(pixels) else { return html! { p.note { "No picture." } } };
+    let source = format!("data:image/png;base64,{}", STANDARD.encode(png));
+    let (width, height) = (pixels.width(), pixels.height());
+    html! { img id=[id] src=(source) width=(width) height=(height) alt=(alt); }
 }
 
 fn png(pixels: &Grid<[u8; 3]>) -> Option<Vec<u8>> {

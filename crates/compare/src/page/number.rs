@@ -18,7 +18,7 @@ pub(crate) fn superscript(exponent: i32) -> String {
 }
 
 /// A number with so many digits that matter: `0.0123`, `1.23·10⁻⁵`.
-pub(crate) fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: u8) -> String {
     if !value.is_finite() {
         return NONE.into();
     }
@@ -26,12 +26,13 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
         return "0".into();
     }
     let digits = digits.max(1) - 1;
+    let places = usize::from(digits);
     // Rounded first, or 9.996 would be 10.00.
-    let scientific = format!("{value:.digits$e}");
+    let scientific = format!("{value:.places$e}");
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     let text = if (-3..5).contains(&exponent) {
-        let decimals = (digits as i32 - exponent).max(0) as usize;
+        let decimals = (i32::from(digits) - exponent).max(0) as usize;
         format!("{value:.decimals$}")
     } else {
         format!("{mantissa}·10{}", superscript(exponent))
@@ -103,13 +104,14 @@ pub(crate) fn prefixed(value: f64) -> String {
     format!("{}\u{a0}{name}", short(value / unit))
 }
 
-/// A share as per cent.
+/// A share as per cent: tenths of them, and more digits below one.
 pub(crate) fn percent(share: f64) -> String {
-    if share.is_finite() {
-        format!("{}\u{a0}%", significant(100.0 * share, 2))
-    } else {
-        NONE.into()
-    }
+    let number = match 100.0 * share {
+        value if !value.is_finite() => return NONE.into(),
+        value if value.abs() >= 1.0 => format!("{value:.1}").replace('-', "−"),
+        value => significant(value, 2),
+    };
+    format!("{number}\u{a0}%")
 }
 
 #[cfg(test)]
@@ -157,6 +159,8 @@ mod tests {
     #[test]
     fn sizes_and_shares() {
         assert_eq!(bytes(1_500_000), "1.50\u{a0}MB");
-        assert_eq!(percent(0.1234), "12\u{a0}%");
+        let texts = [0.1234, 0.996, -0.41, 0.000_51, f64::NAN].map(percent);
+        let expected = ["12.3\u{a0}%", "99.6\u{a0}%", "−41.0\u{a0}%", "0.051\u{a0}%", "–"];
+        assert_eq!(texts, expected);
     }
 }

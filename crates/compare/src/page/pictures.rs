@@ -106,7 +106,7 @@ fn method_pictures(
             (picture(grid, pictures.exposure, &alt, Some(ids.of(1 + i))))
             @if let Some(errors) = pictures.errors.get(i) { (scale.map(errors, &method.name)) }
             figcaption {
-                (legend::name(palette, &method.name)) " relMSE " (short(method.metrics.rel_mse))
+                (legend::name(palette, &method.name)) ", relMSE " (short(method.metrics.rel_mse))
             }
         }
     }

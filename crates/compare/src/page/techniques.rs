@@ -68,10 +68,8 @@ fn tile(Technique { s, t, .. }: Technique, grid: &Grid<Rgb>, exposure: f32) -> M
 
 fn shares(scene: &SceneResults) -> Markup {
     html! {
-        figure {
-            div.chart { (lengths(&scene.name, &scene.lengths)) }
-            figcaption { (sentence(&scene.lengths)) }
-        }
+        p { (sentence(&scene.lengths)) }
+        figure { div.chart { (lengths(&scene.name, &scene.lengths)) } }
         div.scroll { table {
             caption { "Shares by path length, and those of all lengths so far" }
             thead { tr {
@@ -156,8 +154,8 @@ mod tests {
         let cases: [(&[f64], &str, &str); 4] = [
             (&[0.9, 0.096, 0.004], "more than 2 edges", "even sooner"),
             (&[0.3, 0.3, 0.2, 0.1, 0.095, 0.005], "more than 5 edges", "so it is here"),
-            (&[0.1; 10], "Paths of 10 edges and more still bring 10\u{a0}%", "not so here"),
-            (&[0.5, 0.5], "still bring 50\u{a0}%", "do not reach far enough"),
+            (&[0.1; 10], "Paths of 10 edges and more still bring 10.0\u{a0}%", "not so here"),
+            (&[0.5, 0.5], "still bring 50.0\u{a0}%", "do not reach far enough"),
         ];
         for (light, length, judgement) in cases {
             let text = sentence(&shares(light));

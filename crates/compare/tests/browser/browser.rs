@@ -43,6 +43,7 @@ pub(crate) struct Dump {
 pub(crate) struct Browser(PathBuf);
 
 impl Browser {
+    #[allow(clippy::print_stderr, reason = "a test that is skipped has to say so")]
     /// The one named by the environment, or the first on the path.
     pub(crate) fn find() -> Option<Self> {
         if let Some(named) = std::env::var_os(VARIABLE) {
@@ -76,7 +77,7 @@ impl Browser {
     /// Output goes to files: a pipe that nobody empties would stop the browser.
     fn start(&self, folder: &Path, page: &Path, scheme: Scheme) -> Child {
         let create = |name: &str| Stdio::from(std::fs::File::create(folder.join(name)).unwrap());
-        let prefers = if scheme == Scheme::Dark { 0 } else { 1 };
+        let prefers = u8::from(scheme == Scheme::Light);
         Command::new(&self.0)
             .args(QUIET)
             .arg(format!("--user-data-dir={}", folder.join("profile").display()))
