@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
 mod ci;
+mod compare_integrators;
 mod layers;
 mod planted;
 mod proofs;
@@ -22,10 +23,14 @@ Usage: cargo xtask TASK [ARGUMENTS]
            plant defects one at a time and name the tests that find each
   stability [OPTIONS]
            every program over every failure scene, judged; --help for more
+  compare-integrators [SCENE…] [OPTIONS]
+           which integrator reaches which error in which time; --help for more
   ci       format, clippy, layers, tests, docs and a first picture; stops at
            the first step that fails
 
-Exit status: 0 done, 1 a task failed, 2 the command line was not understood.";
+Exit status: 0 done, 1 a task failed, 2 the command line was not understood;
+of compare-integrators also 3 a scene or picture makes no sense, 4 nothing can
+be written, 130 interrupted.";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -36,6 +41,9 @@ fn main() -> ExitCode {
         ["prove"] => prove::run(),
         ["planted", ref defects @ ..] => planted::run(defects),
         ["stability", ref arguments @ ..] => stability::run(arguments),
+        ["compare-integrators", ref arguments @ ..] => {
+            return compare_integrators::run(arguments).unwrap_or_else(failed);
+        }
         ["help" | "-h" | "--help"] => {
             println!("{HELP}");
             Ok(())
@@ -47,9 +55,11 @@ fn main() -> ExitCode {
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::FAILURE
-        }
+        Err(error) => failed(error),
     }
+}
+
+fn failed(error: anyhow::Error) -> ExitCode {
+    eprintln!("error: {error:#}");
+    ExitCode::FAILURE
 }

@@ -3,7 +3,10 @@
 use std::time::Duration;
 
 /// Reads `90s`, `5m`, `1.5h`.
-pub(crate) fn parse_duration(text: &str) -> Result<Duration, String> {
+///
+/// # Errors
+/// What was wanted instead.
+pub fn parse_duration(text: &str) -> Result<Duration, String> {
     let error = || String::from("wanted a positive number with its unit, as 90s, 5m or 1.5h");
     let (number, unit) = text.split_at_checked(text.len().saturating_sub(1)).ok_or_else(error)?;
     let seconds = match unit {

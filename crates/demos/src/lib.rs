@@ -14,10 +14,13 @@ mod progress;
 mod run;
 mod technique_pictures;
 
+pub use duration::parse_duration;
 pub use film::{DiffOptions, FilmCommand, InfoOptions};
-pub use messages::print_notes;
-pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions};
+pub use interrupt::stop_flag;
+pub use messages::{count, print_notes, say, tell};
+pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution};
 pub use outcome::Failure;
+pub use progress::clock;
 pub use run::{Done, Job, run};
 pub use technique_pictures::save_techniques;
 

@@ -11,12 +11,15 @@ use traylib_io::Loaded;
 use traylib_scene::Scene;
 
 /// Prints one line about the work.
-pub(crate) fn say(line: impl Display) {
+pub fn say(line: impl Display) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
 /// Prints one line of the program's result.
-pub(crate) fn tell(line: impl Display) -> Result<(), Failure> {
+///
+/// # Errors
+/// Standard output takes no more.
+pub fn tell(line: impl Display) -> Result<(), Failure> {
     match writeln!(std::io::stdout(), "{line}") {
         // A reader that has seen enough closes the pipe.
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -112,7 +115,7 @@ pub(crate) fn summarise(
 }
 
 /// A number short enough to read.
-pub(crate) fn count(n: u64) -> String {
+pub fn count(n: u64) -> String {
     match n as f64 {
         x if x >= 1e9 => format!("{:.2} G", x / 1e9),
         x if x >= 1e6 => format!("{:.2} M", x / 1e6),

@@ -135,7 +135,11 @@ impl FromStr for PixelName {
 
 const LARGEST_SIDE: u32 = 32_768;
 
-fn parse_resolution(text: &str) -> Result<(u32, u32), String> {
+/// Reads `640x480`.
+///
+/// # Errors
+/// What was wanted instead.
+pub fn parse_resolution(text: &str) -> Result<(u32, u32), String> {
     let side = |text: &str| text.parse().ok().filter(|side| (1..=LARGEST_SIDE).contains(side));
     text.split_once('x')
         .and_then(|(width, height)| Some((side(width)?, side(height)?)))

@@ -17,12 +17,12 @@ impl Failure {
     }
 
     /// A scene or a picture could not be read or makes no sense: status 3.
-    pub(crate) fn scene(message: impl Display) -> Self {
+    pub fn scene(message: impl Display) -> Self {
         Self::new(3, message)
     }
 
     /// Something could not be written, or the system refused: status 4.
-    pub(crate) fn output(message: impl Display) -> Self {
+    pub fn output(message: impl Display) -> Self {
         Self::new(4, message)
     }
 
@@ -35,7 +35,7 @@ impl Failure {
     pub(crate) const BUG: u8 = 1;
 
     /// Interrupted: status 130.
-    pub(crate) fn interrupted(message: impl Display) -> Self {
+    pub fn interrupted(message: impl Display) -> Self {
         Self::new(130, message)
     }
 
@@ -44,7 +44,7 @@ impl Failure {
     }
 
     /// The exit status.
-    pub(crate) fn code(&self) -> ExitCode {
+    pub fn code(&self) -> ExitCode {
         ExitCode::from(self.status)
     }
 }

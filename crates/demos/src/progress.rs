@@ -86,7 +86,7 @@ fn fraction_done(passes: f64, spp: u32, elapsed: Duration, limit: Option<Duratio
 }
 
 /// Minutes and seconds, with hours where there are any.
-fn clock(time: Duration) -> String {
+pub fn clock(time: Duration) -> String {
     let seconds = time.as_secs();
     let (hours, minutes, seconds) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
     if hours == 0 {

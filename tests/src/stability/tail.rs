@@ -40,6 +40,13 @@ impl Largest {
         }
     }
 
+    /// What was kept, the largest first: at most [`KEPT`] + 1.
+    pub fn descending(&self) -> Vec<f64> {
+        let mut sorted = self.clone();
+        sorted.prune();
+        sorted.values
+    }
+
     fn prune(&mut self) {
         self.values.sort_by(|a, b| b.total_cmp(a));
         self.values.truncate(KEPT + 1);
@@ -51,9 +58,7 @@ impl Largest {
     /// Hill's estimate from the `k` largest; `None` if there are not more than
     /// `k` positive values, or more are asked for than were kept.
     pub fn tail_index(&self, k: usize) -> Option<TailIndex> {
-        let mut sorted = self.clone();
-        sorted.prune();
-        hill(&sorted.values, k)
+        hill(&self.descending(), k)
     }
 }
 

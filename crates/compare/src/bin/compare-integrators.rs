@@ -1,0 +1,65 @@
+//! `cargo xtask compare-integrators`.
+
+use clap::Parser;
+use std::path::Path;
+use std::process::{Command, ExitCode};
+use traylib_compare::compare::{Comparison, compare};
+use traylib_compare::how::how;
+use traylib_compare::options::Options;
+use traylib_compare::page::page;
+use traylib_compare::store::{write_json, write_text};
+use traylib_compare::table::table;
+use traylib_demos::{Failure, say, stop_flag, tell};
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    match run(&options) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            say(&failure);
+            failure.code()
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<(), Failure> {
+    if cfg!(debug_assertions) {
+        say("warning: this is a debug build, whose times mean nothing; use cargo xtask");
+    }
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let stop = stop_flag();
+    let comparison = compare(options, how(options, &arguments), &stop)?;
+    let folder = options.folder();
+    write(&folder, &comparison).map_err(Failure::output)?;
+    tell(table(&comparison.results).trim_end())?;
+    let index = folder.join("index.html");
+    tell(index.display())?;
+    if options.open {
+        open(&index);
+    }
+    if comparison.results.complete {
+        return Ok(());
+    }
+    Err(Failure::interrupted(
+        "interrupted; what was done is kept and shown, and the same command goes on from there",
+    ))
+}
+
+fn write(folder: &Path, comparison: &Comparison) -> Result<(), traylib_compare::store::StoreError> {
+    let Comparison { results, pictures, csv } = comparison;
+    write_json(&folder.join("results.json"), results)?;
+    write_text(&folder.join("results.csv"), csv)?;
+    write_text(&folder.join("index.html"), &page(results, pictures))
+}
+
+/// Shows a file with whatever the system shows such files with.
+fn open(file: &Path) {
+    let opener = match std::env::consts::OS {
+        "macos" => "open",
+        "windows" => "explorer",
+        _ => "xdg-open",
+    };
+    if let Err(error) = Command::new(opener).arg(file).spawn() {
+        say(format_args!("warning: {opener} does not start ({error}): open {}", file.display()));
+    }
+}

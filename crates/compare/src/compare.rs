@@ -1,0 +1,306 @@
+//! The whole comparison, from options to results.
+
+use crate::contestant::Contestant;
+use crate::csv;
+use crate::judge::{Entry, judge, verdict};
+use crate::lengths::lengths;
+use crate::options::{ORACLE, Options};
+use crate::oracle::oracle;
+use crate::outside::{self, OutsideEntry};
+use crate::pictures::ScenePictures;
+use crate::prepare::{Prepared, prepare};
+use crate::progress::Plan;
+use crate::race::{Field, OVERHEAD, race};
+use crate::reference::{Making, Reference, make};
+use crate::results::{How, LengthShare, OutsidePoint, Results, SceneResults};
+use crate::run::Race;
+use crate::store::{Store, key_of};
+use crate::techniques::technique_pictures;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+use traylib_demos::{Failure, say};
+use traylib_io::{LoadOptions, load_scene_with};
+use traylib_math::{Grid, Rgb};
+use traylib_scene::Light;
+
+/// Each half of a reference takes as long as so many of the longest runs, so that
+/// its own error is small beside theirs.
+const REFERENCE_LENGTH: f64 = 25.0;
+
+/// What a comparison leaves.
+#[derive(Debug)]
+pub struct Comparison {
+    /// The numbers.
+    pub results: Results,
+    /// The pictures, in the order of the scenes.
+    pub pictures: Vec<ScenePictures>,
+    /// `results.csv`.
+    pub csv: String,
+}
+
+/// Compares; what is done when `stop` is raised is kept.
+///
+/// # Errors
+/// A scene makes no sense, the system refuses threads, or nothing can be written.
+pub fn compare(options: &Options, how: How, stop: &AtomicBool) -> Result<Comparison, Failure> {
+    options.check()?;
+    let work = Work::prepare(options, &how, stop)?;
+    let plan = Plan::new(work.seconds());
+    let comparison = work.all(how, &plan);
+    plan.clear();
+    comparison
+}
+
+struct Work<'a> {
+    options: &'a Options,
+    scenes: Vec<Prepared>,
+    with_oracle: bool,
+    outside: Vec<OutsideEntry>,
+    contestants: Vec<Contestant>,
+    budgets: Vec<f64>,
+    references: Store,
+    runs: Store,
+    /// Whatever else decides the result of a run.
+    key: u64,
+    stop: &'a AtomicBool,
+    start: Instant,
+}
+
+impl<'a> Work<'a> {
+    /// Everything that can go wrong early does so here.
+    fn prepare(options: &'a Options, how: &How, stop: &'a AtomicBool) -> Result<Self, Failure> {
+        let asked = options.scenes();
+        let rendered = asked.iter().filter(|scene| *scene != ORACLE);
+        let scenes = rendered.map(|scene| prepare(scene, options)).collect::<Result<_, _>>()?;
+        let outside = options.outside.as_deref().map(outside::read).transpose()?;
+        let store = |folder: std::path::PathBuf| Store::open(folder).map_err(Failure::output);
+        Ok(Self {
+            options,
+            scenes,
+            with_oracle: asked.iter().any(|scene| scene == ORACLE),
+            outside: outside.unwrap_or_default(),
+            contestants: options.contestants(),
+            budgets: options.budgets(),
+            references: store(crate::target().join("compare/references"))?,
+            runs: store(options.folder().join("runs"))?,
+            key: key_of(&(build_key(), &how.processor)),
+            stop,
+            start: Instant::now(),
+        })
+    }
+
+    fn all(&self, how: How, plan: &Plan) -> Result<Comparison, Failure> {
+        let mut scenes = Vec::new();
+        let mut pictures = Vec::new();
+        let mut csv = String::from(csv::HEADER);
+        for prepared in &self.scenes {
+            warn(prepared);
+            if let Some((results, shown, lines)) = self.scene(prepared, plan)? {
+                scenes.push(results);
+                pictures.push(shown);
+                csv += &lines;
+            }
+        }
+        let oracle = (self.with_oracle && !self.stopped()).then(|| {
+            plan.begin(ORACLE);
+            oracle(self.options.quick, &|text| plan.detail(text))
+        });
+        let how = How { seconds: self.start.elapsed().as_secs_f64(), ..how };
+        let complete = !self.stopped();
+        Ok(Comparison { results: Results { how, scenes, oracle, complete }, pictures, csv })
+    }
+
+    /// One scene; `None` if it was stopped before there was anything to judge.
+    fn scene(
+        &self,
+        prepared: &Prepared,
+        plan: &Plan,
+    ) -> Result<Option<(SceneResults, ScenePictures, String)>, Failure> {
+        plan.begin(&prepared.loaded.name);
+        let Some(reference) = self.reference(prepared, plan)? else { return Ok(None) };
+        let contestants = self.contestants_on(prepared);
+        let field = Field {
+            race: Race {
+                scene: &prepared.loaded.scene,
+                reference: &reference,
+                budgets: &self.budgets,
+                threads: self.options.threads,
+                stop: self.stop,
+            },
+            key: key_of(&(self.key, prepared.key, reference.picture.values())),
+            contestants: &contestants,
+            seeds: self.options.seeds(),
+            first_seed: self.options.first_seed,
+            store: &self.runs,
+        };
+        let entries = finished(race(&field, plan)?);
+        let outside = outside::measure(&self.outside, &prepared.loaded.name, &reference)?;
+        let techniques = self.techniques(prepared, &contestants, plan)?;
+        let lengths = self.lengths(prepared, &contestants, &reference, plan)?;
+        let first_seed = self.options.first_seed;
+        let lines = csv::lines(&prepared.loaded.name, &entries, &reference, first_seed);
+        let (points, outside): (Vec<_>, Vec<_>) = outside.into_iter().unzip();
+        let pictures = shown(prepared, &reference, &entries, outside, techniques);
+        let results = told(prepared, reference, &entries, points, lengths);
+        Ok(results.map(|results| (results, pictures, lines)))
+    }
+
+    fn contestants_on(&self, prepared: &Prepared) -> Vec<Contestant> {
+        self.contestants.iter().filter(|c| c.suits(&prepared.facts)).cloned().collect()
+    }
+
+    fn reference(&self, prepared: &Prepared, plan: &Plan) -> Result<Option<Reference>, Failure> {
+        let camera = prepared.loaded.scene.camera();
+        let size = (camera.width() as usize, camera.height() as usize);
+        if let (Some(given), Some(file)) = (&prepared.given, &self.options.reference) {
+            outside::same_size(file, given, size)?;
+            let wide = given.map(|light| light.to_array().map(f64::from));
+            return Ok(Some(Reference::given(wide, format!("the picture {}", file.display()))));
+        }
+        if let Some(radiance) = prepared.closed_form() {
+            return Ok(Some(Reference::constant(size.0, size.1, radiance)));
+        }
+        let making = Making {
+            scene: &prepared.loaded.scene,
+            scene_key: prepared.key,
+            seconds: self.reference_seconds(),
+            threads: self.options.threads,
+            stop: self.stop,
+            store: &self.references,
+        };
+        let made = make(&making, &|method| plan.detail(&format!("reference by {method}")));
+        plan.done(2.0 * self.reference_seconds());
+        made.map_err(Failure::output)
+    }
+
+    fn reference_seconds(&self) -> f64 {
+        REFERENCE_LENGTH * self.budgets.last().copied().unwrap_or(0.0)
+    }
+
+    fn techniques(
+        &self,
+        prepared: &Prepared,
+        contestants: &[Contestant],
+        plan: &Plan,
+    ) -> Result<Vec<(traylib_integrators::Technique, Grid<Rgb>)>, Failure> {
+        if self.stopped() || !with_bdpt(contestants) {
+            return Ok(Vec::new());
+        }
+        plan.detail("techniques of bdpt");
+        let camera = prepared.loaded.scene.camera();
+        let rows = THUMBNAIL * camera.height() / camera.width();
+        let load = LoadOptions { resolution: Some((THUMBNAIL, rows.max(1))) };
+        let small = load_scene_with(&prepared.asked, load)?;
+        let passes = if self.options.quick { 64 } else { 512 };
+        technique_pictures(&small.scene, passes).map_err(Failure::output)
+    }
+
+    fn lengths(
+        &self,
+        prepared: &Prepared,
+        contestants: &[Contestant],
+        reference: &Reference,
+        plan: &Plan,
+    ) -> Result<Vec<LengthShare>, Failure> {
+        if self.stopped() || !with_bdpt(contestants) {
+            return Ok(Vec::new());
+        }
+        plan.detail("path lengths of bdpt");
+        let passes = if self.options.quick { 16 } else { 64 };
+        lengths(&prepared.loaded.scene, reference.epsilon, passes).map_err(Failure::output)
+    }
+
+    /// What everything is planned to take.
+    fn seconds(&self) -> f64 {
+        let longest = self.budgets.last().copied().unwrap_or(0.0);
+        let runs = f64::from(self.options.seeds()) * longest * OVERHEAD;
+        let scene = |prepared: &Prepared| {
+            2.0 * self.reference_seconds() + runs * self.contestants_on(prepared).len() as f64
+        };
+        self.scenes.iter().map(scene).sum()
+    }
+
+    fn stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+/// Columns of the pictures of techniques.
+const THUMBNAIL: u32 = 64;
+
+fn with_bdpt(contestants: &[Contestant]) -> bool {
+    contestants.iter().any(|contestant| contestant.name() == "bdpt")
+}
+
+fn warn(prepared: &Prepared) {
+    for warning in &prepared.loaded.warnings {
+        say(format_args!("warning: {}: {warning}", prepared.loaded.name));
+    }
+}
+
+/// Those with runs enough to tell anything.
+fn finished(entries: Vec<Entry>) -> Vec<Entry> {
+    entries.into_iter().filter(|entry| entry.records.len() > 1).collect()
+}
+
+fn shown(
+    prepared: &Prepared,
+    reference: &Reference,
+    entries: &[Entry],
+    outside: Vec<Grid<Rgb>>,
+    techniques: Vec<(traylib_integrators::Technique, Grid<Rgb>)>,
+) -> ScenePictures {
+    let single = |picture: &Grid<[f64; 3]>| picture.map(|light| Rgb::from(light.map(|b| b as f32)));
+    ScenePictures {
+        exposure: prepared.loaded.settings.exposure,
+        reference: single(&reference.picture),
+        methods: entries.iter().filter_map(|entry| entry.pictures.first().map(single)).collect(),
+        errors: entries.iter().map(|entry| entry.error_map(reference)).collect(),
+        outside,
+        techniques,
+    }
+}
+
+fn told(
+    prepared: &Prepared,
+    reference: Reference,
+    entries: &[Entry],
+    outside: Vec<OutsidePoint>,
+    lengths: Vec<LengthShare>,
+) -> Option<SceneResults> {
+    let methods = judge(entries, &reference, &prepared.facts);
+    let verdict = verdict(&methods, &reference.results)?;
+    let scene = &prepared.loaded.scene;
+    let points = scene.lights().iter().filter(|light| Light::is_point(light)).count();
+    Some(SceneResults {
+        name: prepared.loaded.name.clone(),
+        width: scene.camera().width(),
+        height: scene.camera().height(),
+        primitives: scene.primitive_count() as u64,
+        area_lights: (scene.lights().len() - points) as u64,
+        point_lights: points as u64,
+        load_seconds: prepared.load_seconds,
+        scene_bytes: prepared.bytes,
+        epsilon: reference.epsilon,
+        reference: reference.results,
+        verdict,
+        methods,
+        outside,
+        lengths,
+    })
+}
+
+/// A hash of the program itself: another build may be faster, or wrong.
+fn build_key() -> u64 {
+    let bytes = std::env::current_exe().and_then(std::fs::read);
+    key_of(
+        &bytes
+            .map(|bytes| {
+                use std::hash::Hasher;
+                let mut hash = std::hash::DefaultHasher::new();
+                hash.write(&bytes);
+                hash.finish()
+            })
+            .ok(),
+    )
+}

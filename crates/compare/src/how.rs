@@ -1,0 +1,62 @@
+//! What a comparison tells of the machine and the program it was made with.
+
+use crate::options::Options;
+use crate::results::How;
+use std::process::Command;
+
+/// Everything about how it is made, but for how long it takes.
+pub fn how(options: &Options, arguments: &[String]) -> How {
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    How {
+        command: command(arguments),
+        program: concat!("TrayLib ", env!("CARGO_PKG_VERSION")).into(),
+        commit: commit(),
+        processor: processor().unwrap_or_else(|| std::env::consts::ARCH.into()),
+        threads: if options.threads == 0 { processors } else { options.threads },
+        seeds: options.seeds(),
+        first_seed: options.first_seed,
+        budgets: options.budgets(),
+        seconds: 0.0,
+    }
+}
+
+fn command(arguments: &[String]) -> String {
+    let quoted = |word: &String| {
+        let plain = word.chars().all(|c| c.is_ascii_alphanumeric() || "-_=:,./".contains(c));
+        if plain { word.clone() } else { format!("'{}'", word.replace('\'', r"'\''")) }
+    };
+    let words = arguments.iter().map(quoted);
+    [String::from("cargo xtask compare-integrators")]
+        .into_iter()
+        .chain(words)
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+/// Of the working tree that the program was built in, where it still is.
+fn commit() -> Option<String> {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let arguments = ["-C", root, "describe", "--always", "--dirty=+", "--exclude=*"];
+    let output = Command::new("git").args(arguments).output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    (output.status.success() && !text.trim().is_empty()).then(|| text.trim().to_string())
+}
+
+/// The processor's name, as Linux tells it.
+fn processor() -> Option<String> {
+    let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
+    let line = text.lines().find(|line| line.starts_with("model name"))?;
+    Some(line.split_once(':')?.1.trim().to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_can_be_pasted() {
+        let words = ["my scene.ron", "--budgets", "1s,2s"].map(String::from);
+        let text = command(&words);
+        assert_eq!(text, "cargo xtask compare-integrators 'my scene.ron' --budgets 1s,2s");
+    }
+}

@@ -1,0 +1,214 @@
+//! From runs to what is told of them.
+
+mod curve;
+mod steadiness;
+mod verdict;
+
+pub use verdict::verdict;
+
+use crate::bootstrap::{self, quantile};
+use crate::contestant::Contestant;
+use crate::reference::Reference;
+use crate::results::{Estimate, MethodResults, Metrics, Rays, Target};
+use crate::run::{Picture, Record};
+use curve::{averaged, budgets, powers_of_two};
+use steadiness::steadiness;
+use traylib_integrators::SceneFacts;
+use traylib_math::Grid;
+use traylib_scene::relative_square_errors;
+use traylib_tests::statistics::Sample;
+
+/// The errors whose price is asked.
+pub const TARGETS: [f64; 3] = [1e-1, 1e-2, 1e-3];
+
+/// Of every interval but those that hold together.
+const LEVEL: f64 = 0.05;
+
+/// A contestant and its runs.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Who.
+    pub contestant: Contestant,
+    /// What came of each run.
+    pub records: Vec<Record>,
+    /// Its picture at the end of each.
+    pub pictures: Vec<Picture>,
+}
+
+impl Entry {
+    /// relMSE at the end of each run, the reference's own taken off.
+    fn errors(&self, reference: &Reference) -> Vec<f64> {
+        self.records.iter().map(|record| reference.less_own(record.last_error())).collect()
+    }
+
+    /// Error times seconds of each run.
+    fn costs(&self, reference: &Reference) -> Vec<f64> {
+        let errors = self.errors(reference);
+        errors.iter().zip(&self.records).map(|(error, record)| error * record.seconds).collect()
+    }
+
+    /// (x − r)²/(r² + ε) of each pixel, mean of all runs.
+    pub fn error_map(&self, reference: &Reference) -> Grid<f64> {
+        let mut sum = reference.picture.map(|_| 0.0);
+        let share = 1.0 / self.pictures.len().max(1) as f64;
+        for picture in &self.pictures {
+            let errors = relative_square_errors(picture, &reference.picture, reference.epsilon);
+            for (sum, error) in
+                sum.values_mut().iter_mut().zip(errors.iter().flat_map(Grid::values))
+            {
+                *sum += share * error;
+            }
+        }
+        sum
+    }
+}
+
+impl Record {
+    fn last_error(&self) -> f64 {
+        self.looks.last().map_or(f64::NAN, |look| look.error)
+    }
+}
+
+/// Judges all entries of a scene against one another; each has at least two runs.
+pub fn judge(entries: &[Entry], reference: &Reference, facts: &SceneFacts) -> Vec<MethodResults> {
+    let alone: Vec<MethodResults> =
+        entries.iter().map(|entry| method(entry, reference, facts)).collect();
+    let Some(best) = best(&alone) else { return alone };
+    let level = LEVEL / entries.len().saturating_sub(1).max(1) as f64;
+    let costs_of_best = entries[best].costs(reference);
+    let mut judged = alone;
+    for (index, (method, entry)) in judged.iter_mut().zip(entries).enumerate() {
+        if index != best {
+            method.cost_ratio = bootstrap::ratio(&entry.costs(reference), &costs_of_best, level);
+        }
+    }
+    judged
+}
+
+/// The cheapest that loses no light and has a variance, if there is one.
+fn best(methods: &[MethodResults]) -> Option<usize> {
+    let cheapest = |fit: &dyn Fn(&MethodResults) -> bool| {
+        let costs = methods.iter().enumerate().filter(|(_, method)| fit(method));
+        costs.min_by(|a, b| a.1.cost.value.total_cmp(&b.1.cost.value)).map(|(index, _)| index)
+    };
+    cheapest(&|method| !method.biased && !method.stability.alarm)
+        .or_else(|| cheapest(&|method| !method.biased))
+        .or_else(|| cheapest(&|_| true))
+}
+
+fn method(entry: &Entry, reference: &Reference, facts: &SceneFacts) -> MethodResults {
+    let biased = entry.contestant.is_biased(facts);
+    let spread = Spread::of(entry, reference);
+    let lost = if biased { spread.lost } else { 0.0 };
+    let mut points = budgets(entry, reference);
+    points.extend(averaged(entry, reference));
+    MethodResults {
+        name: entry.contestant.name().to_string(),
+        biased,
+        blind: entry.contestant.blind_spots(facts),
+        points: powers_of_two(entry, reference),
+        budgets: points,
+        cost: bootstrap::mean(&entry.costs(reference), LEVEL),
+        cost_ratio: Estimate { value: 1.0, low: 1.0, high: 1.0 },
+        error_per_pass: per_pass(entry, reference, lost),
+        seconds_per_pass: seconds_per_pass(entry),
+        targets: targets(entry, reference, lost),
+        metrics: metrics(entry, reference, &spread),
+        rays: rays(entry),
+        peak_bytes: entry.records.iter().map(|record| record.peak_bytes).max().unwrap_or(0),
+        stability: steadiness(entry, reference),
+    }
+}
+
+/// How the error divides: with R runs, one has the error lost + noise, their mean
+/// lost + noise/R.
+struct Spread {
+    /// Mean relMSE of a run, less the reference's.
+    error: f64,
+    /// Variance between runs.
+    noise: f64,
+    /// What no number of runs takes away.
+    lost: f64,
+}
+
+impl Spread {
+    fn of(entry: &Entry, reference: &Reference) -> Self {
+        let runs = entry.records.len() as f64;
+        let single = Sample::of(&raw_errors(entry)).mean;
+        let mean = curve::mean_picture(&entry.records, &entry.pictures);
+        let of_mean = mean.map_or(single, |mean| reference.rel_mse(&mean));
+        let noise = (single - of_mean) * runs / (runs - 1.0);
+        let error = single - reference.results.own_error;
+        Self { error, noise, lost: (error - noise).max(0.0) }
+    }
+}
+
+fn raw_errors(entry: &Entry) -> Vec<f64> {
+    entry.records.iter().map(Record::last_error).collect()
+}
+
+fn per_pass(entry: &Entry, reference: &Reference, lost: f64) -> Estimate {
+    let errors = entry.errors(reference);
+    let of_pass = |(error, record): (&f64, &Record)| {
+        (error - lost).max(0.01 * error) * f64::from(record.passes)
+    };
+    let values: Vec<f64> = errors.iter().zip(&entry.records).map(of_pass).collect();
+    bootstrap::mean(&values, LEVEL)
+}
+
+fn seconds_per_pass(entry: &Entry) -> Estimate {
+    let each: Vec<f64> =
+        entry.records.iter().map(|r| r.seconds / f64::from(r.passes.max(1))).collect();
+    Estimate { value: quantile(&each, 0.5), low: quantile(&each, 0.0), high: quantile(&each, 1.0) }
+}
+
+/// Times to the errors of [`TARGETS`]: noise falls as one over time. Nothing is
+/// faster than a pass.
+fn targets(entry: &Entry, reference: &Reference, lost: f64) -> Vec<Target> {
+    let seconds: f64 = quantile(&seconds_of(entry), 0.5);
+    let noise: Vec<f64> = entry
+        .errors(reference)
+        .iter()
+        .zip(&entry.records)
+        .map(|(error, record)| (error - lost).max(0.01 * error) * record.seconds)
+        .collect();
+    let cost = bootstrap::mean(&noise, LEVEL);
+    let shortest = seconds_per_pass(entry).value.min(seconds);
+    let time = |error: f64| {
+        let within = |cost: f64| (cost / (error - lost)).max(shortest);
+        Estimate { value: within(cost.value), low: within(cost.low), high: within(cost.high) }
+    };
+    TARGETS.map(|error| Target { error, seconds: (error > lost).then(|| time(error)) }).to_vec()
+}
+
+fn seconds_of(entry: &Entry) -> Vec<f64> {
+    entry.records.iter().map(|record| record.seconds).collect()
+}
+
+fn metrics(entry: &Entry, reference: &Reference, spread: &Spread) -> Metrics {
+    let mean =
+        |f: &dyn Fn(&Record) -> f64| Sample::of(&entry.records.iter().map(f).collect::<Vec<f64>>());
+    let ratio = mean(&|record| record.mean_ratio);
+    let doubt = ratio.variance_of_mean + reference.relative_variance_of_mean();
+    let bias = ratio.mean - 1.0;
+    Metrics {
+        rel_mse: spread.error,
+        trimmed_rel_mse: mean(&|record| record.trimmed_rel_mse).mean,
+        smape: mean(&|record| record.smape).mean,
+        bias,
+        bias_z: if doubt > 0.0 { bias / doubt.sqrt() } else { 0.0 },
+        noise_share: if spread.error > 0.0 { spread.noise / spread.error } else { 1.0 },
+    }
+}
+
+fn rays(entry: &Entry) -> Rays {
+    let total = |f: &dyn Fn(&Record) -> f64| entry.records.iter().map(f).sum::<f64>();
+    let passes = total(&|record| f64::from(record.passes)).max(1.0);
+    let [camera, bounce, shadow] =
+        [0, 1, 2].map(|kind| total(&|record| record.rays[kind] as f64) / passes);
+    let seconds = total(&|record| record.seconds);
+    Rays { camera, bounce, shadow, per_second: (camera + bounce + shadow) * passes / seconds }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,141 @@
+//! Made-up runs whose right judgement is known.
+
+use super::*;
+use crate::run::Look;
+use traylib_math::{Purpose, Sampler};
+
+const PIXELS: usize = 400;
+
+/// A normal law, nearly: the sum of twelve numbers.
+fn normal(sampler: &mut Sampler) -> f64 {
+    (0..12).map(|_| f64::from(sampler.next_1d())).sum::<f64>() - 6.0
+}
+
+/// Sixteen runs of a second and a hundred passes: each pixel off by `lost`, and by
+/// noise of this deviation.
+fn entry(name: &str, lost: f64, deviation: f64, reference: &Reference) -> Entry {
+    let mut sampler = Sampler::new(3, Purpose::Test, 0, name.len() as u64);
+    let mut picture = || {
+        let mut pixel = || 1.0 + lost + deviation * normal(&mut sampler);
+        let values = (0..PIXELS).map(|_| [pixel(), pixel(), pixel()]).collect();
+        Grid::from_values(PIXELS, 1, values).unwrap()
+    };
+    let pictures: Vec<Picture> = (0..16).map(|_| picture()).collect();
+    let records = pictures.iter().map(|picture| record(picture, reference)).collect();
+    Entry { contestant: name.parse().unwrap(), records, pictures }
+}
+
+fn record(picture: &Picture, reference: &Reference) -> Record {
+    let error = reference.rel_mse(picture);
+    let look = |passes: u32, budget| Look {
+        passes,
+        seconds: 0.01 * f64::from(passes),
+        error: error * 100.0 / f64::from(passes),
+        budget,
+    };
+    let all: Vec<f64> = picture.values().iter().flatten().copied().collect();
+    Record {
+        passes: 100,
+        seconds: 1.0,
+        looks: vec![look(1, None), look(2, None), look(100, Some(0))],
+        trimmed_rel_mse: error,
+        smape: 0.0,
+        mean_ratio: Sample::of(&all).mean,
+        rays: [100, 200, 300],
+        rejected: 0,
+        peak_bytes: 5,
+        largest: Vec::new(),
+    }
+}
+
+fn reference() -> Reference {
+    Reference::constant(PIXELS, 1, 1.0)
+}
+
+const PLAIN: SceneFacts = SceneFacts { area_lights: true, point_lights: false, mirrors: false };
+
+#[test]
+fn the_quiet_one_wins_by_the_ratio_of_variances() {
+    let reference = reference();
+    let entries = [entry("puremc", 0.0, 0.3, &reference), entry("bdpt", 0.0, 0.1, &reference)];
+    let methods = judge(&entries, &reference, &PLAIN);
+    let Estimate { value, low, high } = methods[0].cost_ratio;
+    assert!(low < 9.0 && 9.0 < high && high / low < 1.3, "{value} {low} {high}");
+    let expected = 0.01 / 1.01;
+    let cost = methods[1].cost;
+    assert!(cost.low < expected && expected < cost.high, "{cost:?}");
+    // 1e-2 is reached within a second, 1e-3 ten times later.
+    let [_, second, third] = &methods[1].targets[..] else { panic!("three targets") };
+    let times = [second, third].map(|target| target.seconds.unwrap().value);
+    assert!((times[0] - expected / 1e-2).abs() < 0.1 && (times[1] / times[0] - 10.0).abs() < 1e-9);
+    let verdict = verdict(&methods, &reference.results).unwrap();
+    assert_eq!((verdict.best.as_str(), verdict.rivals.len()), ("bdpt", 0));
+    assert!(verdict.sentence.starts_with("bdpt reaches a given error soonest: puremc takes"));
+}
+
+#[test]
+fn equals_are_undecided() {
+    let reference = reference();
+    let entries = [entry("combined", 0.0, 0.1, &reference), entry("bdpt", 0.0, 0.1, &reference)];
+    let methods = judge(&entries, &reference, &PLAIN);
+    let verdict = verdict(&methods, &reference.results).unwrap();
+    assert_eq!(verdict.rivals.len(), 1, "{}", verdict.sentence);
+    assert!(verdict.sentence.contains("cannot be told apart"));
+}
+
+#[test]
+fn lost_light_is_told_from_noise() {
+    let reference = reference();
+    let entries =
+        [entry("bdpt:depth=3", -0.2, 0.05, &reference), entry("bdpt", 0.0, 0.2, &reference)];
+    let methods = judge(&entries, &reference, &PLAIN);
+    let biased = &methods[0];
+    // Less error than the other, and still not the best.
+    assert!(biased.cost.value < 1.1 * methods[1].cost.value);
+    assert_eq!(verdict(&methods, &reference.results).unwrap().best, "bdpt");
+    let noise = 0.0025 / 0.0425;
+    assert!((biased.metrics.noise_share - noise).abs() < 0.01, "{:?}", biased.metrics);
+    assert!((biased.metrics.bias + 0.2).abs() < 0.01 && biased.metrics.bias_z < -20.0);
+    assert!(biased.targets[2].seconds.is_none() && biased.targets[0].seconds.is_some());
+    let share = methods[1].metrics.noise_share;
+    assert!((share - 1.0).abs() < 0.01, "{share}");
+    assert!(methods[1].metrics.bias_z.abs() < 4.0);
+}
+
+#[test]
+fn averaged_runs_continue_the_curve() {
+    let reference = reference();
+    let methods = judge(&[entry("bdpt", 0.0, 0.1, &reference)], &reference, &PLAIN);
+    let [ref passes @ ..] = methods[0].points[..] else { panic!() };
+    assert_eq!(passes.iter().map(|p| p.passes).collect::<Vec<_>>(), [1.0, 2.0]);
+    let budgets = &methods[0].budgets;
+    assert_eq!(budgets.iter().map(|p| p.averaged).collect::<Vec<_>>(), [1, 2, 4, 8, 16]);
+    assert_eq!(budgets[4].seconds, 16.0);
+    let fall = budgets[0].error.value / budgets[4].error.value;
+    assert!((12.0..20.0).contains(&fall), "{fall}");
+}
+
+#[test]
+fn one_bright_pixel_of_one_run_is_a_firefly() {
+    let reference = reference();
+    let mut sparkling = entry("bdpt", 0.0, 0.01, &reference);
+    let quiet = judge(std::slice::from_ref(&sparkling), &reference, &PLAIN);
+    assert_eq!(quiet[0].stability.fireflies, 0.0);
+    sparkling.pictures[5].values_mut()[7] = [3.0; 3];
+    let found = judge(&[sparkling], &reference, &PLAIN)[0].stability.fireflies;
+    assert!((found - 1e6 / (16 * PIXELS) as f64).abs() < 1e-6, "{found}");
+}
+
+#[test]
+fn a_reference_that_is_not_sure_is_told() {
+    let exact = reference();
+    let entry = entry("bdpt", 0.0, 0.1, &exact);
+    let doubtful = |variance: f64| {
+        let results = exact.results.clone();
+        Reference::new(exact.picture.clone(), exact.picture.map(|_| [variance; 3]), results)
+    };
+    let solid = |reference: &Reference| {
+        judge(std::slice::from_ref(&entry), reference, &PLAIN)[0].budgets[0].solid
+    };
+    assert!(solid(&doubtful(1e-4)) && !solid(&doubtful(1e-3)));
+}

@@ -1,0 +1,39 @@
+//! How much memory a piece of work takes.
+
+use peak_alloc::PeakAlloc;
+
+/// Counts the bytes of every program that this crate is part of.
+#[global_allocator]
+static HEAP: PeakAlloc = PeakAlloc;
+
+/// Does the work; also tells the most bytes it held at a time, beside what was held
+/// before.
+pub fn peak_during<T>(work: impl FnOnce() -> T) -> (T, u64) {
+    HEAP.reset_peak_usage();
+    let before = HEAP.current_usage();
+    let result = work();
+    (result, HEAP.peak_usage().saturating_sub(before) as u64)
+}
+
+/// Does the work; also tells the bytes that its result holds.
+pub fn held_by<T>(work: impl FnOnce() -> T) -> (T, u64) {
+    let before = HEAP.current_usage();
+    let result = work();
+    (result, HEAP.current_usage().saturating_sub(before) as u64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Other tests of the same process may take memory at the same time, so more is
+    /// allowed, but not less.
+    #[test]
+    fn a_peak_is_seen_even_if_nothing_is_left_of_it() {
+        let (left, peak) = peak_during(|| vec![1_u8; 1 << 22].len());
+        assert_eq!(left, 1 << 22);
+        assert!(peak >= 1 << 22, "{peak}");
+        let (kept, bytes) = held_by(|| vec![1_u8; 1 << 22]);
+        assert!(bytes >= kept.len() as u64 / 2, "{bytes}");
+    }
+}

@@ -1,0 +1,178 @@
+//! The command line.
+
+use crate::contestant::{Contestant, DEFAULT, QUICK};
+use clap::Parser;
+use std::path::PathBuf;
+use std::time::Duration;
+use traylib_demos::{Failure, parse_duration, parse_resolution};
+
+/// Which integrator reaches which error in which time: renders each scene by each
+/// of them, many times and by turns, and charts error against time
+///
+/// Writes index.html, results.json and results.csv and prints the main table. If it
+/// is interrupted, it keeps what is done; the same command goes on from there.
+#[derive(Parser, Clone, Debug)]
+#[command(
+    name = "cargo xtask compare-integrators",
+    version,
+    max_term_width = 80,
+    after_long_help = EXAMPLES
+)]
+pub struct Options {
+    /// Scene files or names of built-in scenes; `oracle` is the test of noise
+    /// against theory [default: the paper's scenes cornell, small-light, pyramid,
+    /// and oracle]
+    pub scenes: Vec<String>,
+
+    /// Integrators with their settings, as puremc,bdpt:depth=6,combined:balance
+    /// [default: all, some in several settings]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub integrators: Vec<Contestant>,
+
+    /// When each run is looked at; it ends with the last [default: 0.25s,0.5s,1s,2s]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_duration)]
+    pub budgets: Vec<Duration>,
+
+    /// Runs of each integrator, each with a seed of its own [default: 16]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1024))]
+    pub seeds: Option<u32>,
+
+    /// Seed of the first run; the others count up from it
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(..1 << 32))]
+    pub first_seed: u64,
+
+    /// Picture to hold all others against, an EXR of one scene, taken for true
+    /// [default: a closed form, or two long renders by different integrators]
+    #[arg(long, value_name = "FILE")]
+    pub reference: Option<PathBuf>,
+
+    /// Size of the pictures [default: the scene's, made smaller to a width of at
+    /// most 128: noise is the same in each pixel, and there are fewer]
+    #[arg(long, value_name = "WxH", value_parser = parse_resolution)]
+    pub resolution: Option<(u32, u32)>,
+
+    /// Threads, 0 for one a processor
+    #[arg(short, long, value_name = "N", default_value_t = 0)]
+    pub threads: usize,
+
+    /// Pictures of other programs to put on the chart: a JSON list of scene, name,
+    /// seconds and picture
+    #[arg(long, value_name = "FILE")]
+    pub outside: Option<PathBuf>,
+
+    /// Smaller pictures, eight short runs, each program in one setting: under two
+    /// minutes, for a look
+    #[arg(long)]
+    pub quick: bool,
+
+    /// Where everything goes [default: target/compare]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+
+    /// Show the page when it is done
+    #[arg(long)]
+    pub open: bool,
+}
+
+const EXAMPLES: &str = "Examples:
+  cargo xtask compare-integrators --quick
+  cargo xtask compare-integrators my.ron --integrators bdpt,combined --open
+  cargo xtask compare-integrators pyramid --budgets 1s,4s,16s --seeds 32";
+
+/// The paper's scenes.
+const SCENES: [&str; 4] = ["cornell", "small-light", "pyramid", ORACLE];
+
+/// What stands for the test against theory among the scenes.
+pub const ORACLE: &str = "oracle";
+
+impl Options {
+    /// What to compare on; `oracle` may be among it.
+    pub fn scenes(&self) -> Vec<String> {
+        if self.scenes.is_empty() { SCENES.map(String::from).to_vec() } else { self.scenes.clone() }
+    }
+
+    /// Who takes part.
+    pub fn contestants(&self) -> Vec<Contestant> {
+        let names: &[&str] = if self.quick { &QUICK } else { &DEFAULT };
+        if self.integrators.is_empty() {
+            names.iter().filter_map(|name| name.parse().ok()).collect()
+        } else {
+            self.integrators.clone()
+        }
+    }
+
+    /// The budgets in seconds, ascending.
+    pub fn budgets(&self) -> Vec<f64> {
+        let mut budgets: Vec<f64> = if !self.budgets.is_empty() {
+            self.budgets.iter().map(Duration::as_secs_f64).collect()
+        } else if self.quick {
+            vec![0.0625, 0.125, 0.25]
+        } else {
+            vec![0.25, 0.5, 1.0, 2.0]
+        };
+        budgets.sort_by(f64::total_cmp);
+        budgets.dedup();
+        budgets
+    }
+
+    /// Runs of each contestant.
+    pub fn seeds(&self) -> u32 {
+        self.seeds.unwrap_or(if self.quick { 8 } else { 16 })
+    }
+
+    /// The widest picture, unless a size is asked for.
+    pub fn largest_width(&self) -> u32 {
+        if self.quick { 64 } else { 128 }
+    }
+
+    /// Where everything goes.
+    pub fn folder(&self) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| crate::target().join("compare"))
+    }
+
+    /// Refuses what does not go together.
+    ///
+    /// # Errors
+    /// It does not.
+    pub fn check(&self) -> Result<(), Failure> {
+        let rendered = self.scenes().iter().filter(|scene| *scene != ORACLE).count();
+        if self.reference.is_some() && rendered != 1 {
+            return Err(Failure::usage("--reference is a picture of one scene: name just that"));
+        }
+        let names: Vec<String> = self.contestants().iter().map(|c| c.name().to_string()).collect();
+        let twice = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name));
+        match twice {
+            Some((_, name)) => {
+                Err(Failure::usage(format_args!("--integrators has `{name}` twice")))
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn options(words: &str) -> Options {
+        Options::try_parse_from(["x"].into_iter().chain(words.split_whitespace())).unwrap()
+    }
+
+    #[test]
+    fn lists_are_split_and_sorted() {
+        let found = options("--budgets 4s,1s,4s --integrators bdpt,bdpt:depth=6 cornell");
+        assert_eq!(found.budgets(), [1.0, 4.0]);
+        assert_eq!(found.contestants()[1].name(), "bdpt:depth=6");
+        assert_eq!(found.scenes(), ["cornell"]);
+        assert!(found.check().is_ok());
+    }
+
+    #[test]
+    fn what_does_not_go_together_is_refused() {
+        assert!(options("--reference a.exr").check().is_err());
+        assert!(options("--reference a.exr pyramid oracle").check().is_ok());
+        assert!(options("--integrators bdpt,bdpt").check().is_err());
+        assert!(Options::try_parse_from(["x", "--seeds", "1"]).is_err());
+        assert!(Options::try_parse_from(["x", "--integrators", "pt"]).is_err());
+    }
+}

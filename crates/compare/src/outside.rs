@@ -1,0 +1,126 @@
+//! Pictures of other programs, to stand on the same chart.
+
+use crate::reference::Reference;
+use crate::results::OutsidePoint;
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+use traylib_demos::Failure;
+use traylib_io::load_exr;
+use traylib_math::{Grid, Rgb};
+
+/// One picture, as a file of outside points lists it.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OutsideEntry {
+    /// The scene that it shows, by its name.
+    scene: String,
+    /// What it is to be called.
+    name: String,
+    /// How long it took, in seconds.
+    seconds: f64,
+    /// Linear radiance, an EXR file; relative names are looked up beside the list.
+    picture: PathBuf,
+}
+
+/// Reads a list of pictures: JSON, an array of objects with `scene`, `name`,
+/// `seconds` and `picture`.
+///
+/// # Errors
+/// The file cannot be read or makes no sense.
+pub fn read(file: &Path) -> Result<Vec<OutsideEntry>, Failure> {
+    let failure = |text: String| Failure::scene(format_args!("{}: {text}", file.display()));
+    let text = std::fs::read_to_string(file)
+        .map_err(|error| failure(format!("cannot be read: {error}")))?;
+    let mut entries: Vec<OutsideEntry> = serde_json::from_str(&text).map_err(|error| {
+        let wanted = r#"wanted: [{"scene": "cornell", "name": "mine", "seconds": 8, "picture": "mine.exr"}]"#;
+        failure(format!("{error}; {wanted}"))
+    })?;
+    if let Some(entry) = entries.iter().find(|entry| !(entry.seconds > 0.0)) {
+        return Err(failure(format!("`{}` took {} s, wanted more", entry.name, entry.seconds)));
+    }
+    let folder = file.parent().unwrap_or(Path::new(""));
+    for entry in &mut entries {
+        entry.picture = folder.join(&entry.picture);
+    }
+    Ok(entries)
+}
+
+/// Measures the pictures of a scene.
+///
+/// # Errors
+/// A picture cannot be read, or has another size than the reference.
+pub fn measure(
+    entries: &[OutsideEntry],
+    scene: &str,
+    reference: &Reference,
+) -> Result<Vec<(OutsidePoint, Grid<Rgb>)>, Failure> {
+    entries.iter().filter(|entry| entry.scene == scene).map(|e| one(e, reference)).collect()
+}
+
+fn one(entry: &OutsideEntry, reference: &Reference) -> Result<(OutsidePoint, Grid<Rgb>), Failure> {
+    let picture = load_exr(&entry.picture)?;
+    same_size(&entry.picture, &picture, (reference.picture.width(), reference.picture.height()))?;
+    let wide = picture.map(|light| light.to_array().map(f64::from));
+    let error = reference.less_own(reference.rel_mse(&wide));
+    let solid = reference.is_solid_at(error);
+    let point = OutsidePoint { name: entry.name.clone(), seconds: entry.seconds, error, solid };
+    Ok((point, picture))
+}
+
+/// A picture must have the size of those it is compared with.
+///
+/// # Errors
+/// It has not.
+pub fn same_size(
+    file: &Path,
+    picture: &Grid<Rgb>,
+    (width, height): (usize, usize),
+) -> Result<(), Failure> {
+    if (picture.width(), picture.height()) == (width, height) {
+        return Ok(());
+    }
+    let (found_width, found_height) = (picture.width(), picture.height());
+    Err(Failure::scene(format_args!(
+        "{}: has {found_width}x{found_height} pixels where {width}x{height} are compared; \
+         ask for --resolution {found_width}x{found_height}",
+        file.display()
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read_text(text: &str) -> Result<Vec<OutsideEntry>, Failure> {
+        let name = format!("traylib-outside-{}-{:p}.json", std::process::id(), text);
+        let file = std::env::temp_dir().join(name);
+        std::fs::write(&file, text).unwrap();
+        let entries = read(&file);
+        std::fs::remove_file(file).unwrap();
+        entries
+    }
+
+    #[test]
+    fn a_list_names_pictures_beside_it() {
+        let text = r#"[{"scene": "s", "name": "mine", "seconds": 2.5, "picture": "a.exr"}]"#;
+        let entries = read_text(text).unwrap();
+        assert_eq!(entries[0].picture, std::env::temp_dir().join("a.exr"));
+        assert_eq!(entries[0].seconds, 2.5);
+    }
+
+    #[test]
+    fn a_list_that_makes_no_sense_is_refused_with_an_example() {
+        let error = read_text(r#"[{"scene": "s"}]"#).unwrap_err().to_string();
+        assert!(error.contains("wanted: [{"), "{error}");
+        let slow = r#"[{"scene": "s", "name": "n", "seconds": 0, "picture": "a.exr"}]"#;
+        assert!(read_text(slow).unwrap_err().to_string().contains("wanted more"));
+    }
+
+    #[test]
+    fn another_size_is_refused() {
+        let picture = Grid::filled(3, 2, Rgb::BLACK);
+        let error = same_size(Path::new("a.exr"), &picture, (4, 2)).unwrap_err().to_string();
+        assert!(error.contains("--resolution 3x2"), "{error}");
+        assert!(same_size(Path::new("a.exr"), &picture, (3, 2)).is_ok());
+    }
+}

@@ -1,0 +1,110 @@
+//! All runs on a scene: every contestant once, then all again with the next seed.
+//!
+//! By turns, so that whatever else the machine does falls on all alike.
+
+use crate::contestant::Contestant;
+use crate::judge::Entry;
+use crate::progress::Plan;
+use crate::run::{Picture, Race, Record};
+use crate::store::{Store, key_of};
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+use traylib_demos::Failure;
+
+/// What each contestant does before the race, in seconds.
+pub const WARM_UP: f64 = 0.1;
+
+/// Looking and keeping cost so much on top.
+pub const OVERHEAD: f64 = 1.15;
+
+/// The runs that are wanted.
+#[derive(Debug)]
+pub struct Field<'a> {
+    /// What they have in common.
+    pub race: Race<'a>,
+    /// Hash of scene, reference and program: all that the contestants do not decide.
+    pub key: u64,
+    /// Who runs.
+    pub contestants: &'a [Contestant],
+    /// Runs of each.
+    pub seeds: u32,
+    /// Seed of the first.
+    pub first_seed: u64,
+    /// Where finished runs are.
+    pub store: &'a Store,
+}
+
+/// Runs them all, or those that are not done yet; fewer of each if it is stopped.
+///
+/// # Errors
+/// The system refuses threads, or a file cannot be written.
+pub fn race(field: &Field<'_>, plan: &Plan) -> Result<Vec<Entry>, Failure> {
+    let entry = |contestant: &Contestant| Entry {
+        contestant: contestant.clone(),
+        records: Vec::new(),
+        pictures: Vec::new(),
+    };
+    let mut entries: Vec<Entry> = field.contestants.iter().map(entry).collect();
+    let mut warm = false;
+    for turn in 0..field.seeds {
+        // Nobody always follows the same neighbour.
+        for place in 0..entries.len() {
+            let number = entries.len();
+            let entry = &mut entries[(place + turn as usize) % number];
+            let seed = field.first_seed + u64::from(turn);
+            plan.detail(&format!(
+                "{}, run {} of {}",
+                entry.contestant.name(),
+                turn + 1,
+                field.seeds
+            ));
+            let Some((record, picture)) = field.one(&entry.contestant, seed, &mut warm)? else {
+                return Ok(entries);
+            };
+            entry.records.push(record);
+            entry.pictures.push(picture);
+            plan.done(field.seconds());
+        }
+    }
+    Ok(entries)
+}
+
+impl Field<'_> {
+    /// What one run is planned to take.
+    pub fn seconds(&self) -> f64 {
+        OVERHEAD * self.race.budgets.last().copied().unwrap_or(0.0)
+    }
+
+    fn one(
+        &self,
+        contestant: &Contestant,
+        seed: u64,
+        warm: &mut bool,
+    ) -> Result<Option<(Record, Picture)>, Failure> {
+        let Race { budgets, threads, .. } = self.race;
+        let key = key_of(&(self.key, contestant.name(), seed, budgets, threads));
+        let found = self.store.numbers(key).zip(self.store.picture(key, "mean"));
+        if found.is_some() {
+            return Ok(found);
+        }
+        if !std::mem::replace(warm, true) {
+            self.warm_up()?;
+        }
+        if self.race.stop.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
+        let done = self.race.run(contestant, seed).map_err(Failure::output)?;
+        if let Some((record, picture)) = &done {
+            self.store.keep(key, record, &[("mean", picture)]).map_err(Failure::output)?;
+        }
+        Ok(done)
+    }
+
+    fn warm_up(&self) -> Result<(), Failure> {
+        for contestant in self.contestants {
+            let time = Duration::from_secs_f64(WARM_UP);
+            self.race.warm_up(contestant, time).map_err(Failure::output)?;
+        }
+        Ok(())
+    }
+}

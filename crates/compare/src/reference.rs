@@ -1,0 +1,114 @@
+//! What pictures are held against, and how sure it is itself.
+
+mod agreement;
+mod half;
+mod pair;
+
+pub use half::Half;
+pub use pair::{Making, make};
+
+use crate::results::ReferenceResults;
+use crate::run::Picture;
+use traylib_math::Grid;
+use traylib_scene::{error_floor, relative_square_errors};
+
+/// A reference's own error may be this share of what it measures.
+const LARGEST_OWN_SHARE: f64 = 0.05;
+
+/// The picture as it should be.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    /// Mean radiance of each pixel.
+    pub picture: Picture,
+    /// Variance of each of these; zeros for a closed form.
+    pub variance: Picture,
+    /// ε of relMSE.
+    pub epsilon: f64,
+    /// What is told of it.
+    pub results: ReferenceResults,
+}
+
+impl Reference {
+    /// From a picture and its variance.
+    pub(crate) fn new(picture: Picture, variance: Picture, results: ReferenceResults) -> Self {
+        let epsilon = error_floor(&picture);
+        let own_error = own_error(&picture, &variance, epsilon);
+        Self { picture, variance, epsilon, results: ReferenceResults { own_error, ..results } }
+    }
+
+    /// The same radiance everywhere.
+    pub fn constant(width: usize, height: usize, radiance: f64) -> Self {
+        let origin = format!("a closed form: {radiance} W/m²/sr everywhere");
+        Self::given(Grid::filled(width, height, [radiance; 3]), origin)
+    }
+
+    /// A picture from elsewhere, taken for true.
+    pub fn given(picture: Picture, origin: String) -> Self {
+        let variance = picture.map(|_| [0.0; 3]);
+        let results = ReferenceResults { origin, own_error: 0.0, seconds: 0.0, agreement: None };
+        Self::new(picture, variance, results)
+    }
+
+    /// relMSE of a picture of the same size; its own noise is in it.
+    pub fn rel_mse(&self, picture: &Picture) -> f64 {
+        let errors = relative_square_errors(picture, &self.picture, self.epsilon);
+        errors.map_or(f64::NAN, |errors| {
+            errors.values().iter().sum::<f64>() / errors.values().len() as f64
+        })
+    }
+
+    /// An error without the reference's own noise. Where that is nearly all of it,
+    /// a hundredth is left: nothing is known, and the point is hollow, but a
+    /// logarithm exists.
+    pub fn less_own(&self, error: f64) -> f64 {
+        (error - self.results.own_error).max(0.01 * error).max(f64::MIN_POSITIVE)
+    }
+
+    /// Whether it is good enough to measure such an error.
+    pub fn is_solid_at(&self, error: f64) -> bool {
+        self.results.own_error < LARGEST_OWN_SHARE * error
+    }
+
+    /// Relative variance of the picture's mean, as if pixels were independent, which
+    /// they nearly are.
+    pub fn relative_variance_of_mean(&self) -> f64 {
+        let total: f64 = self.picture.values().iter().flatten().sum();
+        // Bands of a pixel rise and fall together: their deviations add.
+        let pixel = |v: &[f64; 3]| v.iter().map(|v| v.sqrt()).sum::<f64>().powi(2);
+        let variance: f64 = self.variance.values().iter().map(pixel).sum();
+        if total > 0.0 { variance / (total * total) } else { 0.0 }
+    }
+}
+
+/// Mean of variance/(r² + ε).
+fn own_error(picture: &Picture, variance: &Picture, epsilon: f64) -> f64 {
+    let relative = |(r, v): (&f64, &f64)| if *v > 0.0 { v / (r * r + epsilon) } else { 0.0 };
+    let bands = picture.values().as_flattened().iter().zip(variance.values().as_flattened());
+    bands.map(relative).sum::<f64>() / (3 * picture.values().len()) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_closed_form_is_sure_of_itself() {
+        let reference = Reference::constant(4, 3, 2.0);
+        assert!((reference.epsilon - 0.04).abs() < 1e-12);
+        assert!(reference.is_solid_at(1e-9));
+        let off = Grid::filled(4, 3, [2.2, 2.0, 1.8]);
+        let expected = (0.04 + 0.04) / 3.0 / 4.04;
+        assert!((reference.rel_mse(&off) - expected).abs() < 1e-12);
+    }
+
+    #[test]
+    fn noise_of_a_reference_is_told() {
+        let picture = Grid::filled(2, 2, [1.0; 3]);
+        let results = Reference::constant(2, 2, 1.0).results;
+        let noisy = Reference::new(picture.clone(), picture.map(|_| [0.0101; 3]), results);
+        assert!((noisy.results.own_error - 0.01).abs() < 1e-12);
+        assert!(!noisy.is_solid_at(0.1) && noisy.is_solid_at(0.3));
+        // Four pixels, each with a variance of 0.0101 in equal bands.
+        assert!((noisy.relative_variance_of_mean() - 0.0101 / 4.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,60 @@
+//! Whether two methods render the same picture.
+
+use super::half::Numbers;
+use crate::results::{Estimate, ReferenceAgreement};
+use traylib_tests::statistics::{sidak, welch};
+
+/// False alarms among all tiles of a pair.
+const LEVEL: f64 = 1e-3;
+
+/// Of the normal law, 0.1 % outside.
+const QUANTILE: f64 = 3.2905;
+
+/// Compares two; `masked` is the share of pixels that were left out.
+pub(super) fn agreement(a: &Numbers, b: &Numbers, masked: f64) -> ReferenceAgreement {
+    let last = a.tiles.len() - 1;
+    let tiles: Vec<f64> = (0..last).filter_map(|i| Some(welch(&a.tile(i)?, &b.tile(i)?))).collect();
+    let level = sidak(LEVEL, tiles.len());
+    ReferenceAgreement {
+        methods: [a.method.clone(), b.method.clone()],
+        mean_ratio: mean_ratio(a, b),
+        tiles: tiles.len() as u32,
+        refused: tiles.iter().filter(|p| **p < level).count() as u32,
+        masked,
+    }
+}
+
+/// By the delta method: both means are of many passes.
+fn mean_ratio(a: &Numbers, b: &Numbers) -> Estimate {
+    let last = a.tiles.len() - 1;
+    let Some((a, b)) = a.tile(last).zip(b.tile(last)) else {
+        return Estimate { value: 1.0, low: 0.0, high: f64::MAX };
+    };
+    let value = a.mean / b.mean;
+    let relative = a.variance_of_mean / a.mean.powi(2) + b.variance_of_mean / b.mean.powi(2);
+    let half_width = QUANTILE * relative.sqrt() * value;
+    Estimate { value, low: value - half_width, high: value + half_width }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(tiles: &[f64], variance: f64) -> Numbers {
+        let whole = tiles.iter().sum::<f64>() / tiles.len() as f64;
+        let tile = |mean: f64| Some((mean, variance));
+        let tiles = tiles.iter().chain([&whole]).map(|mean| tile(*mean)).collect();
+        Numbers { method: "m".into(), passes: 1000, seconds: 1.0, tiles }
+    }
+
+    #[test]
+    fn a_wrong_tile_is_refused_and_noise_is_not() {
+        let right = numbers(&[1.0, 2.0, 3.0, 4.0], 1e-4);
+        let near = numbers(&[1.01, 1.99, 3.0, 4.01], 1e-4);
+        let wrong = numbers(&[1.0, 2.2, 3.0, 4.0], 1e-4);
+        assert_eq!(agreement(&right, &near, 0.0).refused, 0);
+        let found = agreement(&right, &wrong, 0.25);
+        assert_eq!((found.tiles, found.refused, found.masked), (4, 1, 0.25));
+        assert!(found.mean_ratio.low < found.mean_ratio.value && found.mean_ratio.value < 1.0);
+    }
+}

@@ -1,0 +1,245 @@
+//! The reference of a scene: two methods, each seen to agree with the other.
+
+use super::Reference;
+use super::agreement::agreement;
+use super::half::{Half, Numbers, Order};
+use crate::contestant::Contestant;
+use crate::mirrors::mirrors;
+use crate::results::ReferenceResults;
+use crate::run::Picture;
+use crate::store::{Store, StoreError, key_of};
+use std::fmt;
+use std::sync::atomic::AtomicBool;
+use traylib_integrators::ThreadError;
+use traylib_math::Grid;
+use traylib_scene::{Scene, error_floor};
+
+/// Sees all that any method here does.
+const FIRST: &str = "bdpt";
+/// Another method that sees as much, by paths from the camera alone.
+const SECOND: &str = "combined";
+/// Blind to mirrors, but where paths from the camera do not converge the only
+/// other one.
+const LAST_RESORT: &str = "particle";
+
+/// The second method is given up if its error costs so many times the first's.
+const HOPELESS: f64 = 16.0;
+
+/// Of no run: those count up from small numbers.
+const SEEDS: [u64; 2] = [u64::MAX, u64::MAX - 1];
+
+/// How a reference is made.
+#[derive(Clone, Copy, Debug)]
+pub struct Making<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// A hash of the scene.
+    pub scene_key: u64,
+    /// Seconds for each of the two methods.
+    pub seconds: f64,
+    /// Threads; 0 for one a processor.
+    pub threads: usize,
+    /// Raised when the user wants to stop.
+    pub stop: &'a AtomicBool,
+    /// Where finished halves are.
+    pub store: &'a Store,
+}
+
+/// Why there is no reference.
+#[derive(Debug)]
+pub enum MakeError {
+    /// The system refuses threads.
+    Threads(ThreadError),
+    /// A half cannot be kept.
+    Store(StoreError),
+}
+
+impl fmt::Display for MakeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Threads(error) => error.fmt(f),
+            Self::Store(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for MakeError {}
+
+impl From<ThreadError> for MakeError {
+    fn from(error: ThreadError) -> Self {
+        Self::Threads(error)
+    }
+}
+
+impl From<StoreError> for MakeError {
+    fn from(error: StoreError) -> Self {
+        Self::Store(error)
+    }
+}
+
+/// Makes the reference of a scene, or takes it from the store; `None` if it was
+/// stopped. `tell` is called with what is being done.
+///
+/// # Errors
+/// The system refuses threads, or a file cannot be written.
+pub fn make(making: &Making<'_>, tell: &dyn Fn(&str)) -> Result<Option<Reference>, MakeError> {
+    let seen = mirrors(making.scene);
+    let none = seen.map(|_| false);
+    let Some(second) = making.choose_second(&seen)? else { return Ok(None) };
+    let masked = if second == LAST_RESORT { &seen } else { &none };
+    tell(FIRST);
+    let Some(a) = making.half(FIRST, masked, 0)? else { return Ok(None) };
+    tell(second);
+    let Some(b) = making.half(second, masked, 1)? else { return Ok(None) };
+    Ok(Some(join(&a, &b, masked)))
+}
+
+impl Making<'_> {
+    /// From the store, or rendered.
+    fn half(
+        &self,
+        method: &str,
+        masked: &Grid<bool>,
+        index: usize,
+    ) -> Result<Option<Half>, MakeError> {
+        let key = key_of(&(self.scene_key, method, masked.values(), SEEDS[index]));
+        if let Some(half) = self.found(key) {
+            return Ok(Some(half));
+        }
+        let half = self.order(masked, self.seconds, SEEDS[index]).render(&contestant(method))?;
+        if let Some(half) = &half {
+            let pictures = [("mean", &half.picture), ("variance", &half.variance)];
+            self.store.keep(key, &half.numbers, &pictures)?;
+        }
+        Ok(half)
+    }
+
+    fn found(&self, key: u64) -> Option<Half> {
+        let numbers: Numbers = self.store.numbers(key)?;
+        let picture = self.store.picture(key, "mean")?;
+        let variance = self.store.picture(key, "variance")?;
+        (numbers.seconds >= self.seconds).then_some(Half { picture, variance, numbers })
+    }
+
+    fn order<'a>(&'a self, masked: &'a Grid<bool>, seconds: f64, seed: u64) -> Order<'a> {
+        let Self { scene, threads, stop, .. } = *self;
+        Order { scene, masked, seconds, seed, threads, stop }
+    }
+
+    /// Which method the first is checked by: known from last time, or found by short
+    /// renders of all three, compared where no mirror is seen.
+    fn choose_second(&self, mirrors: &Grid<bool>) -> Result<Option<&'static str>, MakeError> {
+        let key = key_of(&(self.scene_key, "second method"));
+        if let Some(index) = self.store.numbers::<usize>(key) {
+            return Ok([SECOND, LAST_RESORT].get(index).copied());
+        }
+        let mut costs = Vec::new();
+        let mut scale = None;
+        for method in [FIRST, SECOND, LAST_RESORT] {
+            let order = self.order(mirrors, 0.04 * self.seconds, SEEDS[0] - 2);
+            let Some(half) = order.render(&contestant(method))? else { return Ok(None) };
+            let picture = &*scale.get_or_insert_with(|| half.picture.clone());
+            costs.push(relative_variance(picture, &half.variance, mirrors) * half.numbers.seconds);
+        }
+        let hopeless = costs[1] > HOPELESS * costs[0] && costs[2] < costs[1];
+        self.store.keep(key, &usize::from(hopeless), &[])?;
+        Ok(Some(if hopeless { LAST_RESORT } else { SECOND }))
+    }
+}
+
+fn contestant(method: &str) -> Contestant {
+    method.parse().expect("the names above are names of programs")
+}
+
+/// Mean of variance/(r² + ε) where nothing is masked.
+fn relative_variance(picture: &Picture, variance: &Picture, masked: &Grid<bool>) -> f64 {
+    let epsilon = error_floor(picture);
+    let pixels = picture.values().iter().zip(variance.values()).zip(masked.values());
+    let seen: Vec<f64> = pixels
+        .filter(|(_, masked)| !**masked)
+        .map(|((r, v), _)| (0..3).map(|b| v[b] / (r[b] * r[b] + epsilon)).sum::<f64>() / 3.0)
+        .collect();
+    seen.iter().sum::<f64>() / seen.len().max(1) as f64
+}
+
+/// The mean of both, by what each is worth; where masked, the first alone.
+fn join(a: &Half, b: &Half, masked: &Grid<bool>) -> Reference {
+    let [worth_a, worth_b] =
+        [a, b].map(|half| 1.0 / relative_variance(&a.picture, &half.variance, masked));
+    let share = if worth_b.is_finite() { worth_a / (worth_a + worth_b) } else { 0.5 };
+    let share = if share.is_finite() { share } else { 0.5 };
+    let shares: Vec<f64> =
+        masked.values().iter().map(|masked| if *masked { 1.0 } else { share }).collect();
+    let picture = mix(&a.picture, &b.picture, &shares, |share| share);
+    let variance = mix(&a.variance, &b.variance, &shares, |share| share * share);
+    let hidden = masked.values().iter().filter(|masked| **masked).count();
+    let masked_share = hidden as f64 / masked.values().len() as f64;
+    let agreement = agreement(&a.numbers, &b.numbers, masked_share);
+    let results = ReferenceResults {
+        origin: origin(&a.numbers, &b.numbers, share, masked_share),
+        own_error: 0.0,
+        seconds: a.numbers.seconds + b.numbers.seconds,
+        agreement: Some(agreement),
+    };
+    Reference::new(picture, variance, results)
+}
+
+fn mix(a: &Picture, b: &Picture, shares: &[f64], weight: impl Fn(f64) -> f64) -> Picture {
+    let pixels = a.values().iter().zip(b.values()).zip(shares);
+    let values = pixels
+        .map(|((a, b), share)| {
+            let (of_a, of_b) = (weight(*share), weight(1.0 - share));
+            std::array::from_fn(|band| {
+                // Nothing of a value that is not finite is nothing.
+                let part = |w: f64, x: f64| if w == 0.0 { 0.0 } else { w * x };
+                part(of_a, a[band]) + part(of_b, b[band])
+            })
+        })
+        .collect();
+    Grid::from_values(a.width(), a.height(), values).expect("as many as there were")
+}
+
+fn origin(a: &Numbers, b: &Numbers, share: f64, masked: f64) -> String {
+    let part =
+        |n: &Numbers, share: f64| format!("{:.0} % {} ({} spp)", 100.0 * share, n.method, n.passes);
+    let mut text = format!("a mean: {}, {}", part(a, share), part(b, 1.0 - share));
+    if masked > 0.0 {
+        text += &format!("; where mirrors are in view, {} alone", a.method);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn half(method: &str, value: f64, variance: f64) -> Half {
+        let tiles = vec![Some((value, variance)); 3];
+        Half {
+            picture: Grid::filled(2, 1, [value; 3]),
+            variance: Grid::filled(2, 1, [variance; 3]),
+            numbers: Numbers { method: method.into(), passes: 10, seconds: 1.0, tiles },
+        }
+    }
+
+    #[test]
+    fn the_better_half_counts_for_more_and_alone_where_the_other_is_blind() {
+        let (good, poor) = (half("bdpt", 1.0, 0.01), half("particle", 2.0, 0.03));
+        let mut masked = Grid::filled(2, 1, false);
+        masked.values_mut()[1] = true;
+        let joined = join(&good, &poor, &masked);
+        assert!((joined.picture.get(0, 0)[0] - 1.25).abs() < 1e-12);
+        assert_eq!(joined.picture.get(1, 0)[0], 1.0);
+        let expected = 0.75 * 0.75 * 0.01 + 0.25 * 0.25 * 0.03;
+        assert!((joined.variance.get(0, 0)[1] - expected).abs() < 1e-12);
+        assert_eq!(joined.results.agreement.unwrap().masked, 0.5);
+        assert!(joined.results.origin.contains("75 % bdpt"), "{}", joined.results.origin);
+    }
+
+    #[test]
+    fn methods_without_noise_share_evenly() {
+        let joined = join(&half("a", 1.0, 0.0), &half("b", 1.0, 0.0), &Grid::filled(2, 1, false));
+        assert_eq!(joined.picture.get(0, 0)[0], 1.0);
+        assert_eq!(joined.results.own_error, 0.0);
+    }
+}

@@ -1,0 +1,195 @@
+//! One run: a contestant renders until its time is up, and is looked at on the way.
+
+use crate::contestant::Contestant;
+use crate::memory::peak_during;
+use crate::reference::Reference;
+use serde::{Deserialize, Serialize};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use traylib_integrators::{Progress, Rendering, Settings, Statistics, ThreadError, render};
+use traylib_math::Grid;
+use traylib_scene::{PictureError, Scene};
+use traylib_tests::stability::tail::Largest;
+
+/// A picture in linear radiance.
+pub type Picture = Grid<[f64; 3]>;
+
+/// What is kept of a run, beside its picture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Passes rendered.
+    pub passes: u32,
+    /// Seconds that they took.
+    pub seconds: f64,
+    /// Looks at it on the way, by time; the last is at its end.
+    pub looks: Vec<Look>,
+    /// relMSE without the worst 0.1 % of pixels, at the end.
+    pub trimmed_rel_mse: f64,
+    /// SMAPE at the end.
+    pub smape: f64,
+    /// Mean of the picture over that of the reference.
+    pub mean_ratio: f64,
+    /// Rays from the camera, from surfaces and lamps, and between points.
+    pub rays: [u64; 3],
+    /// Samples that were left out.
+    pub rejected: u64,
+    /// Most bytes held on the way, beside scene and reference.
+    pub peak_bytes: u64,
+    /// The largest values of single passes, over what errors are divided by.
+    pub largest: Vec<f64>,
+}
+
+/// The error at some time; the reference's own noise is in it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Look {
+    /// Passes so far.
+    pub passes: u32,
+    /// Seconds so far.
+    pub seconds: f64,
+    /// relMSE.
+    pub error: f64,
+    /// Which budget had just been used up, where one had.
+    pub budget: Option<usize>,
+}
+
+/// What all runs on a scene have in common.
+#[derive(Clone, Copy, Debug)]
+pub struct Race<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// What pictures are held against.
+    pub reference: &'a Reference,
+    /// In seconds, ascending; not empty.
+    pub budgets: &'a [f64],
+    /// Threads; 0 for one a processor.
+    pub threads: usize,
+    /// Raised when the user wants to stop.
+    pub stop: &'a AtomicBool,
+}
+
+impl Race<'_> {
+    /// Renders until the longest budget is used up: the record and the picture;
+    /// `None` if it was stopped.
+    ///
+    /// # Errors
+    /// The system refuses threads.
+    pub fn run(
+        &self,
+        contestant: &Contestant,
+        seed: u64,
+    ) -> Result<Option<(Record, Picture)>, ThreadError> {
+        let settings = Settings { spp: u32::MAX, seed, threads: self.threads };
+        let integrator = contestant.integrator();
+        let mut watch = Watch::new(self);
+        let (rendering, peak_bytes) = peak_during(|| {
+            render(self.scene, integrator.as_ref(), &settings, &mut |p| watch.after_pass(p))
+        });
+        let rendering = rendering?;
+        Ok((!watch.stopped).then(|| (watch.record(&rendering, peak_bytes), rendering.film.mean())))
+    }
+
+    /// Renders for about this long and keeps nothing: caches, clock rates and
+    /// threads are then as they will be.
+    ///
+    /// # Errors
+    /// The system refuses threads.
+    pub fn warm_up(&self, contestant: &Contestant, time: Duration) -> Result<(), ThreadError> {
+        let start = Instant::now();
+        let settings = Settings { spp: u32::MAX, seed: 0, threads: self.threads };
+        let integrator = contestant.integrator();
+        render(self.scene, integrator.as_ref(), &settings, &mut |_| {
+            let end = start.elapsed() >= time || self.stop.load(Ordering::Relaxed);
+            if end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })?;
+        Ok(())
+    }
+}
+
+/// Looks after each pass, with the clock stopped.
+struct Watch<'a> {
+    race: &'a Race<'a>,
+    /// What pass values are divided by: roots of r² + ε, of the mean of the bands.
+    units: Vec<f64>,
+    before: Vec<f64>,
+    largest: Largest,
+    looks: Vec<Look>,
+    next_budget: usize,
+    gone: Duration,
+    since: Instant,
+    stopped: bool,
+}
+
+impl<'a> Watch<'a> {
+    fn new(race: &'a Race<'a>) -> Self {
+        let reference = race.reference;
+        let unit = |bands: &[f64; 3]| (grey(bands).powi(2) + reference.epsilon).sqrt();
+        Self {
+            race,
+            units: reference.picture.values().iter().map(unit).collect(),
+            before: vec![0.0; reference.picture.values().len()],
+            largest: Largest::default(),
+            looks: Vec::new(),
+            next_budget: 0,
+            gone: Duration::ZERO,
+            since: Instant::now(),
+            stopped: false,
+        }
+    }
+
+    fn after_pass(&mut self, progress: &Progress<'_>) -> ControlFlow<()> {
+        self.gone += self.since.elapsed();
+        let passes = progress.film.passes();
+        let mean = progress.film.mean();
+        self.add_tail(&mean, passes);
+        let seconds = self.gone.as_secs_f64();
+        let budgets = self.race.budgets;
+        let used = budgets[self.next_budget..].iter().take_while(|b| seconds >= **b).count();
+        self.next_budget += used;
+        let budget = (used > 0).then(|| self.next_budget - 1);
+        if budget.is_some() || passes.is_power_of_two() {
+            let error = self.race.reference.rel_mse(&mean);
+            self.looks.push(Look { passes, seconds, error, budget });
+        }
+        self.stopped = self.race.stop.load(Ordering::Relaxed);
+        if self.stopped || self.next_budget == budgets.len() {
+            return ControlFlow::Break(());
+        }
+        self.since = Instant::now();
+        ControlFlow::Continue(())
+    }
+
+    /// The pass itself is the growth of the sum.
+    fn add_tail(&mut self, mean: &Picture, passes: u32) {
+        for ((bands, before), unit) in mean.values().iter().zip(&mut self.before).zip(&self.units) {
+            let sum = grey(bands) * f64::from(passes);
+            self.largest.add((sum - *before) / unit);
+            *before = sum;
+        }
+    }
+
+    fn record(self, rendering: &Rendering, peak_bytes: u64) -> Record {
+        let picture = rendering.film.mean();
+        let reference = self.race.reference;
+        let error = PictureError::between(&picture, &reference.picture, reference.epsilon);
+        let Statistics { camera_rays, bounce_rays, shadow_rays, rejected, .. } =
+            rendering.statistics;
+        Record {
+            passes: rendering.film.passes(),
+            seconds: self.gone.as_secs_f64(),
+            looks: self.looks,
+            trimmed_rel_mse: error.map_or(0.0, |e| e.trimmed_rel_mse),
+            smape: error.map_or(0.0, |e| e.smape),
+            mean_ratio: error.map_or(0.0, |e| e.mean_ratio),
+            rays: [camera_rays, bounce_rays, shadow_rays],
+            rejected,
+            peak_bytes,
+            largest: self.largest.descending(),
+        }
+    }
+}
+
+/// The mean of the bands.
+pub fn grey(bands: &[f64; 3]) -> f64 {
+    bands.iter().sum::<f64>() / 3.0
+}
