@@ -57,6 +57,16 @@ fn nothing_is_asked_from_outside() {
 }
 
 #[test]
+fn without_its_script_nothing_but_the_wipe_is_missing() {
+    let page = text(&sample().0);
+    assert_eq!(page.matches(" hidden").count(), page.matches("class=\"wipe\" hidden").count());
+    assert_eq!(page.matches("class=\"wipe\" hidden").count(), 2);
+    for pictures in sample().1 {
+        assert!(page.matches("<img ").count() > 2 * pictures.methods.len());
+    }
+}
+
+#[test]
 fn an_interrupted_comparison_says_so() {
     let mut results = sample().0;
     assert!(text(&results).contains("Interrupted."));

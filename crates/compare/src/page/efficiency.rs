@@ -6,55 +6,51 @@ use crate::page::number::{bytes, interval, percent, prefixed, seconds, short};
 use crate::results::{Estimate, MethodResults, SceneResults};
 use maud::{Markup, html};
 
+const CAPTION: &str = "Above: how much less a given error costs than elsewhere; longer is better, \
+    and the intervals of all methods hold together with 95 %. Below, why: a method is slow because \
+    a pass is noisy (left) or because a pass takes long (right); bars to the left of one are better \
+    than the best. Noise alone, without the light that a method loses.";
+
 /// Bars of efficiency, bars of its two factors, and a table of both.
 pub(crate) fn efficiency(scene: &SceneResults, palette: &Palette) -> Markup {
     let best = scene.methods.iter().find(|method| method.name == scene.verdict.best);
-    let rows = |of: &dyn Fn(&MethodResults) -> Estimate| -> Vec<Bar> {
-        scene.methods.iter().map(|method| bar(method, of(method), palette)).collect()
-    };
-    let per = |what: &str| format!("{what} of {}", scene.verdict.best);
     html! {
         h3 { "Efficiency" }
         figure {
-            div.chart {
-                (bars(
-                    &format!("Efficiency on {} relative to the best, logarithmic", scene.name),
-                    "1/(error × seconds), best = 1",
-                    &rows(&|method| inverse(method.cost_ratio)),
-                    Baseline::Left,
-                ))
-            }
-            @if let Some(best) = best {
-                div.pair {
-                    div.chart {
-                        (bars(
-                            "Error of a pass relative to the best's, logarithmic",
-                            &per("error of a pass over that"),
-                            &rows(&|m| over(m.error_per_pass, best.error_per_pass.value)),
-                            Baseline::One,
-                        ))
-                    }
-                    div.chart {
-                        (bars(
-                            "Seconds of a pass relative to the best's, logarithmic",
-                            &per("time of a pass over that"),
-                            &rows(&|m| over(m.seconds_per_pass, best.seconds_per_pass.value)),
-                            Baseline::One,
-                        ))
-                    }
-                }
-            }
-            figcaption {
-                "Above: how much less a given error costs than elsewhere; longer is better, and \
-                 the intervals of all methods hold together with 95 %. Below, why: a method is \
-                 slow because a pass is noisy (left) or because a pass takes long (right); bars \
-                 to the left of one are better than the best. Noise alone, without the light that \
-                 a method loses."
-            }
+            div.chart { (whole(scene, palette)) }
+            @if let Some(best) = best { div.pair { (factors(scene, best, palette)) } }
+            figcaption { (CAPTION) }
         }
         (costs(scene, palette))
         (metrics(scene, palette))
     }
+}
+
+fn whole(scene: &SceneResults, palette: &Palette) -> Markup {
+    let label = format!("Efficiency on {} relative to the best, logarithmic", scene.name);
+    let rows = rows(scene, palette, |method| inverse(method.cost_ratio));
+    bars(&label, "1/(error × seconds), best = 1", &rows, Baseline::Left)
+}
+
+/// Error and time of a pass, each over that of the best.
+fn factors(scene: &SceneResults, best: &MethodResults, palette: &Palette) -> Markup {
+    let chart = |what: &str, of: fn(&MethodResults) -> Estimate| {
+        let axis = format!("{what} of a pass over that of {}", best.name);
+        let rows = rows(scene, palette, |method| over(of(method), of(best).value));
+        html! { div.chart { (bars(&axis, &axis, &rows, Baseline::One)) } }
+    };
+    html! {
+        (chart("error", |method| method.error_per_pass))
+        (chart("time", |method| method.seconds_per_pass))
+    }
+}
+
+fn rows(
+    scene: &SceneResults,
+    palette: &Palette,
+    of: impl Fn(&MethodResults) -> Estimate,
+) -> Vec<Bar> {
+    scene.methods.iter().map(|method| bar(method, of(method), palette)).collect()
 }
 
 fn bar(method: &MethodResults, estimate: Estimate, palette: &Palette) -> Bar {

@@ -1,6 +1,6 @@
 //! How the comparison was made.
 
-use crate::page::number::{bytes, interval, percent, seconds, short};
+use crate::page::number::{bytes, chosen, interval_of, percent, seconds, short};
 use crate::results::{How, ReferenceResults, Results, SceneResults};
 use maud::{Markup, html};
 
@@ -27,7 +27,8 @@ pub(crate) fn how(results: &Results) -> Markup {
 }
 
 fn facts(how: &How) -> Markup {
-    let budgets: Vec<String> = how.budgets.iter().map(|budget| seconds(*budget)).collect();
+    let budgets: Vec<String> =
+        how.budgets.iter().map(|budget| format!("{} s", chosen(*budget))).collect();
     let last_seed = how.first_seed.saturating_add(u64::from(how.seeds).saturating_sub(1));
     let facts = [
         ("program", how.program.clone()),
@@ -73,7 +74,7 @@ fn agreement(reference: &ReferenceResults) -> Option<String> {
         "{first} and {second} agree on it thus: the ratio of their means is {} (99.9 % interval); \
          of {} tiles {} differ, at 0.1 % for all together; {} of the pixels are left out because \
          they see a mirror.",
-        interval(found.mean_ratio),
+        interval_of(found.mean_ratio, 4),
         found.tiles,
         found.refused,
         percent(found.masked)

@@ -51,11 +51,14 @@ pub(crate) fn short(value: f64) -> String {
 }
 
 /// `1.23 (1.10–1.40)`; the number alone where it has no interval.
-pub(crate) fn interval(Estimate { value, low, high }: Estimate) -> String {
-    if low >= high {
-        return short(value);
-    }
-    format!("{} ({}–{})", short(value), short(low), short(high))
+pub(crate) fn interval(estimate: Estimate) -> String {
+    interval_of(estimate, 3)
+}
+
+/// The same with another number of digits.
+pub(crate) fn interval_of(Estimate { value, low, high }: Estimate, digits: u8) -> String {
+    let [value, ends @ ..] = [value, low, high].map(|v| significant(v, digits));
+    if low >= high { value } else { format!("{value} ({}–{})", ends[0], ends[1]) }
 }
 
 /// Seconds with a unit that suits them: `3.4 ms`, `12 s`, `1.5 h`.
@@ -90,18 +93,26 @@ fn unit(seconds: f64) -> (f64, &'static str) {
 
 /// Bytes in kB, MB, GB of a thousand.
 pub(crate) fn bytes(bytes: u64) -> String {
-    format!("{}B", prefixed(bytes as f64))
+    let (number, prefix) = with_prefix(bytes as f64);
+    format!("{number}\u{a0}{prefix}B")
 }
 
-/// A number with k, M or G behind a blank that does not break.
+/// A number with k, M or G where it is large, behind a blank that does not break.
 pub(crate) fn prefixed(value: f64) -> String {
-    let (unit, name) = match value.abs() {
+    match with_prefix(value) {
+        (number, "") => number,
+        (number, prefix) => format!("{number}\u{a0}{prefix}"),
+    }
+}
+
+fn with_prefix(value: f64) -> (String, &'static str) {
+    let (unit, prefix) = match value.abs() {
         v if v >= 1e9 => (1e9, "G"),
         v if v >= 1e6 => (1e6, "M"),
         v if v >= 1e3 => (1e3, "k"),
         _ => (1.0, ""),
     };
-    format!("{}\u{a0}{name}", short(value / unit))
+    (short(value / unit), prefix)
 }
 
 /// A share as per cent: tenths of them, and more digits below one.
@@ -158,7 +169,8 @@ mod tests {
 
     #[test]
     fn sizes_and_shares() {
-        assert_eq!(bytes(1_500_000), "1.50\u{a0}MB");
+        assert_eq!([bytes(1_500_000), bytes(12)], ["1.50\u{a0}MB", "12.0\u{a0}B"]);
+        assert_eq!([prefixed(2e6), prefixed(12.0)], ["2.00\u{a0}M", "12.0"]);
         let texts = [0.1234, 0.996, -0.41, 0.000_51, f64::NAN].map(percent);
         let expected = ["12.3\u{a0}%", "99.6\u{a0}%", "−41.0\u{a0}%", "0.051\u{a0}%", "–"];
         assert_eq!(texts, expected);

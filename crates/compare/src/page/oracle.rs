@@ -2,7 +2,7 @@
 
 use crate::chart::{Palette, Quantity, oracle as chart};
 use crate::page::legend;
-use crate::page::number::{interval, prefixed, short};
+use crate::page::number::{interval_of, prefixed, significant};
 use crate::results::{Oracle, OracleCrossing};
 use maud::{Markup, html};
 
@@ -13,7 +13,8 @@ pub(crate) fn oracle(found: &Oracle, palette: &Palette) -> Markup {
             h2 { "Against theory" }
             p {
                 "A disk lamp of radius R above a matt plane at height h, where the noise of one \
-                 sample has a closed form. If measurement lies on it, the instrument is right."
+                 sample has a closed form. Points on the lines show that the noise on this page \
+                 is measured rightly."
             }
             ul.legend {
                 @for curve in &found.curves { li { (legend::name(palette, &curve.method)) } }
@@ -41,7 +42,7 @@ pub(crate) fn oracle(found: &Oracle, palette: &Palette) -> Markup {
 
 fn variance_caption(found: &Oracle) -> String {
     format!(
-        "Variance of one sample. Lines are theory, points are measured over {}samples with \
+        "Variance of one sample. Lines are theory, points are measured over {} samples with \
          intervals of 99.9 %; the upright line is the measured crossing.",
         prefixed(found.samples as f64)
     )
@@ -53,8 +54,8 @@ fn crossing(what: &str, found: OracleCrossing, level: &str) -> String {
     format!(
         "{what} at R/h = {} by measurement ({level} interval) and {} by theory, which is {} the \
          interval.",
-        interval(measured),
-        short(theory),
+        interval_of(measured, 4),
+        significant(theory, 4),
         if inside { "inside" } else { "outside" }
     )
 }
