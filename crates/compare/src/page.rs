@@ -35,6 +35,7 @@ const POLICY: &str =
 /// shown without.
 pub fn page(results: &Results, pictures: &[ScenePictures]) -> String {
     let palette = Palette::of(results);
+    let alone = results.scenes.len() == 1;
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -43,7 +44,7 @@ pub fn page(results: &Results, pictures: &[ScenePictures]) -> String {
                 (headline::headline(results))
                 main {
                     @for (i, found) in results.scenes.iter().enumerate() {
-                        (scene::scene(i, found, pictures.get(i), &palette))
+                        (scene::scene(i, (found, alone), pictures.get(i), &palette))
                     }
                     @if let Some(found) = &results.oracle { (oracle::oracle(found, &palette)) }
                     (how::how(results))

@@ -65,9 +65,15 @@ pub(crate) fn bars(label: &str, axis_name: &str, rows: &[Bar], baseline: Baselin
     })
 }
 
+/// Holds all bars; whiskers up to a decade beyond them, since without a variance
+/// they go on for ever.
 fn axis(rows: &[&Bar], baseline: Baseline) -> Decades {
-    let ends = |row: &&Bar| [row.estimate.value, row.estimate.low, row.estimate.high];
-    let around = Decades::around(rows.iter().flat_map(ends).chain([1.0]));
+    let values = || rows.iter().map(|row| row.estimate.value).chain([1.0]);
+    let low = values().fold(f64::INFINITY, f64::min) / 10.0;
+    let high = values().fold(0.0, f64::max) * 10.0;
+    let ends = rows.iter().flat_map(|row| [row.estimate.low, row.estimate.high]);
+    let whiskers = ends.filter(|end| drawable(*end)).map(|end| end.clamp(low, high));
+    let around = Decades::around(values().chain(whiskers));
     match baseline {
         Baseline::Left => around.with_room_below(),
         Baseline::One => around,

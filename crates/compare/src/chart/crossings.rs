@@ -5,7 +5,7 @@
 //! times are written.
 
 use crate::chart::axis::Decades;
-use crate::chart::canvas::{Failed, LETTER, breadth, text};
+use crate::chart::canvas::{Failed, LETTER, Place, breadth, text};
 use crate::chart::colour::MUTED;
 use crate::chart::palette::{Look, Palette};
 use crate::chart::plot::{Plot, Stroke};
@@ -43,7 +43,7 @@ pub(crate) fn crossings(
         for Crossing { x, look, .. } in &found {
             plot.segment((*x, y - TICK), (*x, y + TICK), look.colour(), 4)?;
         }
-        for (at, side, Crossing { words, look, .. }) in written(&found, left, plot.right_end()) {
+        for (at, side, Crossing { words, look, .. }) in written(&found, room(plot, (left, y))) {
             let row = y + side.rise();
             text(plot.area(), words, (at, row), (HPos::Left, VPos::Center), look.colour())?;
         }
@@ -93,8 +93,22 @@ impl Side {
     }
 }
 
-/// Left end and side of the times that have room between `left` and `right`.
-fn written(found: &[Crossing], left: i32, right: i32) -> Vec<(i32, Side, &Crossing)> {
+/// Where texts may stand.
+#[derive(Clone, Copy, Debug)]
+struct Room {
+    left: i32,
+    right: i32,
+    /// Whether a line of text fits between the level line and the axis.
+    below: bool,
+}
+
+fn room(plot: &Plot<'_, '_>, (left, y): Place) -> Room {
+    let end = y + Side::LeftBelow.rise() + LETTER / 2;
+    Room { left, right: plot.right_end(), below: end < plot.bottom_end() }
+}
+
+/// Left end and side of the times that there is room for.
+fn written(found: &[Crossing], Room { left, right, below }: Room) -> Vec<(i32, Side, &Crossing)> {
     let mut free_from = left;
     let mut placed = Vec::new();
     // Ticks too close for a text between them share one row of texts.
@@ -102,7 +116,7 @@ fn written(found: &[Crossing], left: i32, right: i32) -> Vec<(i32, Side, &Crossi
     for (i, group) in groups.iter().enumerate() {
         let (first, last) = (group[0].x, group[group.len() - 1].x);
         let start = first - GAP - length(group);
-        if start >= free_from + GAP {
+        if below && start >= free_from + GAP {
             placed.extend(in_a_row(group, start, Side::LeftBelow));
         } else if i + 1 == groups.len() && last + GAP + length(group) <= right {
             placed.extend(in_a_row(group, last + GAP, Side::RightAbove));
@@ -129,16 +143,17 @@ fn in_a_row(group: &[Crossing], start: i32, side: Side) -> Vec<(i32, Side, &Cros
 mod tests {
     use super::*;
 
-    fn sides(places: &[i32]) -> Vec<(i32, Side)> {
+    fn sides(places: &[i32], below: bool) -> Vec<(i32, Side)> {
         let look = Look { slot: 0, shape: 0 };
         let crossing = |x: &i32| Crossing { x: *x, words: "12 s".into(), look };
         let found: Vec<_> = places.iter().map(crossing).collect();
-        written(&found, 100, 1000).into_iter().map(|(at, side, _)| (at, side)).collect()
+        let room = Room { left: 100, right: 1000, below };
+        written(&found, room).into_iter().map(|(at, side, _)| (at, side)).collect()
     }
 
     #[test]
     fn close_ticks_share_a_row_left_of_the_first() {
-        let found = sides(&[500, 510, 900]);
+        let found = sides(&[500, 510, 900], true);
         assert!(found.iter().all(|(_, side)| *side == Side::LeftBelow));
         assert!(found[0].0 < found[1].0 && found[1].0 + breadth("12 s") < 500);
         assert!(found[2].0 > 510 && found[2].0 + breadth("12 s") < 900);
@@ -146,11 +161,19 @@ mod tests {
 
     #[test]
     fn without_room_at_the_left_they_go_to_the_right() {
-        assert!(matches!(sides(&[110, 120])[..], [(134, Side::RightAbove), (_, Side::RightAbove)]));
+        assert!(matches!(
+            sides(&[110, 120], true)[..],
+            [(134, Side::RightAbove), (_, Side::RightAbove)]
+        ));
+    }
+
+    #[test]
+    fn no_text_lies_on_the_axis() {
+        assert!(matches!(sides(&[500, 800], false)[..], [(814, Side::RightAbove)]));
     }
 
     #[test]
     fn without_any_room_they_are_left_to_the_table() {
-        assert!(sides(&(100..1000).step_by(20).collect::<Vec<_>>()).is_empty());
+        assert!(sides(&(100..1000).step_by(20).collect::<Vec<_>>(), true).is_empty());
     }
 }

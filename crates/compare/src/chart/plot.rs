@@ -70,6 +70,11 @@ impl<'a, 'b> Plot<'a, 'b> {
         self.chart.plotting_area().get_pixel_range().0.end
     }
 
+    /// Where they end at the bottom.
+    pub(crate) fn bottom_end(&self) -> i32 {
+        self.chart.plotting_area().get_pixel_range().1.end
+    }
+
     /// Where a point lies; moved to the edge if outside.
     pub(crate) fn place(&self, point: (f64, f64)) -> Place {
         self.chart.backend_coord(&point)

@@ -2,7 +2,7 @@
 
 use crate::chart::{Bar, Baseline, Palette, bars};
 use crate::page::legend;
-use crate::page::number::{bytes, interval, percent, prefixed, seconds, short};
+use crate::page::number::{bytes, interval, percent, prefixed, seconds_interval, short};
 use crate::results::{Estimate, MethodResults, SceneResults};
 use maud::{Markup, html};
 
@@ -74,15 +74,15 @@ fn costs(scene: &SceneResults, palette: &Palette) -> Markup {
                 thead { tr {
                     th scope="col" { "method" } th scope="col" { "cost over the best's" }
                     th scope="col" { "error a pass" } th scope="col" { "time a pass" }
-                    th scope="col" { "rays a second" } th scope="col" { "rays a pass: camera" }
-                    th scope="col" { "bounce" } th scope="col" { "shadow" }
+                    th scope="col" { "rays a second" } th scope="col" { "camera rays a pass" }
+                    th scope="col" { "bounce rays" } th scope="col" { "shadow rays" }
                     th scope="col" { "peak memory" }
                 } }
                 tbody { @for method in &scene.methods { tr {
                     th scope="row" { (legend::name(palette, &method.name)) }
                     td { (interval(method.cost_ratio)) }
                     td { (interval(method.error_per_pass)) }
-                    td { (pass(method.seconds_per_pass)) }
+                    td { (seconds_interval(method.seconds_per_pass)) }
                     td { (prefixed(method.rays.per_second)) }
                     td { (prefixed(method.rays.camera)) }
                     td { (prefixed(method.rays.bounce)) }
@@ -92,10 +92,6 @@ fn costs(scene: &SceneResults, palette: &Palette) -> Markup {
             }
         }
     }
-}
-
-fn pass(Estimate { value, low, high }: Estimate) -> String {
-    format!("{} ({} – {})", seconds(value), seconds(low), seconds(high))
 }
 
 fn metrics(scene: &SceneResults, palette: &Palette) -> Markup {

@@ -22,7 +22,7 @@ pub(crate) fn headline(results: &Results) -> Markup {
                     li { a href={ "#" (anchor(i)) } { (scene.name) } p { (scene.verdict.sentence) } }
                 }
             }
-            @if results.scenes.len() > 1 { (contents(results)) }
+            @if results.scenes.len() > 1 || results.oracle.is_some() { (contents(results)) }
         }
     }
 }

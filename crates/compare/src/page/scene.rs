@@ -12,10 +12,10 @@ pub(crate) fn anchor(index: usize) -> String {
     format!("scene-{}", index + 1)
 }
 
-/// The section of a scene.
+/// The section of a scene; `alone` if the verdict above the page is its own.
 pub(crate) fn scene(
     index: usize,
-    found: &SceneResults,
+    (found, alone): (&SceneResults, bool),
     pictures: Option<&ScenePictures>,
     palette: &Palette,
 ) -> Markup {
@@ -23,7 +23,7 @@ pub(crate) fn scene(
         section.scene id=(anchor(index)) {
             h2 { (found.name) }
             p.facts { (facts(found)) }
-            p.verdict { (found.verdict.sentence) }
+            @if !alone { p.verdict { (found.verdict.sentence) } }
             (speed::speed(found, palette))
             (efficiency::efficiency(found, palette))
             (settings::settings(found, palette))

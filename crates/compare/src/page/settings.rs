@@ -21,7 +21,14 @@ pub(crate) fn settings(scene: &SceneResults, palette: &Palette) -> Markup {
                 }
                 @if front.names().is_empty() { "none" }
                 "."
+                @for name in front.names().into_iter().filter(|name| alarmed(scene, name)) {
+                    " The values of " (name) " seem to have no variance: its points may be luck."
+                }
             }
         }
     }
+}
+
+fn alarmed(scene: &SceneResults, name: &str) -> bool {
+    scene.methods.iter().any(|method| method.name == name && method.stability.alarm)
 }

@@ -29,7 +29,8 @@ fn pyramids(pictures: &ScenePictures) -> Markup {
             figcaption {
                 "A row for each path length of k = s + t − 1 edges; (s, t) is made of s vertices \
                  from the light and t from the camera. Weighted, so that all of them add up to \
-                 the picture, and as bright as there."
+                 the picture; each row brightened by the factor beside it, or longer paths \
+                 would be black."
             }
             details {
                 summary { "The same unweighted: what each technique finds by itself" }
@@ -44,13 +45,36 @@ fn pyramid(pictures: &ScenePictures, weighted: bool) -> Markup {
     html! {
         div.scroll { div.pyramid {
             @for row in kind.chunk_by(|a, b| edges(a.0) == edges(b.0)) {
-                div.row {
-                    @if let Some((technique, _)) = row.first() { span { "k = " (edges(*technique)) } }
-                    @for (technique, grid) in row { (tile(*technique, grid, pictures.exposure)) }
-                }
+                (pyramid_row(row, pictures.exposure))
             }
         } }
     }
+}
+
+fn pyramid_row(row: &[&(Technique, Grid<Rgb>)], exposure: f32) -> Markup {
+    let factor = brightened(row, exposure);
+    html! {
+        div.row {
+            @if let Some((technique, _)) = row.first() {
+                span { "k = " (edges(*technique)) @if factor > 1.0 { br; "× " (factor) } }
+            }
+            @for (technique, grid) in row { (tile(*technique, grid, exposure * factor)) }
+        }
+    }
+}
+
+/// Mean luminance that the brightest picture of a row is brought up to.
+const BRIGHT: f32 = 0.2;
+
+/// The power of two, one at least, that makes a row about as bright as that.
+fn brightened(row: &[&(Technique, Grid<Rgb>)], exposure: f32) -> f32 {
+    let mean = |grid: &Grid<Rgb>| {
+        let sum: f32 = grid.values().iter().map(|light| light.luminance()).sum();
+        sum / grid.values().len().max(1) as f32
+    };
+    let brightest = row.iter().map(|(_, grid)| mean(grid)).fold(0.0, f32::max) * exposure;
+    // Nothing, or nothing that is a number, stays as it is.
+    if brightest > 0.0 { (BRIGHT / brightest).log2().floor().clamp(0.0, 12.0).exp2() } else { 1.0 }
 }
 
 fn edges(technique: Technique) -> u32 {
@@ -147,6 +171,16 @@ mod tests {
             rays: 0.1,
         };
         light.iter().zip(1..).map(share).collect()
+    }
+
+    #[test]
+    fn dark_rows_are_brightened_by_powers_of_two() {
+        let technique = Technique { s: 0, t: 2, weighted: true };
+        let cases = [(0.5, 1.0), (0.2, 1.0), (0.04, 4.0), (0.0, 1.0), (1e-9, 4096.0)];
+        for (light, factor) in cases {
+            let picture = (technique, Grid::filled(2, 2, Rgb::splat(light)));
+            assert_eq!(brightened(&[&picture], 1.0), factor, "{light}");
+        }
     }
 
     #[test]
