@@ -6,7 +6,7 @@ mod rays;
 mod tests;
 
 use crate::results::LengthShare;
-use crate::techniques::{edges, one_pass};
+use crate::techniques::{edges, weighted_pass};
 use traylib_integrators::{Technique, ThreadError};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::{Film, PassImage, Scene};
@@ -22,8 +22,8 @@ const LENGTHS: usize = 12;
 /// - noise: the variance of one pass over r² + ε, r the mean of all passes, summed
 ///   over pixels and bands, as if lengths were independent: one path lends its
 ///   vertices to all lengths, so they are not quite.
-/// - rays: what a limit of K edges casts beyond one of K − 1. Limits spare the rays
-///   of longer paths alone, as random numbers are the same.
+/// - rays: what a limit of K edges casts beyond one of K − 1, in two passes. Limits
+///   spare the rays of longer paths alone, as random numbers are the same.
 ///
 /// A share of nothing is zero: of light in the dark, of noise in one pass.
 ///
@@ -34,7 +34,7 @@ pub fn lengths(scene: &Scene, epsilon: f64, passes: u32) -> Result<Vec<LengthSha
     let light = shares(&films.each_ref().map(light));
     let squares = squares(&films, epsilon);
     let variance = shares(&films.each_ref().map(|film| noise(film, &squares)));
-    let rays = shares(&rays::rays(scene, passes)?);
+    let rays = shares(&rays::rays(scene)?);
     let share = |i: usize| LengthShare {
         edges: i as u32 + 1,
         light: light[i],
@@ -50,10 +50,8 @@ fn films(scene: &Scene, passes: u32) -> Result<[Film; LENGTHS], ThreadError> {
     let mut films = [(); LENGTHS].map(|()| Film::new(width, height));
     for seed in 0..passes {
         let mut images = [(); LENGTHS].map(|()| PassImage::new(width, height));
-        for (technique, picture) in one_pass(scene, u64::from(seed))? {
-            if technique.weighted {
-                add(&mut images[class(technique)], &picture);
-            }
+        for (technique, picture) in weighted_pass(scene, u64::from(seed))? {
+            add(&mut images[class(technique)], &picture);
         }
         for (film, image) in films.iter_mut().zip(&images) {
             film.add_pass(image);
@@ -88,7 +86,8 @@ fn noise(film: &Film, squares: &[f64]) -> f64 {
     let Some(variance) = film.variance_of_mean() else { return 0.0 };
     let pairs = variance.values().as_flattened().iter().zip(squares);
     // Where there is never any light there is no noise.
-    pairs.filter(|&(&variance, _)| variance > 0.0).map(|(variance, square)| variance / square).sum()
+    let noisy = pairs.filter(|&(&variance, _)| variance > 0.0);
+    noisy.fold(0.0, |sum, (variance, square)| sum + variance / square)
 }
 
 fn shares(parts: &[f64; LENGTHS]) -> [f64; LENGTHS] {

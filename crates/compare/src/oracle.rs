@@ -11,6 +11,7 @@ mod tests;
 
 use crate::results::{Estimate, Oracle, OracleCurve, OraclePoint};
 use cost::Costs;
+use std::panic::resume_unwind;
 use traylib_math::Heuristic;
 use traylib_tests::known::estimators::Estimator;
 use traylib_tests::statistics::{Interval, Moments};
@@ -41,19 +42,19 @@ struct Size {
 }
 
 const FULL: Size = Size {
-    passes: 128,
+    passes: 64,
     radii: &[0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.45, 2.0, 3.0, 5.0, 10.0],
     timing: (0.01, 5),
 };
 
 const QUICK: Size =
-    Size { passes: 32, radii: &[0.1, 0.3, 1.0, 1.45, 3.0, 10.0], timing: (0.005, 5) };
+    Size { passes: 16, radii: &[0.1, 0.3, 1.0, 1.45, 3.0, 10.0], timing: (0.005, 5) };
 
 /// Measures noise and cost of one sample of each estimator at several radii, and
 /// where `puremc` and `directlight` are worth the same. Tells what it is at.
 ///
-/// Takes one thread and, in an optimised build, some ten seconds, or three of them
-/// in a hurry.
+/// Times on one thread and measures noise on several. Takes some ten seconds in an
+/// optimised build, or two in a hurry.
 pub fn oracle(quick: bool, tell: &dyn Fn(&str)) -> Oracle {
     measure(&if quick { QUICK } else { FULL }, tell)
 }
@@ -63,13 +64,15 @@ fn measure(size: &Size, tell: &dyn Fn(&str)) -> Oracle {
     for (number, &radius) in size.radii.iter().enumerate() {
         tell(&format!("noise at R/h = {radius}"));
         let costs = Costs::measure(radius, &METHODS.map(|(_, of)| of), size.timing);
-        for (i, (_, estimator)) in METHODS.into_iter().enumerate() {
+        let noise: [Moments; METHODS.len()] = side_by_side(|i| {
             let seed = (number * METHODS.len() + i) as u64;
-            let moments = estimator.samples(radius, size.passes, seed);
+            METHODS[i].1.samples(radius, size.passes, seed)
+        });
+        for (i, (_, estimator)) in METHODS.into_iter().enumerate() {
             curves[i].points.push(OraclePoint {
                 radius,
                 theory: estimator.theory(radius),
-                variance: variance(&moments),
+                variance: variance(&noise[i]),
                 seconds: costs.seconds(i),
             });
         }
@@ -83,4 +86,13 @@ fn measure(size: &Size, tell: &dyn Fn(&str)) -> Oracle {
 fn variance(moments: &Moments) -> Estimate {
     let Interval { mean, half_width } = moments.variance_interval(QUANTILE);
     Estimate { value: mean, low: mean - half_width, high: mean + half_width }
+}
+
+/// `job` of 0, 1, … at the same time.
+fn side_by_side<T: Send, const N: usize>(job: impl Fn(usize) -> T + Sync) -> [T; N] {
+    std::thread::scope(|scope| {
+        let job = &job;
+        let threads: [_; N] = std::array::from_fn(|i| scope.spawn(move || job(i)));
+        threads.map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    })
 }

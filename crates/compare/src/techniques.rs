@@ -19,7 +19,8 @@ pub fn technique_pictures(
     passes: u32,
 ) -> Result<Vec<(Technique, Grid<Rgb>)>, ThreadError> {
     let limits = Limits { max_depth: Some(MOST_EDGES), ..Limits::default() };
-    let mut pictures = layers(scene, limits, &Settings { spp: passes, seed: 0, threads: 0 })?;
+    let settings = Settings { spp: passes, seed: 0, threads: 0 };
+    let mut pictures = layers(scene, limits, &settings, |_| true)?;
     let lit: Vec<(u8, u8)> = pictures
         .iter()
         .filter(|(_, picture)| picture.values().iter().any(|pixel| pixel.max_band() > 0.0))
@@ -30,12 +31,13 @@ pub fn technique_pictures(
     Ok(pictures)
 }
 
-/// The picture of every technique, for paths of any length, from one pass.
-pub(crate) fn one_pass(
+/// The weighted picture of every technique, for paths of any length, from one pass.
+pub(crate) fn weighted_pass(
     scene: &Scene,
     seed: u64,
 ) -> Result<Vec<(Technique, Grid<Rgb>)>, ThreadError> {
-    layers(scene, Limits::default(), &Settings { spp: 1, seed, threads: 0 })
+    let settings = Settings { spp: 1, seed, threads: 0 };
+    layers(scene, Limits::default(), &settings, |technique| technique.weighted)
 }
 
 /// Edges of the paths that a technique makes: s + t vertices.
@@ -47,13 +49,13 @@ fn layers(
     scene: &Scene,
     limits: Limits,
     settings: &Settings,
+    wanted: impl Fn(Technique) -> bool,
 ) -> Result<Vec<(Technique, Grid<Rgb>)>, ThreadError> {
     let bdpt = Bdpt { limits, report: Report::Techniques, ..Bdpt::default() };
     let rendering = render(scene, &bdpt, settings, &mut |_| ControlFlow::Continue(()))?;
-    let picture = |(&layer, image): (&u16, &traylib_scene::PassImage)| {
-        (Technique::of_layer(layer), image.mean_over(settings.spp))
-    };
-    Ok(rendering.layers.iter().map(picture).collect())
+    let layers = rendering.layers.iter().map(|(&layer, image)| (Technique::of_layer(layer), image));
+    let wanted = layers.filter(|&(technique, _)| wanted(technique));
+    Ok(wanted.map(|(technique, image)| (technique, image.mean_over(settings.spp))).collect())
 }
 
 #[cfg(test)]

@@ -4,8 +4,7 @@ use std::time::Instant;
 use traylib_integrators::{Chunk, ChunkOutput, Integrator};
 use traylib_scene::Scene;
 
-/// Passes are timed together for as long as this, in seconds: the system counts in
-/// ticks of some thousandths.
+/// Passes are timed together for as long as this, in seconds.
 const SPAN: f64 = 0.08;
 
 /// Times they are; the one in the middle counts.
@@ -91,8 +90,10 @@ impl Clock {
     }
 }
 
-/// What Linux has given this thread of its processors.
+/// What Linux has given this thread of its processors. The system adds up when it
+/// looks for other work, hence the offer; between times it is behind by a tick.
 fn nanoseconds_of_thread() -> Option<u64> {
+    std::thread::yield_now();
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     text.split_whitespace().next()?.parse().ok()
 }

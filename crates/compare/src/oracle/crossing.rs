@@ -4,8 +4,8 @@
 //! where ln(V_l/V_w) = ln(c_w/c_l), and equally noisy where that is zero. The left
 //! side grows with the radius and is nearly straight.
 
-use super::Size;
 use super::cost::Costs;
+use super::{Size, side_by_side};
 use crate::results::{Estimate, OracleCrossing};
 use traylib_tests::known::estimators::{Estimator, root_near};
 use traylib_tests::known::variance;
@@ -47,9 +47,9 @@ fn cost_ratio(size: &Size) -> Measured {
 fn crossing(size: &Size, target: Measured, seed: u64) -> OracleCrossing {
     let theory = radius_of(target.value);
     let step = STEP * theory;
-    let ratios = [0_u8, 1, 2].map(|i| {
-        let radius = theory + (f64::from(i) - 1.0) * step;
-        log_ratio(radius, PASSES_FACTOR * size.passes, seed + 2 * u64::from(i))
+    let ratios = side_by_side(|i| {
+        let radius = theory + (i as f64 - 1.0) * step;
+        log_ratio(radius, PASSES_FACTOR * size.passes, seed + 2 * i as u64)
     });
     OracleCrossing { measured: root(theory, step, target, ratios), theory }
 }
