@@ -17,16 +17,17 @@ pub(crate) fn stability(scene: &SceneResults, palette: &Palette) -> Markup {
             caption { "Steadiness over runs, after the longest budget" }
             thead { tr {
                 th scope="col" { "method" } th scope="col" { "tail index (95 %)" }
-                th scope="col" { "variance" } th scope="col" { "fireflies a megapixel" }
+                th scope="col" { "alarm" } th scope="col" { "fireflies a megapixel" }
                 th scope="col" { "worst run over median" } th scope="col" { "samples left out" }
             } }
             tbody { @for method in &scene.methods { (row(method, palette)) } }
         } }
         p.note {
-            "A tail index below 2 means that single samples are so large, so often, that no \
-             variance exists: error bars are void and averages do not settle. A firefly is a \
-             pixel off by more than ten deviations and a tenth of the mean. Samples left out \
-             were negative or not finite."
+            "A tail index below 2 that does not grow further out in the tail raises the alarm: \
+             single samples are so large, so often, that no variance exists, error bars are void \
+             and averages do not settle. An index that grows belongs to a tail that ends. A \
+             firefly is a pixel off by more than ten deviations and a tenth of the mean. Samples \
+             left out were negative or not finite."
         }
     }
 }
@@ -47,7 +48,7 @@ fn row(method: &MethodResults, palette: &Palette) -> Markup {
         tr {
             th scope="row" { (legend::name(palette, &method.name)) }
             td { @match tail { Some(tail) => (interval(tail)), None => "no tail" } }
-            td.alarm[alarm] { @if alarm { "alarm: infinite" } @else { "finite" } }
+            td.alarm[alarm] { @if alarm { "no variance" } @else { "none" } }
             td { (short(fireflies)) }
             td { (short(worst_over_median)) }
             td.alarm[rejected > 0] { (rejected) }
