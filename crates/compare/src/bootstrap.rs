@@ -11,6 +11,10 @@ use traylib_tests::statistics::Sample;
 /// Samples drawn from the sample.
 const RESAMPLES: u64 = 8192;
 
+/// An end further away than by this factor tells only that nothing is known on that
+/// side, and is given as this.
+pub const NOTHING_KNOWN: f64 = 100.0;
+
 /// The mean of positive values and where the law's mean lies, missed with
 /// probability `level`: bootstrap-t of its logarithm, which keeps its promise for
 /// skewed laws and few values far better than percentiles do.
@@ -34,11 +38,9 @@ fn interval(value: f64, deviations: &[f64], error: f64, level: f64) -> Estimate 
         let last = deviations.len().saturating_sub(1) as f64;
         deviations.get((share * last).round() as usize).copied().unwrap_or(0.0)
     };
-    Estimate {
-        value: value.exp(),
-        low: (value - error * at(1.0 - 0.5 * level)).exp(),
-        high: (value - error * at(0.5 * level)).exp(),
-    }
+    let furthest = NOTHING_KNOWN.ln();
+    let end = |share: f64| (value - (error * at(share)).clamp(-furthest, furthest)).exp();
+    Estimate { value: value.exp(), low: end(1.0 - 0.5 * level), high: end(0.5 * level) }
 }
 
 /// (log mean of the resample − log mean) over the resample's own standard error,

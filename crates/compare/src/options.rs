@@ -14,6 +14,7 @@ use traylib_demos::{Failure, parse_duration, parse_resolution};
 #[derive(Parser, Clone, Debug)]
 #[command(
     name = "cargo xtask compare-integrators",
+    bin_name = "cargo xtask compare-integrators",
     version,
     max_term_width = 80,
     after_long_help = EXAMPLES

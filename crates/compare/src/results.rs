@@ -233,8 +233,9 @@ pub struct Stability {
     /// Whether the tail is so heavy that there is no variance: error bars are void.
     pub alarm: bool,
     /// Pixels off by more than ten deviations and a tenth of the mean, per
-    /// megapixel, after the longest budget.
-    pub fireflies: f64,
+    /// megapixel, after the longest budget; `None` if there were not runs enough to
+    /// tell.
+    pub fireflies: Option<f64>,
     /// relMSE of the worst run over that of the middle one.
     pub worst_over_median: f64,
     /// Samples left out as negative or not finite, of all runs.

@@ -12,6 +12,9 @@ use traylib_tests::statistics::Sample;
 const FAR: f64 = 10.0;
 /// Of the picture's mean: less does not catch the eye.
 const VISIBLE: f64 = 0.1;
+/// A deviation known from fewer other runs is so uncertain that noise seems to be
+/// ten deviations off more often than in a pixel of a million.
+const FEWEST_OTHERS: usize = 15;
 
 pub(super) fn steadiness(entry: &Entry, reference: &Reference) -> Stability {
     let mut largest = Largest::default();
@@ -34,7 +37,10 @@ fn estimate(index: TailIndex) -> Option<Estimate> {
 /// Pixels per megapixel that are off by more than [`FAR`] deviations of the same
 /// pixel in the *other* runs, and by what can be seen. A pixel's own deviation would
 /// hide it: one run among sixteen lies at most four deviations off.
-fn fireflies(pictures: &[Picture], reference: &Reference) -> f64 {
+fn fireflies(pictures: &[Picture], reference: &Reference) -> Option<f64> {
+    if pictures.len() <= FEWEST_OTHERS {
+        return None;
+    }
     let values = reference.picture.values();
     let visible = VISIBLE * Sample::of(&values.iter().map(grey).collect::<Vec<f64>>()).mean;
     let in_pixel = |pixel: usize| {
@@ -47,9 +53,8 @@ fn fireflies(pictures: &[Picture], reference: &Reference) -> f64 {
             let deviation = (variance_of_mean * count as f64).sqrt();
             (runs[*run] - right).abs() > (FAR * deviation).max(visible)
         };
-        // Two others give no deviation to speak of.
-        if runs.len() < 4 { 0 } else { (0..runs.len()).filter(far).count() }
+        (0..runs.len()).filter(far).count()
     };
     let found: usize = (0..values.len()).map(in_pixel).sum();
-    found as f64 * 1e6 / (values.len() * pictures.len()).max(1) as f64
+    Some(found as f64 * 1e6 / (values.len() * pictures.len()) as f64)
 }

@@ -120,9 +120,9 @@ fn one_bright_pixel_of_one_run_is_a_firefly() {
     let reference = reference();
     let mut sparkling = entry("bdpt", 0.0, 0.01, &reference);
     let quiet = judge(std::slice::from_ref(&sparkling), &reference, &PLAIN);
-    assert_eq!(quiet[0].stability.fireflies, 0.0);
+    assert_eq!(quiet[0].stability.fireflies, Some(0.0));
     sparkling.pictures[5].values_mut()[7] = [3.0; 3];
-    let found = judge(&[sparkling], &reference, &PLAIN)[0].stability.fireflies;
+    let found = judge(&[sparkling], &reference, &PLAIN)[0].stability.fireflies.unwrap();
     assert!((found - 1e6 / (16 * PIXELS) as f64).abs() < 1e-6, "{found}");
 }
 

@@ -1,19 +1,24 @@
 //! The answer, in a sentence.
 
+use crate::bootstrap::NOTHING_KNOWN;
 use crate::results::{Estimate, MethodResults, ReferenceResults, Verdict};
 use traylib_tests::stability::table::short;
 
 /// Which method to use, from methods that have been judged; `None` without any.
 pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Option<Verdict> {
     let best = methods.iter().find(|method| is_best(method))?;
-    let rivals: Vec<&MethodResults> =
-        methods.iter().filter(|m| !is_best(m) && !m.biased && m.cost_ratio.low <= 1.0).collect();
+    let rivals: Vec<&str> = methods
+        .iter()
+        .filter(|m| !is_best(m) && !m.biased && m.cost_ratio.low <= 1.0)
+        .map(|m| m.name.as_str())
+        .collect();
     let mut sentences = vec![lead(best, &rivals, methods)];
-    sentences.extend(methods.iter().filter_map(against));
+    sentences.extend(alarms(methods));
+    sentences.extend(methods.iter().filter_map(blindness));
     sentences.extend(doubt(reference));
     Some(Verdict {
         best: best.name.clone(),
-        rivals: rivals.iter().map(|method| method.name.clone()).collect(),
+        rivals: rivals.into_iter().map(String::from).collect(),
         sentence: sentences.join(" "),
     })
 }
@@ -22,43 +27,50 @@ fn is_best(method: &MethodResults) -> bool {
     method.cost_ratio == Estimate { value: 1.0, low: 1.0, high: 1.0 }
 }
 
-fn lead(best: &MethodResults, rivals: &[&MethodResults], all: &[MethodResults]) -> String {
-    let names: Vec<&str> =
-        [best].into_iter().chain(rivals.iter().copied()).map(|m| m.name.as_str()).collect();
-    let beaten: Vec<&MethodResults> = all
-        .iter()
-        .filter(|m| !names.contains(&m.name.as_str()) && !m.biased && !m.name.contains(':'))
-        .collect();
-    let first = match names.as_slice() {
-        [alone] => format!("{alone} reaches a given error soonest"),
-        [one, other] => format!("{one} and {other} cannot be told apart"),
-        [many @ .., last] => format!("{} and {last} cannot be told apart", many.join(", ")),
-        [] => String::new(),
-    };
-    let mut beaten = beaten;
-    beaten.sort_by(|a, b| a.cost_ratio.value.total_cmp(&b.cost_ratio.value));
-    let times: Vec<String> = beaten.iter().map(|method| needs(method)).collect();
-    match (times.is_empty(), names.len()) {
-        (true, _) => format!("{first}."),
-        (false, 1) => format!("{first}: {}.", times.join(", ")),
-        (false, _) => format!("{first}; against {}: {}.", best.name, times.join(", ")),
+fn lead(best: &MethodResults, rivals: &[&str], all: &[MethodResults]) -> String {
+    let mut names = vec![best.name.as_str()];
+    names.extend(rivals);
+    let named = listed(&names).unwrap_or_default();
+    let times = times(all, &names).join(", ");
+    match (rivals.is_empty(), times.is_empty()) {
+        (true, true) => format!("{named} reaches a given error soonest."),
+        (true, false) => format!("{named} reaches a given error soonest: {times}."),
+        (false, true) => format!("{named} cannot be told apart."),
+        (false, false) => format!("{named} cannot be told apart; against {}: {times}.", best.name),
     }
+}
+
+/// How much longer the other programs take, each in its plain setting, the shortest
+/// time first.
+fn times(all: &[MethodResults], told: &[&str]) -> Vec<String> {
+    let mut others: Vec<&MethodResults> = all
+        .iter()
+        .filter(|m| !told.contains(&m.name.as_str()) && !m.biased && !m.name.contains(':'))
+        .collect();
+    others.sort_by(|a, b| a.cost_ratio.value.total_cmp(&b.cost_ratio.value));
+    others.into_iter().map(needs).collect()
 }
 
 fn needs(method: &MethodResults) -> String {
     let Estimate { value, low, high } = method.cost_ratio;
+    let name = &method.name;
+    if method.stability.alarm || high >= NOTHING_KNOWN * value {
+        return format!("{name} takes at least {} times as long", short(low));
+    }
     let [value, low, high] = [value, low, high].map(short);
-    format!("{} takes {value} times as long ({low} to {high})", method.name)
+    format!("{name} takes {value} times as long ({low} to {high})")
 }
 
-/// What stands against a method.
-fn against(method: &MethodResults) -> Option<String> {
-    if method.stability.alarm {
-        let name = &method.name;
-        return Some(format!(
-            "No error bar holds for {name}: its values seem to have no variance."
-        ));
-    }
+/// Whose values seem to have no variance.
+fn alarms(methods: &[MethodResults]) -> Option<String> {
+    let alarming: Vec<&str> =
+        methods.iter().filter(|m| m.stability.alarm).map(|m| m.name.as_str()).collect();
+    let names = listed(&alarming)?;
+    Some(format!("No error bar holds for {names}: such values seem to have no variance."))
+}
+
+/// What a method cannot see and others can.
+fn blindness(method: &MethodResults) -> Option<String> {
     let lost = (method.biased && !method.blind.is_empty()).then(|| method.blind.join(" and "))?;
     Some(format!("{} cannot produce {lost}.", method.name))
 }
@@ -68,5 +80,14 @@ fn doubt(reference: &ReferenceResults) -> Option<String> {
     let agreement = reference.agreement.as_ref().filter(|agreement| agreement.refused > 0)?;
     let [a, b] = &agreement.methods;
     let (refused, tiles) = (agreement.refused, agreement.tiles);
-    Some(format!("Read with care: as references {a} and {b} differ in {refused} of {tiles} tiles."))
+    Some(format!("The reference is {a} alone: {b} differs from it in {refused} of {tiles} tiles."))
+}
+
+/// `a, b and c`.
+fn listed(names: &[&str]) -> Option<String> {
+    let (last, others) = names.split_last()?;
+    if others.is_empty() {
+        return Some((*last).to_string());
+    }
+    Some(format!("{} and {last}", others.join(", ")))
 }

@@ -49,7 +49,7 @@ fn row(method: &MethodResults, palette: &Palette) -> Markup {
             th scope="row" { (legend::name(palette, &method.name)) }
             td { @match tail { Some(tail) => (interval(tail)), None => "no tail" } }
             td.alarm[alarm] { @if alarm { "no variance" } @else { "none" } }
-            td { (short(fireflies)) }
+            td { (fireflies.map_or_else(|| "—".to_string(), short)) }
             td { (short(worst_over_median)) }
             td.alarm[rejected > 0] { (rejected) }
         }

@@ -162,46 +162,50 @@ fn relative_variance(picture: &Picture, variance: &Picture, masked: &Grid<bool>)
     seen.iter().sum::<f64>() / seen.len().max(1) as f64
 }
 
-/// The mean of both, by what each is worth; where masked, the first alone.
+/// The mean of both, by what each is worth; where masked, the first alone. If they
+/// differ, the first alone everywhere: it finds rare light more often, and the
+/// variance of one that has missed it looks small.
 fn join(a: &Half, b: &Half, masked: &Grid<bool>) -> Reference {
-    let [worth_a, worth_b] =
-        [a, b].map(|half| 1.0 / relative_variance(&a.picture, &half.variance, masked));
-    let share = if worth_b.is_finite() { worth_a / (worth_a + worth_b) } else { 0.5 };
-    let share = if share.is_finite() { share } else { 0.5 };
-    let shares: Vec<f64> =
-        masked.values().iter().map(|masked| if *masked { 1.0 } else { share }).collect();
-    let picture = mix(&a.picture, &b.picture, &shares, |share| share);
-    let variance = mix(&a.variance, &b.variance, &shares, |share| share * share);
     let hidden = masked.values().iter().filter(|masked| **masked).count();
     let masked_share = hidden as f64 / masked.values().len() as f64;
     let agreement = agreement(&a.numbers, &b.numbers, masked_share);
+    let share = if agreement.refused > 0 { 1.0 } else { share_of_first(a, b, masked) };
+    let shares: Vec<f64> =
+        masked.values().iter().map(|masked| if *masked { 1.0 } else { share }).collect();
     let results = ReferenceResults {
         origin: origin(&a.numbers, &b.numbers, share, masked_share),
         own_error: 0.0,
         seconds: a.numbers.seconds + b.numbers.seconds,
         agreement: Some(agreement),
     };
+    let picture = mix(&a.picture, &b.picture, &shares, |share| share);
+    let variance = mix(&a.variance, &b.variance, &shares, |share| share * share);
     Reference::new(picture, variance, results)
 }
 
+/// In inverse proportion to their noise.
+fn share_of_first(a: &Half, b: &Half, masked: &Grid<bool>) -> f64 {
+    let [noise_a, noise_b] =
+        [a, b].map(|half| relative_variance(&a.picture, &half.variance, masked));
+    if noise_a + noise_b > 0.0 { noise_b / (noise_a + noise_b) } else { 0.5 }
+}
+
 fn mix(a: &Picture, b: &Picture, shares: &[f64], weight: impl Fn(f64) -> f64) -> Picture {
-    let pixels = a.values().iter().zip(b.values()).zip(shares);
-    let values = pixels
-        .map(|((a, b), share)| {
-            let (of_a, of_b) = (weight(*share), weight(1.0 - share));
-            std::array::from_fn(|band| {
-                // Nothing of a value that is not finite is nothing.
-                let part = |w: f64, x: f64| if w == 0.0 { 0.0 } else { w * x };
-                part(of_a, a[band]) + part(of_b, b[band])
-            })
-        })
-        .collect();
+    let pixel = |((a, b), share): ((&[f64; 3], &[f64; 3]), &f64)| {
+        let (of_a, of_b) = (weight(*share), weight(1.0 - share));
+        std::array::from_fn(|band| of_a * a[band] + of_b * b[band])
+    };
+    let values = a.values().iter().zip(b.values()).zip(shares).map(pixel).collect();
     Grid::from_values(a.width(), a.height(), values).expect("as many as there were")
 }
 
 fn origin(a: &Numbers, b: &Numbers, share: f64, masked: f64) -> String {
     let part =
         |n: &Numbers, share: f64| format!("{:.0} % {} ({} spp)", 100.0 * share, n.method, n.passes);
+    if share == 1.0 {
+        let (first, passes, second) = (&a.method, a.passes, &b.method);
+        return format!("{first} ({passes} spp) alone, since {second} differs from it");
+    }
     let mut text = format!("a mean: {}, {}", part(a, share), part(b, 1.0 - share));
     if masked > 0.0 {
         text += &format!("; where mirrors are in view, {} alone", a.method);
@@ -224,16 +228,25 @@ mod tests {
 
     #[test]
     fn the_better_half_counts_for_more_and_alone_where_the_other_is_blind() {
-        let (good, poor) = (half("bdpt", 1.0, 0.01), half("particle", 2.0, 0.03));
+        let (good, poor) = (half("bdpt", 1.0, 0.3), half("particle", 2.0, 0.9));
         let mut masked = Grid::filled(2, 1, false);
         masked.values_mut()[1] = true;
         let joined = join(&good, &poor, &masked);
         assert!((joined.picture.get(0, 0)[0] - 1.25).abs() < 1e-12);
         assert_eq!(joined.picture.get(1, 0)[0], 1.0);
-        let expected = 0.75 * 0.75 * 0.01 + 0.25 * 0.25 * 0.03;
+        let expected = 0.75 * 0.75 * 0.3 + 0.25 * 0.25 * 0.9;
         assert!((joined.variance.get(0, 0)[1] - expected).abs() < 1e-12);
         assert_eq!(joined.results.agreement.unwrap().masked, 0.5);
         assert!(joined.results.origin.contains("75 % bdpt"), "{}", joined.results.origin);
+    }
+
+    #[test]
+    fn a_half_that_differs_has_no_part_in_it() {
+        let (right, wrong) = (half("bdpt", 1.0, 1e-6), half("combined", 1.5, 1e-6));
+        let joined = join(&right, &wrong, &Grid::filled(2, 1, false));
+        assert_eq!(joined.picture.get(0, 0)[0], 1.0);
+        assert_eq!(joined.results.agreement.unwrap().refused, 2);
+        assert!(joined.results.origin.contains("bdpt (10 spp) alone"));
     }
 
     #[test]

@@ -101,7 +101,7 @@ fn stability(kind: &Kind) -> Stability {
             around(3.1, 1.2)
         }),
         alarm: kind.alarm,
-        fireflies: if kind.alarm { 2300.0 } else { 0.0 },
+        fireflies: Some(if kind.alarm { 2300.0 } else { 0.0 }),
         worst_over_median: if kind.alarm { 14.2 } else { 1.08 },
         rejected: u64::from(kind.alarm),
     }

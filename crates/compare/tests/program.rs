@@ -1,0 +1,168 @@
+//! The program as people run it, on scenes small enough for a test.
+
+#![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use traylib_compare::results::Results;
+
+/// A folder of one test, gone with the value.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("traylib-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn results(&self) -> Results {
+        let text = std::fs::read_to_string(self.0.join("results.json")).unwrap();
+        serde_json::from_str(&text).unwrap()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn program(out: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_compare-integrators"));
+    command.arg("--out").arg(out);
+    command
+}
+
+fn compare(out: &Path, words: &str) -> Output {
+    program(out).args(words.split_whitespace()).output().unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+const SMALL: &str =
+    "--resolution 16x12 --budgets 0.004s,0.008s --seeds 4 --integrators puremc,combined";
+
+/// A closed form, so no reference has to be rendered.
+#[test]
+fn all_that_is_promised_lies_there() {
+    let out = Folder::new("compare");
+    let output = compare(&out.0, &format!("furnace {SMALL}"));
+    assert!(output.status.success(), "{}", err(&output));
+    let results = out.results();
+    let scene = &results.scenes[0];
+    assert!(results.complete && results.oracle.is_none());
+    assert_eq!((scene.width, scene.height, scene.methods.len()), (16, 12, 2));
+    assert!(scene.reference.origin.contains("closed form"));
+    // In a furnace of reflectance ½ the noise is that of a number of bounces.
+    for method in &scene.methods {
+        assert!(method.metrics.bias.abs() < 0.2, "{:?}", method.metrics);
+        assert!(method.points.iter().all(|point| point.solid));
+        assert!(method.rays.camera >= 192.0 && method.peak_bytes > 0);
+    }
+    let csv = std::fs::read_to_string(out.0.join("results.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + 2 * 4);
+    let page = std::fs::read_to_string(out.0.join("index.html")).unwrap();
+    assert!(page.contains(&scene.verdict.sentence));
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(told.contains(&scene.verdict.sentence) && told.contains("index.html"), "{told}");
+}
+
+/// What is done is not done again: all runs are found, so even their times stay.
+#[test]
+fn a_second_time_goes_on_from_the_first() {
+    let out = Folder::new("again");
+    let words = format!("furnace {SMALL}");
+    assert!(compare(&out.0, &words).status.success());
+    let first = out.results();
+    assert!(compare(&out.0, &words).status.success());
+    assert_eq!(out.results().scenes[0].methods, first.scenes[0].methods);
+    let other = format!("{words} --first-seed 100");
+    assert!(compare(&out.0, &other).status.success());
+    assert_ne!(out.results().scenes[0].methods, first.scenes[0].methods);
+}
+
+#[test]
+fn two_methods_make_a_reference() {
+    let out = Folder::new("pair");
+    let output = compare(&out.0, &format!("reference-a {SMALL},bdpt --quick"));
+    assert!(output.status.success(), "{}", err(&output));
+    let reference = &out.results().scenes[0].reference;
+    let agreement = reference.agreement.as_ref().unwrap();
+    assert_eq!(agreement.methods[0], "bdpt");
+    assert!(agreement.tiles > 0 && reference.own_error > 0.0);
+    let lengths = &out.results().scenes[0].lengths;
+    let light: f64 = lengths.iter().map(|length| length.light).sum();
+    assert!((light - 1.0).abs() < 1e-9 && lengths.len() > 5, "{lengths:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_keeps_what_is_done() {
+    let out = Folder::new("interrupt");
+    let words = "furnace --resolution 16x12 --budgets 0.02s --seeds 500 --integrators puremc";
+    let mut child = program(&out.0).args(words.split_whitespace()).spawn().unwrap();
+    let runs = out.0.join("runs");
+    let done = || std::fs::read_dir(&runs).map_or(0, Iterator::count);
+    while done() < 20 && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let results = out.results();
+    assert!(!results.complete && results.scenes[0].methods.len() == 1);
+    assert!(std::fs::read_to_string(out.0.join("index.html")).unwrap().contains("nterrupted"));
+}
+
+#[test]
+fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
+    let out = Folder::new("outside");
+    let picture = out.0.join("mine.exr");
+    let exr = traylib_math::Grid::filled(16, 12, traylib_math::Rgb::splat(2.2));
+    let info = traylib_io::PictureInfo {
+        exposure: 1.0,
+        program: String::new(),
+        integrator: String::new(),
+        scene: String::new(),
+        seed: 0,
+        spp: 1,
+        seconds: 1.0,
+        rejected_samples: 0,
+    };
+    traylib_io::save_picture(&picture, &exr, &info).unwrap();
+    let list = out.0.join("list.json");
+    let text = r#"[{"scene": "furnace", "name": "mine", "seconds": 3, "picture": "mine.exr"}]"#;
+    std::fs::write(&list, text).unwrap();
+    let outside = format!("furnace {SMALL} --outside {}", list.display());
+    assert!(compare(&out.0, &outside).status.success());
+    let point = &out.results().scenes[0].outside[0];
+    let expected = 0.04 / 4.04;
+    assert!((point.error / expected - 1.0).abs() < 1e-5 && point.seconds == 3.0, "{point:?}");
+    let given = format!("furnace {SMALL} --reference {}", picture.display());
+    assert!(compare(&out.0, &given).status.success());
+    let bias = out.results().scenes[0].methods[0].metrics.bias;
+    assert!((bias + 0.09).abs() < 0.1, "{bias}");
+    let wrong = given.replace("16x12", "8x8");
+    let output = compare(&out.0, &wrong);
+    assert_eq!(output.status.code(), Some(3), "{}", err(&output));
+}
+
+#[test]
+fn mistakes_are_told_in_a_line() {
+    let out = Folder::new("mistakes");
+    for (words, code, text) in [
+        ("no-such-scene", 3, "no-such-scene"),
+        ("furnace --integrators pt", 2, "pt"),
+        ("furnace cornell --reference a.exr", 2, "--reference"),
+        ("furnace --reference no-such.exr", 3, "no-such.exr"),
+        ("furnace --outside no-such.json", 3, "no-such.json"),
+    ] {
+        let output = compare(&out.0, words);
+        assert_eq!(output.status.code(), Some(code), "{words}: {}", err(&output));
+        assert!(err(&output).contains(text), "{words}: {}", err(&output));
+        assert!(!out.0.join("index.html").exists());
+    }
+}
