@@ -64,8 +64,10 @@ fn class(technique: Technique) -> usize {
     (edges(technique) as usize).clamp(1, LENGTHS) - 1
 }
 
+/// Most pixels of most techniques are black.
 fn add(image: &mut PassImage, picture: &Grid<Rgb>) {
-    for (pixel, &radiance) in (0..).zip(picture.values()) {
+    let pixels = (0..).zip(picture.values());
+    for (pixel, &radiance) in pixels.filter(|&(_, &radiance)| radiance != Rgb::BLACK) {
         image.add(pixel, radiance);
     }
 }
