@@ -42,7 +42,7 @@ fn main() -> ExitCode {
         ["planted", ref defects @ ..] => planted::run(defects),
         ["stability", ref arguments @ ..] => stability::run(arguments),
         ["compare-integrators", ref arguments @ ..] => {
-            return compare_integrators::run(arguments).unwrap_or_else(failed);
+            return compare_integrators::run(arguments).unwrap_or_else(|error| failed(&error));
         }
         ["help" | "-h" | "--help"] => {
             println!("{HELP}");
@@ -55,11 +55,11 @@ fn main() -> ExitCode {
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => failed(error),
+        Err(error) => failed(&error),
     }
 }
 
-fn failed(error: anyhow::Error) -> ExitCode {
+fn failed(error: &anyhow::Error) -> ExitCode {
     eprintln!("error: {error:#}");
     ExitCode::FAILURE
 }
