@@ -19,6 +19,7 @@ pub(crate) fn run() -> Result<()> {
     step("doc", document)?;
     step("check", || bdpt(&["--check"]))?;
     step("picture", picture)?;
+    step("compare", compare)?;
     println!("ci: all steps passed, {:.1} s", start.elapsed().as_secs_f64());
     Ok(())
 }
@@ -46,6 +47,17 @@ fn picture() -> Result<()> {
     let size = std::fs::metadata(&file).context("bdpt left no picture")?.len();
     ensure!(size > 0, "bdpt left an empty picture");
     Ok(())
+}
+
+/// The README's third command, and what it made, in a browser where there is one.
+fn compare() -> Result<()> {
+    let folder = Scratch::new()?;
+    let path = folder.0.to_str().context("the folder for temporary files has no UTF-8 name")?;
+    let program = ["run", "--release", "--package", "traylib-compare"];
+    let arguments = ["--bin", "compare-integrators", "--", "--quick", "--out", path];
+    cargo(&[&program[..], &arguments].concat())?;
+    let page = ["test", "--workspace", "--test", "browser", "the_page"];
+    finish(workspace::cargo(&page).env("TRAYLIB_COMPARISON", path))
 }
 
 fn bdpt(arguments: &[&str]) -> Result<()> {

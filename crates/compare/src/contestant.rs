@@ -6,36 +6,17 @@ use traylib_integrators::{
     Bdpt, DirectLight, Integrator, Limits, Particle, PureMc, SceneFacts, Techniques, Trace,
 };
 use traylib_math::Heuristic;
+use traylib_tests::stability::column::Column;
 
 /// An integrator with its settings, as `bdpt` or `combined:balance:depth=6`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Contestant {
-    program: Program,
+    program: Column,
     limits: Limits,
     heuristic: Heuristic,
     techniques: Techniques,
     name: String,
 }
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Program {
-    Trace,
-    PureMc,
-    DirectLight,
-    Combined,
-    Particle,
-    Bdpt,
-}
-
-/// Every program by its name; `combined` is `directlight --combine`.
-const PROGRAMS: [(&str, Program); 6] = [
-    ("trace", Program::Trace),
-    ("puremc", Program::PureMc),
-    ("directlight", Program::DirectLight),
-    ("combined", Program::Combined),
-    ("particle", Program::Particle),
-    ("bdpt", Program::Bdpt),
-];
 
 /// What is compared unless something else is asked for: every program, and the
 /// settings of the two best ones that may pay.
@@ -60,7 +41,7 @@ pub struct UnknownContestant(String);
 
 impl fmt::Display for UnknownContestant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let programs: Vec<&str> = PROGRAMS.iter().map(|(name, _)| *name).collect();
+        let programs = Column::ALL.map(Column::name);
         write!(
             f,
             "`{}` is no integrator; wanted: one of {}, and after it any of :balance :depth=N \
@@ -80,8 +61,8 @@ impl FromStr for Contestant {
         let unknown = || UnknownContestant(text.to_string());
         let mut words = text.split(':');
         let name = words.next().unwrap_or_default();
-        let (_, program) = PROGRAMS.iter().find(|(known, _)| *known == name).ok_or_else(unknown)?;
-        let mut contestant = Self::of(*program, text);
+        let program = Column::ALL.into_iter().find(|program| program.name() == name);
+        let mut contestant = Self::of(program.ok_or_else(unknown)?, text);
         words.try_for_each(|word| contestant.set(word).ok_or_else(unknown))?;
         Ok(contestant)
     }
@@ -89,7 +70,7 @@ impl FromStr for Contestant {
 
 impl Contestant {
     /// A program as it is by default.
-    fn of(program: Program, name: &str) -> Self {
+    fn of(program: Column, name: &str) -> Self {
         Self {
             program,
             limits: Limits::default(),
@@ -100,8 +81,8 @@ impl Contestant {
     }
 
     fn set(&mut self, setting: &str) -> Option<()> {
-        let weighted = matches!(self.program, Program::Combined | Program::Bdpt);
-        let walks = self.program != Program::Trace;
+        let weighted = matches!(self.program, Column::Combined | Column::Bdpt);
+        let walks = self.program != Column::Trace;
         let (key, number) = match setting.split_once('=') {
             Some((key, number)) => (key, Some(number.parse::<u32>().ok()?)),
             None => (setting, None),
@@ -110,7 +91,7 @@ impl Contestant {
             ("balance", None) if weighted => self.heuristic = Heuristic::Balance,
             ("depth", Some(1..)) if walks => self.limits.max_depth = number,
             ("roulette", Some(edge @ 2..)) if walks => self.limits.roulette.from_edge = edge,
-            ("no-connections", None) if self.program == Program::Bdpt => {
+            ("no-connections", None) if self.program == Column::Bdpt => {
                 self.techniques.connections = false;
             }
             _ => return None,
@@ -128,12 +109,12 @@ impl Contestant {
         let Self { limits, heuristic, techniques, .. } = *self;
         match self.program {
             // All others estimate the mean over a pixel.
-            Program::Trace => Box::new(Trace { jitter: true }),
-            Program::PureMc => Box::new(PureMc { limits }),
-            Program::DirectLight => Box::new(DirectLight { limits, combine: None }),
-            Program::Combined => Box::new(DirectLight { limits, combine: Some(heuristic) }),
-            Program::Particle => Box::new(Particle { limits }),
-            Program::Bdpt => Box::new(Bdpt { limits, heuristic, techniques, ..Bdpt::default() }),
+            Column::Trace => Box::new(Trace { jitter: true }),
+            Column::PureMc => Box::new(PureMc { limits }),
+            Column::DirectLight => Box::new(DirectLight { limits, combine: None }),
+            Column::Combined => Box::new(DirectLight { limits, combine: Some(heuristic) }),
+            Column::Particle => Box::new(Particle { limits }),
+            Column::Bdpt => Box::new(Bdpt { limits, heuristic, techniques, ..Bdpt::default() }),
         }
     }
 
@@ -152,7 +133,7 @@ impl Contestant {
 
     /// Whether there is any light in such a scene that it is for.
     pub fn suits(&self, facts: &SceneFacts) -> bool {
-        self.program != Program::Trace || facts.point_lights
+        self.program != Column::Trace || facts.point_lights
     }
 }
 

@@ -1,8 +1,8 @@
 //! The page's main table, for a terminal.
 
+use crate::page::number::short;
 use crate::results::{Estimate, MethodResults, Results, SceneResults, Target};
 use std::fmt::Write;
-use traylib_tests::stability::table::short;
 
 /// Everything that matters most, as text of some 100 columns.
 pub fn table(results: &Results) -> String {

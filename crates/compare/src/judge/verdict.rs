@@ -1,8 +1,8 @@
 //! The answer, in a sentence.
 
 use crate::bootstrap::NOTHING_KNOWN;
+use crate::page::number::short;
 use crate::results::{Estimate, MethodResults, ReferenceResults, Verdict};
-use traylib_tests::stability::table::short;
 
 /// Which method to use, from methods that have been judged; `None` without any.
 pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Option<Verdict> {
