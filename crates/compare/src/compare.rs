@@ -1,27 +1,30 @@
 //! The whole comparison, from options to results.
 
+mod outcome;
+
 use crate::contestant::Contestant;
 use crate::csv;
-use crate::judge::{Entry, judge, verdict};
+use crate::how::build_key;
 use crate::lengths::lengths;
 use crate::options::{ORACLE, Options};
 use crate::oracle::oracle;
 use crate::outside::{self, OutsideEntry};
 use crate::pictures::ScenePictures;
+use crate::precision::double;
 use crate::prepare::{Prepared, prepare};
 use crate::progress::Plan;
 use crate::race::{Field, OVERHEAD, race};
 use crate::reference::{Making, Reference, make};
-use crate::results::{How, LengthShare, OutsidePoint, Results, SceneResults};
+use crate::results::{How, LengthShare, Results, SceneResults};
 use crate::run::Race;
 use crate::store::{Store, key_of};
 use crate::techniques::technique_pictures;
+use outcome::{finished, shown, told};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use traylib_demos::{Failure, say};
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_math::{Grid, Rgb};
-use traylib_scene::Light;
 
 /// Each half of a reference takes as long as so many of the longest runs, so that
 /// its own error is small beside theirs.
@@ -154,8 +157,8 @@ impl<'a> Work<'a> {
         let size = (camera.width() as usize, camera.height() as usize);
         if let (Some(given), Some(file)) = (&prepared.given, &self.options.reference) {
             outside::same_size(file, given, size)?;
-            let wide = given.map(|light| light.to_array().map(f64::from));
-            return Ok(Some(Reference::given(wide, format!("the picture {}", file.display()))));
+            let origin = format!("the picture {}", file.display());
+            return Ok(Some(Reference::given(double(given), origin)));
         }
         if let Some(radiance) = prepared.closed_form() {
             return Ok(Some(Reference::constant(size.0, size.1, radiance)));
@@ -236,71 +239,4 @@ fn warn(prepared: &Prepared) {
     for warning in &prepared.loaded.warnings {
         say(format_args!("warning: {}: {warning}", prepared.loaded.name));
     }
-}
-
-/// Those with runs enough to tell anything.
-fn finished(entries: Vec<Entry>) -> Vec<Entry> {
-    entries.into_iter().filter(|entry| entry.records.len() > 1).collect()
-}
-
-fn shown(
-    prepared: &Prepared,
-    reference: &Reference,
-    entries: &[Entry],
-    outside: Vec<Grid<Rgb>>,
-    techniques: Vec<(traylib_integrators::Technique, Grid<Rgb>)>,
-) -> ScenePictures {
-    let single = |picture: &Grid<[f64; 3]>| picture.map(|light| Rgb::from(light.map(|b| b as f32)));
-    ScenePictures {
-        exposure: prepared.loaded.settings.exposure,
-        reference: single(&reference.picture),
-        methods: entries.iter().filter_map(|entry| entry.pictures.first().map(single)).collect(),
-        errors: entries.iter().map(|entry| entry.error_map(reference)).collect(),
-        outside,
-        techniques,
-    }
-}
-
-fn told(
-    prepared: &Prepared,
-    reference: Reference,
-    entries: &[Entry],
-    outside: Vec<OutsidePoint>,
-    lengths: Vec<LengthShare>,
-) -> Option<SceneResults> {
-    let methods = judge(entries, &reference, &prepared.facts);
-    let verdict = verdict(&methods, &reference.results)?;
-    let scene = &prepared.loaded.scene;
-    let points = scene.lights().iter().filter(|light| Light::is_point(light)).count();
-    Some(SceneResults {
-        name: prepared.loaded.name.clone(),
-        width: scene.camera().width(),
-        height: scene.camera().height(),
-        primitives: scene.primitive_count() as u64,
-        area_lights: (scene.lights().len() - points) as u64,
-        point_lights: points as u64,
-        load_seconds: prepared.load_seconds,
-        scene_bytes: prepared.bytes,
-        epsilon: reference.epsilon,
-        reference: reference.results,
-        verdict,
-        methods,
-        outside,
-        lengths,
-    })
-}
-
-/// A hash of the program itself: another build may be faster, or wrong.
-fn build_key() -> u64 {
-    let bytes = std::env::current_exe().and_then(std::fs::read);
-    key_of(
-        &bytes
-            .map(|bytes| {
-                use std::hash::Hasher;
-                let mut hash = std::hash::DefaultHasher::new();
-                hash.write(&bytes);
-                hash.finish()
-            })
-            .ok(),
-    )
 }

@@ -2,6 +2,7 @@
 
 use crate::options::Options;
 use crate::results::How;
+use std::hash::{DefaultHasher, Hasher};
 use std::process::Command;
 
 /// Everything about how it is made, but for how long it takes.
@@ -47,6 +48,14 @@ fn processor() -> Option<String> {
     let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
     let line = text.lines().find(|line| line.starts_with("model name"))?;
     Some(line.split_once(':')?.1.trim().to_string())
+}
+
+/// A hash of the program itself: another build may be faster, or wrong.
+pub fn build_key() -> u64 {
+    let bytes = std::env::current_exe().and_then(std::fs::read).unwrap_or_default();
+    let mut hash = DefaultHasher::new();
+    hash.write(&bytes);
+    hash.finish()
 }
 
 #[cfg(test)]

@@ -70,7 +70,7 @@ impl Record {
 }
 
 /// Judges all entries of a scene against one another; each has at least two runs.
-pub fn judge(entries: &[Entry], reference: &Reference, facts: &SceneFacts) -> Vec<MethodResults> {
+pub fn judge(entries: &[Entry], reference: &Reference, facts: SceneFacts) -> Vec<MethodResults> {
     let alone: Vec<MethodResults> =
         entries.iter().map(|entry| method(entry, reference, facts)).collect();
     let Some(best) = best(&alone) else { return alone };
@@ -96,8 +96,8 @@ fn best(methods: &[MethodResults]) -> Option<usize> {
         .or_else(|| cheapest(&|_| true))
 }
 
-fn method(entry: &Entry, reference: &Reference, facts: &SceneFacts) -> MethodResults {
-    let biased = entry.contestant.is_biased(facts);
+fn method(entry: &Entry, reference: &Reference, facts: SceneFacts) -> MethodResults {
+    let biased = entry.contestant.is_biased(&facts);
     let spread = Spread::of(entry, reference);
     let lost = if biased { spread.lost } else { 0.0 };
     let mut points = budgets(entry, reference);
@@ -105,7 +105,7 @@ fn method(entry: &Entry, reference: &Reference, facts: &SceneFacts) -> MethodRes
     MethodResults {
         name: entry.contestant.name().to_string(),
         biased,
-        blind: entry.contestant.blind_spots(facts),
+        blind: entry.contestant.blind_spots(&facts),
         points: powers_of_two(entry, reference),
         budgets: points,
         cost: bootstrap::mean(&entry.costs(reference), LEVEL),

@@ -24,6 +24,7 @@ pub mod oracle;
 pub mod outside;
 pub mod page;
 pub mod pictures;
+pub mod precision;
 pub mod prepare;
 pub mod progress;
 pub mod race;

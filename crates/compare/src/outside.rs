@@ -1,5 +1,6 @@
 //! Pictures of other programs, to stand on the same chart.
 
+use crate::precision::double;
 use crate::reference::Reference;
 use crate::results::OutsidePoint;
 use serde::Deserialize;
@@ -35,7 +36,7 @@ pub fn read(file: &Path) -> Result<Vec<OutsideEntry>, Failure> {
         let wanted = r#"wanted: [{"scene": "cornell", "name": "mine", "seconds": 8, "picture": "mine.exr"}]"#;
         failure(format!("{error}; {wanted}"))
     })?;
-    if let Some(entry) = entries.iter().find(|entry| !(entry.seconds > 0.0)) {
+    if let Some(entry) = entries.iter().find(|entry| entry.seconds <= 0.0) {
         return Err(failure(format!("`{}` took {} s, wanted more", entry.name, entry.seconds)));
     }
     let folder = file.parent().unwrap_or(Path::new(""));
@@ -60,8 +61,7 @@ pub fn measure(
 fn one(entry: &OutsideEntry, reference: &Reference) -> Result<(OutsidePoint, Grid<Rgb>), Failure> {
     let picture = load_exr(&entry.picture)?;
     same_size(&entry.picture, &picture, (reference.picture.width(), reference.picture.height()))?;
-    let wide = picture.map(|light| light.to_array().map(f64::from));
-    let error = reference.less_own(reference.rel_mse(&wide));
+    let error = reference.less_own(reference.rel_mse(&double(&picture)));
     let solid = reference.is_solid_at(error);
     let point = OutsidePoint { name: entry.name.clone(), seconds: entry.seconds, error, solid };
     Ok((point, picture))

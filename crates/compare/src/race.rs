@@ -4,6 +4,7 @@
 
 use crate::contestant::Contestant;
 use crate::judge::Entry;
+use crate::precision::{double, single};
 use crate::progress::Plan;
 use crate::run::{Picture, Race, Record};
 use crate::store::{Store, key_of};
@@ -94,7 +95,8 @@ impl Field<'_> {
             return Ok(None);
         }
         let done = self.race.run(contestant, seed).map_err(Failure::output)?;
-        let done = done.map(|(record, picture)| (record, as_kept(&picture)));
+        // As it would come from the store, so that it makes no difference whether it does.
+        let done = done.map(|(record, picture)| (record, double(&single(&picture))));
         if let Some((record, picture)) = &done {
             self.store.keep(key, record, &[("mean", picture)]).map_err(Failure::output)?;
         }
@@ -108,10 +110,4 @@ impl Field<'_> {
         }
         Ok(())
     }
-}
-
-/// A picture as it comes from the store, so that it makes no difference whether it
-/// does.
-fn as_kept(picture: &Picture) -> Picture {
-    picture.map(|light| light.map(|band| f64::from(band as f32)))
 }

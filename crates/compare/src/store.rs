@@ -4,13 +4,14 @@
 //! lie in `KEY.json` and its pictures in `KEY-NAME.exr`. The numbers are written
 //! last: where they are, the piece is whole.
 
+use crate::precision::{double, single};
+use crate::run::Picture;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::{self, Debug, Write};
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 use traylib_io::{PictureInfo, load_exr, save_picture};
-use traylib_math::{Grid, Rgb};
 
 /// A folder of finished work.
 #[derive(Clone, Debug)]
@@ -49,9 +50,8 @@ impl Store {
     }
 
     /// A picture of a finished piece.
-    pub fn picture(&self, key: u64, name: &str) -> Option<Grid<[f64; 3]>> {
-        let picture = load_exr(&self.picture_file(key, name)).ok()?;
-        Some(picture.map(|light| light.to_array().map(f64::from)))
+    pub fn picture(&self, key: u64, name: &str) -> Option<Picture> {
+        load_exr(&self.picture_file(key, name)).ok().map(|picture| double(&picture))
     }
 
     /// Keeps a piece of work.
@@ -62,11 +62,10 @@ impl Store {
         &self,
         key: u64,
         numbers: &impl Serialize,
-        pictures: &[(&str, &Grid<[f64; 3]>)],
+        pictures: &[(&str, &Picture)],
     ) -> Result<(), StoreError> {
         for (name, picture) in pictures {
-            let single = picture.map(|light| Rgb::from(light.map(|band| band as f32)));
-            save_picture(&self.picture_file(key, name), &single, &nameless())
+            save_picture(&self.picture_file(key, name), &single(picture), &nameless())
                 .map_err(|error| StoreError(error.to_string()))?;
         }
         write_json(&self.file(key), numbers)
@@ -141,6 +140,7 @@ impl Write for TextHash {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use traylib_math::Grid;
 
     #[test]
     fn what_is_kept_is_found_again() {

@@ -1,7 +1,7 @@
 //! The answer, in a sentence.
 
 use crate::bootstrap::NOTHING_KNOWN;
-use crate::page::number::short;
+use crate::page::number::rounded;
 use crate::results::{Estimate, MethodResults, ReferenceResults, Verdict};
 
 /// Which method to use, from methods that have been judged; `None` without any.
@@ -55,9 +55,9 @@ fn needs(method: &MethodResults) -> String {
     let Estimate { value, low, high } = method.cost_ratio;
     let name = &method.name;
     if method.stability.alarm || high >= NOTHING_KNOWN * value {
-        return format!("{name} takes at least {} times as long", short(low));
+        return format!("{name} takes at least {} times as long", rounded(low));
     }
-    let [value, low, high] = [value, low, high].map(short);
+    let [value, low, high] = [value, low, high].map(rounded);
     format!("{name} takes {value} times as long ({low} to {high})")
 }
 
@@ -72,7 +72,7 @@ fn alarms(methods: &[MethodResults]) -> Option<String> {
 /// What a method cannot see and others can.
 fn blindness(method: &MethodResults) -> Option<String> {
     let lost = (method.biased && !method.blind.is_empty()).then(|| method.blind.join(" and "))?;
-    Some(format!("{} cannot produce {lost}.", method.name))
+    Some(format!("{} loses light: {lost}.", method.name))
 }
 
 /// What stands against the reference.

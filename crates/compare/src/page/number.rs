@@ -45,6 +45,11 @@ pub(crate) fn chosen(value: f64) -> String {
     if (1e-4..1e5).contains(&value) { value.to_string() } else { significant(value, 1) }
 }
 
+/// Rounded to two digits that matter: `6.5`, `390`, `67000`.
+pub(crate) fn rounded(value: f64) -> String {
+    significant(format!("{value:.1e}").parse().unwrap_or(value), 2)
+}
+
 /// Three digits.
 pub(crate) fn short(value: f64) -> String {
     significant(value, 3)
@@ -128,6 +133,13 @@ pub(crate) fn percent(share: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn two_digits_are_enough_to_speak_of() {
+        for (value, text) in [(6.46, "6.5"), (387.9, "390"), (66_600.0, "67000"), (1.0, "1.0")] {
+            assert_eq!(rounded(value), text);
+        }
+    }
 
     #[test]
     fn digits_that_matter() {

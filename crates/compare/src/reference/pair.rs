@@ -206,11 +206,9 @@ fn origin(a: &Numbers, b: &Numbers, share: f64, masked: f64) -> String {
         let (first, passes, second) = (&a.method, a.passes, &b.method);
         return format!("{first} ({passes} spp) alone, since {second} differs from it");
     }
-    let mut text = format!("a mean: {}, {}", part(a, share), part(b, 1.0 - share));
-    if masked > 0.0 {
-        text += &format!("; where mirrors are in view, {} alone", a.method);
-    }
-    text
+    let alone = format!("; where mirrors are in view, {} alone", a.method);
+    let mirrors = if masked > 0.0 { alone.as_str() } else { "" };
+    format!("a mean: {}, {}{mirrors}", part(a, share), part(b, 1.0 - share))
 }
 
 #[cfg(test)]

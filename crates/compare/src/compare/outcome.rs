@@ -1,0 +1,64 @@
+//! From what was done on a scene to what is told and shown of it.
+
+use crate::judge::{Entry, judge, verdict};
+use crate::pictures::ScenePictures;
+use crate::precision::single;
+use crate::prepare::Prepared;
+use crate::reference::Reference;
+use crate::results::{LengthShare, OutsidePoint, SceneResults};
+use traylib_integrators::Technique;
+use traylib_math::{Grid, Rgb};
+use traylib_scene::Light;
+
+/// Those with runs enough to tell anything.
+pub(super) fn finished(entries: Vec<Entry>) -> Vec<Entry> {
+    entries.into_iter().filter(|entry| entry.records.len() > 1).collect()
+}
+
+/// The pictures of a scene.
+pub(super) fn shown(
+    prepared: &Prepared,
+    reference: &Reference,
+    entries: &[Entry],
+    outside: Vec<Grid<Rgb>>,
+    techniques: Vec<(Technique, Grid<Rgb>)>,
+) -> ScenePictures {
+    ScenePictures {
+        exposure: prepared.loaded.settings.exposure,
+        reference: single(&reference.picture),
+        methods: entries.iter().filter_map(|entry| entry.pictures.first().map(single)).collect(),
+        errors: entries.iter().map(|entry| entry.error_map(reference)).collect(),
+        outside,
+        techniques,
+    }
+}
+
+/// The numbers of a scene; `None` if no contestant has any.
+pub(super) fn told(
+    prepared: &Prepared,
+    reference: Reference,
+    entries: &[Entry],
+    outside: Vec<OutsidePoint>,
+    lengths: Vec<LengthShare>,
+) -> Option<SceneResults> {
+    let methods = judge(entries, &reference, prepared.facts);
+    let verdict = verdict(&methods, &reference.results)?;
+    let scene = &prepared.loaded.scene;
+    let points = scene.lights().iter().filter(|light| Light::is_point(light)).count();
+    Some(SceneResults {
+        name: prepared.loaded.name.clone(),
+        width: scene.camera().width(),
+        height: scene.camera().height(),
+        primitives: scene.primitive_count() as u64,
+        area_lights: (scene.lights().len() - points) as u64,
+        point_lights: points as u64,
+        load_seconds: prepared.load_seconds,
+        scene_bytes: prepared.bytes,
+        epsilon: reference.epsilon,
+        reference: reference.results,
+        verdict,
+        methods,
+        outside,
+        lengths,
+    })
+}

@@ -1,0 +1,26 @@
+//! Pictures in double precision, in which they are computed with, and in single, in
+//! which they are kept and shown.
+
+use crate::run::Picture;
+use traylib_math::{Grid, Rgb};
+
+/// As it is kept in files.
+pub fn single(picture: &Picture) -> Grid<Rgb> {
+    picture.map(|light| Rgb::from(light.map(|band| band as f32)))
+}
+
+/// As it is computed with.
+pub fn double(picture: &Grid<Rgb>) -> Picture {
+    picture.map(|light| light.to_array().map(f64::from))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_single_stays_as_it_is() {
+        let picture = Grid::filled(2, 1, Rgb::new(0.1, 1e-30, 7e8));
+        assert_eq!(single(&double(&picture)), picture);
+    }
+}
