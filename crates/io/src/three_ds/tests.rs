@@ -1,5 +1,6 @@
 mod damage;
 mod keyframer;
+mod real_files;
 mod scene;
 pub(super) mod writer;
 
