@@ -1,7 +1,7 @@
 //! Scene and picture files.
 //!
 //! A decoder turns bytes into a plain document and knows nothing else
-//! ([`ron_scene`], [`three_ds`]); importing turns documents into a scene
+//! ([`ron_scene`], [`three_ds`], [`mgf`]); importing turns documents into a scene
 //! ([`load_scene`]). Pictures go out through [`save_picture`].
 //!
 //! ```
@@ -18,6 +18,7 @@ mod builtin;
 mod error;
 mod import;
 mod load;
+pub mod mgf;
 pub mod picture;
 pub mod report;
 pub mod ron_scene;
