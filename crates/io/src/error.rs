@@ -39,7 +39,10 @@ pub enum Error {
     #[error("{0}")]
     Scene(Report),
     /// The ending of a picture's name says no format that is known.
-    #[error("{}: pictures are written as .png or .exr, and the name must end so", .0.display())]
+    #[error(
+        "{}: pictures are written as .png, .exr, .hdr, .tga or .pcx, and the name must end so",
+        .0.display()
+    )]
     PictureFormat(PathBuf),
     /// A file cannot be written.
     #[error("{}: cannot be written: {cause}", .file.display())]
