@@ -18,7 +18,7 @@ pub struct RenderOptions {
     #[arg(default_value = "cornell")]
     pub scene: String,
 
-    /// Picture to write, .png or .exr; may be repeated
+    /// Picture to write, .png, .exr, .hdr, .tga or .pcx; may be repeated
     /// [default: PROGRAM.png]
     #[arg(short, long = "outfile", visible_alias = "output", value_name = "FILE")]
     pub outfile: Vec<PathBuf>,

@@ -3,6 +3,7 @@
 
 mod bdpt;
 mod common;
+mod convert;
 mod errors;
 mod film;
 #[cfg(unix)]
