@@ -12,6 +12,7 @@ mod options;
 mod outcome;
 mod progress;
 mod run;
+mod stats;
 mod technique_pictures;
 
 pub use duration::parse_duration;

@@ -18,6 +18,7 @@
 mod builtin;
 mod error;
 mod import;
+mod inventory;
 mod load;
 pub mod mgf;
 pub mod picture;
@@ -32,6 +33,7 @@ pub mod three_ds;
 pub use builtin::builtin_names;
 pub use error::{Error, Warning};
 pub use import::MAX_PIXELS;
+pub use inventory::{Inventory, SceneCounts, inventory};
 pub use load::{LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
 pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, open_exr, save_picture,

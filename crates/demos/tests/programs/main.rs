@@ -9,3 +9,4 @@ mod film;
 #[cfg(unix)]
 mod interrupts;
 mod pictures;
+mod stats;
