@@ -1,6 +1,7 @@
 //! The project's own tasks: `cargo xtask TASK`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
+mod check_data;
 mod ci;
 mod compare_integrators;
 mod layers;
@@ -17,6 +18,9 @@ The project's own tasks.
 
 Usage: cargo xtask TASK [ARGUMENTS]
 
+  check-data DIR
+           what the readers make of the files in DIR/3ds and DIR/mgf against
+           DIR/3ds/expected.json and DIR/mgf/expected.json
   layers   hold the dependencies of every crate against the table of layers
   prove    every proof at length, with a report of all claims; under 40 minutes
   planted [DEFECT…]
@@ -37,6 +41,7 @@ fn main() -> ExitCode {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let outcome = match words[..] {
         ["layers"] => layers::run(),
+        ["check-data", folder] => check_data::run(folder),
         ["ci"] => ci::run(),
         ["prove"] => prove::run(),
         ["planted", ref defects @ ..] => planted::run(defects),

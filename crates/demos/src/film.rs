@@ -1,10 +1,13 @@
-//! The program `film`: what picture files hold, and how far two are apart.
+//! The program `film`: what picture files hold, how far two are apart, and one
+//! format made another.
 
 mod bias;
 mod comparison;
+mod convert;
 mod diff;
 mod info;
 
+pub use convert::ConvertOptions;
 pub use diff::DiffOptions;
 pub use info::InfoOptions;
 
@@ -19,6 +22,8 @@ pub enum FilmCommand {
     Diff(DiffOptions),
     /// Say what is in a file: layers, channels, how it was made
     Info(InfoOptions),
+    /// Write a picture in another format
+    Convert(ConvertOptions),
 }
 
 impl FilmCommand {
@@ -28,6 +33,7 @@ impl FilmCommand {
         conclude("film", || match self {
             Self::Diff(options) => diff::diff(options),
             Self::Info(options) => info::info(options),
+            Self::Convert(options) => convert::convert(options),
         })
     }
 }

@@ -12,10 +12,11 @@ mod options;
 mod outcome;
 mod progress;
 mod run;
+mod stats;
 mod technique_pictures;
 
 pub use duration::parse_duration;
-pub use film::{DiffOptions, FilmCommand, InfoOptions};
+pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions};
 pub use interrupt::stop_flag;
 pub use messages::{count, print_notes, say, tell};
 pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution};

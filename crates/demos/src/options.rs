@@ -18,7 +18,11 @@ pub struct RenderOptions {
     #[arg(default_value = "cornell")]
     pub scene: String,
 
-    /// Picture to write, .png or .exr; may be repeated
+    /// Further MGF files of the same scene, with --stats
+    #[arg(requires = "stats", value_name = "MORE")]
+    pub more: Vec<String>,
+
+    /// Picture to write, .png, .exr, .hdr, .tga or .pcx; may be repeated
     /// [default: PROGRAM.png]
     #[arg(short, long = "outfile", visible_alias = "output", value_name = "FILE")]
     pub outfile: Vec<PathBuf>,
@@ -52,6 +56,16 @@ pub struct RenderOptions {
     /// Read and check the scene, render nothing
     #[arg(long)]
     pub check: bool,
+
+    /// With --check: write what is in the file as JSON, also of a .3ds or .mgf file
+    /// without camera or lamp; `-` is standard output
+    #[arg(long, value_name = "FILE", requires = "check")]
+    pub stats: Option<PathBuf>,
+
+    /// The folder that files included by an MGF file may come from
+    /// [default: that of the first file]
+    #[arg(long, value_name = "DIR", requires = "stats")]
+    pub root: Option<PathBuf>,
 }
 
 /// How long paths get.

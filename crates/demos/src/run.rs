@@ -6,6 +6,7 @@ use crate::messages::{announce, describe, say, suggest, summarise, tell};
 use crate::options::{PathOptions, RenderOptions};
 use crate::outcome::Failure;
 use crate::progress::Line;
+use crate::stats::stats;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -89,6 +90,9 @@ fn try_run<I: Integrator>(
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let options = job.options;
+    if let Some(file) = &options.stats {
+        return stats(options, file);
+    }
     let limits = job.paths.map_or(Ok(Limits::default()), PathOptions::limits)?;
     let load = LoadOptions { resolution: options.resolution };
     let loaded = load_scene_with(&options.scene, load)?;

@@ -34,12 +34,37 @@ pub enum Error {
          write a scene file with an object of the shape Mesh(file: \"{0}\")"
     )]
     MeshAsScene(String),
+    /// A 3DS file is none.
+    #[error("{file}: {cause}")]
+    Mesh {
+        /// The file.
+        file: String,
+        /// Why.
+        cause: crate::three_ds::Error,
+    },
+    /// An MGF file makes no sense.
+    #[error(transparent)]
+    Mgf(#[from] crate::mgf::Error),
+    /// No file was named.
+    #[error("no file is named")]
+    NoFile,
+    /// Several files that are not MGF.
+    #[error("{}: only MGF files can be read together as one scene", .0.display())]
+    SeveralFiles(PathBuf),
+    /// An MGF file was given where a scene is wanted.
+    #[error(
+        "{0}: MGF files are read and counted (--check --stats -), but not made into scenes yet"
+    )]
+    MgfAsScene(String),
     /// A scene file makes no sense; every place where it does not, with the
     /// lines shown.
     #[error("{0}")]
     Scene(Report),
     /// The ending of a picture's name says no format that is known.
-    #[error("{}: pictures are written as .png or .exr, and the name must end so", .0.display())]
+    #[error(
+        "{}: pictures are written as .png, .exr, .hdr, .tga or .pcx, and the name must end so",
+        .0.display()
+    )]
     PictureFormat(PathBuf),
     /// A file cannot be written.
     #[error("{}: cannot be written: {cause}", .file.display())]

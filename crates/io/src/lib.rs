@@ -1,8 +1,9 @@
 //! Scene and picture files.
 //!
 //! A decoder turns bytes into a plain document and knows nothing else
-//! ([`ron_scene`], [`three_ds`]); importing turns documents into a scene
-//! ([`load_scene`]). Pictures go out through [`save_picture`].
+//! ([`ron_scene`], [`three_ds`], [`mgf`]); importing turns documents into a scene
+//! ([`load_scene`]). Pictures go out through [`save_picture`] and come in through
+//! [`load_exr`] and [`load_texture`].
 //!
 //! ```
 //! let loaded = traylib_io::load_scene("cornell")?;
@@ -17,19 +18,25 @@
 mod builtin;
 mod error;
 mod import;
+mod inventory;
 mod load;
+pub mod mgf;
 pub mod picture;
 pub mod report;
 pub mod ron_scene;
 mod source;
 mod srgb;
 mod suggest;
+pub mod texture;
 pub mod three_ds;
 
 pub use builtin::builtin_names;
 pub use error::{Error, Warning};
 pub use import::MAX_PIXELS;
+pub use inventory::{Inventory, SceneCounts, inventory};
 pub use load::{LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
 pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, open_exr, save_picture,
+    write_picture,
 };
+pub use texture::{Texture, TextureError, TextureLimits, load_texture, texture_from_bytes};

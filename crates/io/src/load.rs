@@ -60,8 +60,12 @@ pub fn load_scene_with(name_or_path: &str, options: LoadOptions) -> Result<Loade
 fn find(name: &str) -> Result<Location, Error> {
     let path = Path::new(name);
     if path.is_file() {
-        if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("3ds")) {
+        let ends = |wanted| path.extension().is_some_and(|e| e.eq_ignore_ascii_case(wanted));
+        if ends("3ds") {
             return Err(Error::MeshAsScene(name.to_string()));
+        }
+        if ends("mgf") {
+            return Err(Error::MgfAsScene(name.to_string()));
         }
         return Ok(Location::Disk(PathBuf::from(name)));
     }

@@ -4,20 +4,27 @@
 //! which then takes its name.
 
 mod exr;
+mod hdr;
+mod pcx;
 mod png;
 mod replace;
+mod screen;
+mod tga;
 
 pub use exr::{ExrChannel, ExrFile, ExrLayer, load_exr, open_exr};
-pub use png::screen_rgb;
+pub use screen::screen_rgb;
 
 use crate::Error;
+use screen::Screen;
 use std::path::Path;
 use traylib_math::{Grid, Rgb};
 
+type Cause = Box<dyn std::error::Error + Send + Sync>;
+
 /// What a picture says of itself in its file.
 ///
-/// All of it goes into the header of an EXR file; of it a PNG needs the
-/// exposure only.
+/// All but the exposure goes into EXR and PNG files, by the names of
+/// [`attributes`](Self::attributes). The other formats have no place for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureInfo {
     /// Factor on radiance in 8-bit pictures.
@@ -38,10 +45,30 @@ pub struct PictureInfo {
     pub rejected_samples: u64,
 }
 
+impl PictureInfo {
+    /// Names and texts for [`write_picture`]: `software`, `integrator`, `scene`,
+    /// `seed`, `spp`, `seconds`, `rejectedSamples`.
+    pub fn attributes(&self) -> Vec<(String, String)> {
+        let texts = [
+            ("software", self.program.clone()),
+            ("integrator", self.integrator.clone()),
+            ("scene", self.scene.clone()),
+            ("seed", self.seed.to_string()),
+            ("spp", self.spp.to_string()),
+            ("seconds", self.seconds.to_string()),
+            ("rejectedSamples", self.rejected_samples.to_string()),
+        ];
+        texts.map(|(name, text)| (name.to_string(), text)).to_vec()
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Png,
     Exr,
+    Hdr,
+    Tga,
+    Pcx,
 }
 
 impl Format {
@@ -50,6 +77,9 @@ impl Format {
         match ending.to_ascii_lowercase().as_str() {
             "png" => Ok(Self::Png),
             "exr" => Ok(Self::Exr),
+            "hdr" => Ok(Self::Hdr),
+            "tga" => Ok(Self::Tga),
+            "pcx" => Ok(Self::Pcx),
             _ => Err(Error::PictureFormat(path.to_path_buf())),
         }
     }
@@ -58,21 +88,53 @@ impl Format {
 /// Writes radiance to a file; the ending of its name picks the format.
 ///
 /// - `.png`: times the exposure, clipped to [0, 1], sRGB curve, 8 bits.
+/// - `.tga`, `.pcx`: the same pixels; 24 bits, TGA not compressed.
 /// - `.exr`: linear, 32-bit floats, channels R, G, B, lossless compression.
+/// - `.hdr`: linear, rounded to 8 bits below the brightest band of each pixel;
+///   nothing negative, nothing from 1.7·10³⁸ up.
 ///
-/// The same radiance gives the same bytes of pixels. The attributes in the header
-/// of an EXR file stand in any order.
+/// The same radiance with the same words gives the same bytes.
 ///
 /// # Errors
 /// [`Error::PictureFormat`] for another ending, [`Error::Write`] if the file
 /// cannot be written; what was there before then still is.
 pub fn save_picture(path: &Path, radiance: &Grid<Rgb>, info: &PictureInfo) -> Result<(), Error> {
-    let encoded = match Format::of(path)? {
-        Format::Png => png::encode(radiance, info.exposure),
-        Format::Exr => exr::encode(radiance, info),
-    };
+    write_picture(path, radiance, info.exposure, &info.attributes())
+}
+
+/// [`save_picture`] with any attributes, name and text. Characters beyond Latin-1
+/// become question marks in EXR files.
+///
+/// # Errors
+/// As `save_picture`.
+pub fn write_picture(
+    path: &Path,
+    radiance: &Grid<Rgb>,
+    exposure: f32,
+    attributes: &[(String, String)],
+) -> Result<(), Error> {
+    let encoded = encode(Format::of(path)?, radiance, exposure, attributes);
     let written = encoded.and_then(|bytes| Ok(replace::replace(path, &bytes)?));
     written.map_err(|cause| Error::Write { file: path.to_path_buf(), cause })
+}
+
+fn encode(
+    format: Format,
+    radiance: &Grid<Rgb>,
+    exposure: f32,
+    attributes: &[(String, String)],
+) -> Result<Vec<u8>, Cause> {
+    if radiance.values().is_empty() {
+        return Err("it has no pixels".into());
+    }
+    let screen = || Screen::new(radiance, exposure);
+    match format {
+        Format::Png => png::encode(&screen()?, attributes),
+        Format::Tga => tga::encode(&screen()?),
+        Format::Pcx => pcx::encode(&screen()?),
+        Format::Exr => exr::encode(radiance, attributes),
+        Format::Hdr => hdr::encode(radiance),
+    }
 }
 
 /// Whether [`save_picture`] will be able to write there, as far as can be known
@@ -87,4 +149,4 @@ pub fn check_writable(path: &Path) -> Result<(), Error> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

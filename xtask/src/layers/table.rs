@@ -33,6 +33,8 @@ pub(super) const LAYERS: &[Layer] = &[
             "annotate-snippets",
             "exr",
             "image",
+            "pcx",
+            "png",
             "ron",
             "serde",
             "strsim",

@@ -1,4 +1,4 @@
-//! What picture files hold, and how far two are apart.
+//! What picture files hold, how far two are apart, and one format made another.
 
 use clap::Parser;
 use std::process::ExitCode;
@@ -9,16 +9,19 @@ Examples:
   film info bdpt.exr                             size, channels, how it was made
   film diff noisy.exr reference.exr              the second is taken for the truth
   film diff a.exr b.exr --max-relmse 1e-3        status 7 if they differ by more
+  film convert bdpt.exr bdpt.png --exposure 2    formats by content and by ending
 
 Light is channels R, G and B, or Y alone: without a prefix, or of a layer named
 as beauty or Combined, or the only ones there are. Pixels that are not finite in
 one of two pictures are left out of all figures and counted.
 
+Light of other formats than EXR and HDR is on the sRGB curve from 0 to 1.
+
 Ends with 0, 2 if the command line was not understood, 3 if a picture cannot be
 read or sizes differ, 4 if the result cannot be written, 7 if pictures differ by
 more than --max-relmse.";
 
-/// Looks into pictures (.exr) of any renderer and compares them
+/// Looks into pictures (.exr) of any renderer, compares and converts them
 #[derive(Parser)]
 #[command(version, max_term_width = 80, after_long_help = EXAMPLES)]
 struct Options {

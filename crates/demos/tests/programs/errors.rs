@@ -102,8 +102,8 @@ fn outputs_that_cannot_be_written_are_found_before_the_work() {
 fn command_lines_that_make_no_sense() {
     let folder = Folder::new();
     for (arguments, words) in [
-        ("-o a.jpg", "a.jpg: pictures are written as .png or .exr"),
-        ("-o a", "a: pictures are written as .png or .exr"),
+        ("-o a.jpg", "a.jpg: pictures are written as .png, .exr,"),
+        ("-o a", "a: pictures are written as .png, .exr,"),
         ("--spp 0", "'--spp <N>'"),
         ("--max-depth 0", "'--max-depth <N>'"),
         ("--resolution 0x5", "wanted as 640x480"),

@@ -190,7 +190,7 @@ fn command_lines_that_make_no_sense() {
 #[test]
 fn help_fits_a_terminal_and_names_the_statuses() {
     let folder = Folder::new();
-    for arguments in ["--help", "-h", "diff --help", "diff -h", "info --help"] {
+    for arguments in ["--help", "-h", "diff --help", "diff -h", "info --help", "convert --help"] {
         let run = folder.run("film", arguments);
         assert_eq!(run.status, Some(0), "{arguments}");
         assert!(run.out.lines().all(|line| line.chars().count() <= 80), "{}", run.out);

@@ -3,8 +3,10 @@
 
 mod bdpt;
 mod common;
+mod convert;
 mod errors;
 mod film;
 #[cfg(unix)]
 mod interrupts;
 mod pictures;
+mod stats;

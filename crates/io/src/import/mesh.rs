@@ -1,5 +1,7 @@
 //! Meshes from 3DS files.
 
+mod skipped;
+
 use super::placement::Placement;
 use crate::Warning;
 use crate::source::Location;
@@ -26,7 +28,7 @@ impl MeshFiles {
         let describe = |cause: String| format!("{location} cannot be used: {cause}");
         let bytes = location.read().map_err(|e| describe(e.to_string()))?;
         let document = three_ds::decode(&bytes).map_err(|e| describe(e.to_string()))?;
-        if document.meshes.is_empty() {
+        if document.meshes.iter().all(|mesh| mesh.faces.is_empty()) {
             return Err(describe("it has no mesh with a face that can be drawn".to_string()));
         }
         let (file, warnings) = MeshFile::new(document).map_err(|e| describe(e.to_string()))?;
@@ -53,7 +55,8 @@ pub(super) struct MeshFile {
 impl MeshFile {
     /// Also what there is to warn of, with counts.
     fn new(document: three_ds::Document) -> Result<(Self, Vec<(String, u32)>), materials::Error> {
-        let three_ds::Document { meshes, materials, mut warnings } = document;
+        let skipped = skipped::skipped(&document);
+        let three_ds::Document { meshes, materials, mut warnings, .. } = document;
         let normals = meshes.iter().map(|mesh| corner_normals(mesh, &mut warnings)).collect();
         let mut scaled = 0;
         let fallback = three_ds::Material::default();
@@ -66,6 +69,7 @@ impl MeshFile {
         }
         let mut messages: Vec<(String, u32)> =
             warnings.iter().map(|(kind, count)| (kind.to_string(), count)).collect();
+        messages.extend(skipped);
         if scaled > 0 {
             messages.push(("material reflecting more than arrives, scaled down".into(), scaled));
         }
@@ -169,8 +173,8 @@ impl<'a> Welder<'a> {
 fn surface_model(material: &three_ds::Material) -> Result<(SurfaceModel, bool), materials::Error> {
     let diffuse = linear(material.diffuse);
     let tint = match material.shading {
-        three_ds::Shading::Phong => linear(material.specular),
         three_ds::Shading::Metal => diffuse,
+        _ => linear(material.specular),
     };
     let specular = tint * material.shininess_strength;
     if specular.is_black() {

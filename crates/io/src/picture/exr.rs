@@ -1,12 +1,13 @@
 //! OpenEXR: ours are 32-bit floats, others' may be anything.
 
 mod light;
+mod order;
 mod read;
 
 pub use light::load_exr;
 pub use read::{ExrChannel, ExrFile, ExrLayer, open_exr};
 
-use super::PictureInfo;
+use super::Cause;
 use exr::image::Blocks;
 use exr::prelude::{
     AttributeValue, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder,
@@ -15,18 +16,19 @@ use exr::prelude::{
 use std::io::Cursor;
 use traylib_math::{Grid, Rgb};
 
-type Cause = Box<dyn std::error::Error + Send + Sync>;
-
-/// One thread and a fixed order of lines, so that equal pictures have equal
-/// bytes.
-pub(super) fn encode(radiance: &Grid<Rgb>, info: &PictureInfo) -> Result<Vec<u8>, Cause> {
+/// One thread and fixed orders of lines and attributes, so that equal pictures have
+/// equal bytes.
+pub(super) fn encode(
+    radiance: &Grid<Rgb>,
+    attributes: &[(String, String)],
+) -> Result<Vec<u8>, Cause> {
     let pixel = |at: Vec2<usize>| {
         let light = radiance.get(at.x(), at.y());
         (light.r, light.g, light.b)
     };
     let layer = Layer::new(
         (radiance.width(), radiance.height()),
-        attributes(info),
+        header(attributes),
         Encoding {
             compression: Compression::ZIP16,
             blocks: Blocks::ScanLines,
@@ -36,27 +38,29 @@ pub(super) fn encode(radiance: &Grid<Rgb>, info: &PictureInfo) -> Result<Vec<u8>
     );
     let mut bytes = Cursor::new(Vec::new());
     Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes)?;
-    Ok(bytes.into_inner())
+    order::sorted(bytes.into_inner()).ok_or_else(|| "the header has no end".into())
 }
 
-/// The header. Whole numbers are text: the format's integers end at 2³¹.
-fn attributes(info: &PictureInfo) -> LayerAttributes {
-    let program = Some(text(&info.program));
-    let mut attributes = LayerAttributes { software_name: program, ..Default::default() };
-    let own = [
-        ("integrator", AttributeValue::Text(text(&info.integrator))),
-        ("scene", AttributeValue::Text(text(&info.scene))),
-        ("seed", AttributeValue::Text(text(&info.seed.to_string()))),
-        ("spp", AttributeValue::Text(text(&info.spp.to_string()))),
-        ("seconds", AttributeValue::F64(info.seconds)),
-        ("rejectedSamples", AttributeValue::Text(text(&info.rejected_samples.to_string()))),
-    ];
-    attributes.other.extend(own.map(|(name, value)| (text(name), value)));
-    attributes
+/// All attributes are text: the format's integers end at 2³¹. One without a name
+/// would be the end of the header.
+fn header(attributes: &[(String, String)]) -> LayerAttributes {
+    let mut header = LayerAttributes::default();
+    for (name, value) in attributes.iter().filter(|(name, _)| !name.is_empty()) {
+        let value = text(value);
+        match name.as_str() {
+            "software" => header.software_name = Some(value),
+            "owner" => header.owner = Some(value),
+            "comments" => header.comments = Some(value),
+            "capDate" => header.capture_date = Some(value),
+            "view" => header.view_name = Some(value),
+            _ => _ = header.other.insert(text(name), AttributeValue::Text(value)),
+        }
+    }
+    header
 }
 
-/// Header text; characters beyond Latin-1 become question marks.
+/// Header text; characters beyond Latin-1 and zeros become question marks.
 fn text(value: &str) -> Text {
-    let plain = |c: char| u8::try_from(c).map_or('?', char::from);
+    let plain = |c: char| u8::try_from(c).ok().filter(|&byte| byte != 0).map_or('?', char::from);
     Text::new_or_none(value.chars().map(plain).collect::<String>()).unwrap_or_default()
 }

@@ -1,23 +1,25 @@
 use super::*;
-use std::fs;
 use std::path::PathBuf;
+use std::{fs, io};
+
+mod formats;
 
 /// A folder that is removed at the end.
-pub(super) struct Folder(PathBuf);
+pub(crate) struct Folder(PathBuf);
 
 impl Folder {
-    pub(super) fn new(test: &str) -> Self {
+    pub(crate) fn new(test: &str) -> Self {
         let path = std::env::temp_dir().join(format!("traylib-{}-{test}", std::process::id()));
         fs::create_dir_all(&path).unwrap();
         Self(path)
     }
 
-    pub(super) fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.0
     }
 
     fn files(&self) -> Vec<String> {
-        let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name();
+        let name = |entry: io::Result<fs::DirEntry>| entry.unwrap().file_name();
         fs::read_dir(&self.0).unwrap().map(|e| name(e).to_string_lossy().into_owned()).collect()
     }
 }
@@ -27,6 +29,9 @@ impl Drop for Folder {
         let _ = fs::remove_dir_all(&self.0);
     }
 }
+
+/// All that can be written.
+const FORMATS: [&str; 5] = ["png", "exr", "hdr", "tga", "pcx"];
 
 fn info() -> PictureInfo {
     PictureInfo {
@@ -48,7 +53,7 @@ fn picture() -> Grid<Rgb> {
 }
 
 #[test]
-fn exr_keeps_every_bit_and_repeats_its_pixels() {
+fn exr_keeps_every_bit() {
     let folder = Folder::new("exr");
     let paths = [folder.0.join("a.exr"), folder.0.join("b.EXR")];
     for path in &paths {
@@ -56,11 +61,21 @@ fn exr_keeps_every_bit_and_repeats_its_pixels() {
         save_picture(path, &picture(), &info()).unwrap();
         assert_eq!(load_exr(path).unwrap(), picture());
     }
-    let [a, b] = paths.map(|path| fs::read(path).unwrap());
-    // The header lists its attributes in any order; the pixels follow it.
-    let header = a.len() - 12 * picture().values().len();
-    assert!(a.len() == b.len() && a[header..] == b[header..]);
     assert_eq!(folder.files().len(), 2);
+}
+
+/// An order that is left to chance would show: seven attributes have 5040.
+#[test]
+fn equal_pictures_have_equal_bytes() {
+    let folder = Folder::new("equal");
+    for format in FORMATS {
+        let files = ["a", "b", "c"].map(|name| folder.0.join(format!("{name}.{format}")));
+        let bytes = files.map(|path| {
+            save_picture(&path, &picture(), &info()).unwrap();
+            fs::read(path).unwrap()
+        });
+        assert!(bytes[0] == bytes[1] && bytes[0] == bytes[2], "{format}");
+    }
 }
 
 #[test]
@@ -72,6 +87,26 @@ fn the_header_says_how_the_picture_was_made() {
     for words in ["tests 1.0", "integrator", "snow ?", "18446744073709551615"] {
         assert!(bytes.windows(words.len()).any(|w| w == words.as_bytes()), "{words}");
     }
+}
+
+#[test]
+fn png_says_so_too() {
+    let folder = Folder::new("text");
+    let path = folder.0.join("a.png");
+    let odd = [("", "no name"), ("no keyword: \n", "x"), ("good", "a\0b")];
+    let odd = odd.map(|(name, text)| (name.to_string(), text.to_string()));
+    let attributes = [info().attributes(), odd.to_vec()].concat();
+    write_picture(&path, &picture(), 1.0, &attributes).unwrap();
+    let decoder = ::png::Decoder::new(io::BufReader::new(fs::File::open(&path).unwrap()));
+    let read = decoder.read_info().unwrap();
+    let texts = &read.info().utf8_text;
+    let texts: Vec<_> =
+        texts.iter().map(|text| (text.keyword.clone(), text.get_text().unwrap())).collect();
+    let mut expected = info().attributes();
+    expected.push(("good".into(), "a b".into()));
+    assert_eq!(texts, expected);
+    assert!(texts.contains(&("scene".into(), "snow ☃".into())));
+    assert!(read.info().srgb.is_some());
 }
 
 #[test]
@@ -88,7 +123,7 @@ fn png_has_the_exposure_applied() {
 #[test]
 fn unknown_formats_and_folders_are_refused_beforehand() {
     let folder = Folder::new("refused");
-    for name in ["a.jpg", "a", ".png"] {
+    for name in ["a.jpg", "a", ".png", "a.gif"] {
         let checked = check_writable(&folder.0.join(name));
         assert!(matches!(checked, Err(Error::PictureFormat(_))), "{name}: {checked:?}");
     }
@@ -101,14 +136,28 @@ fn unknown_formats_and_folders_are_refused_beforehand() {
 #[test]
 fn a_failure_leaves_what_was_there() {
     let folder = Folder::new("failure");
-    let path = folder.0.join("a.png");
-    fs::write(&path, "before").unwrap();
-    check_writable(&path).unwrap();
-    // A picture without pixels cannot be encoded.
-    let nothing = Grid::from_values(0, 0, Vec::new()).unwrap();
-    assert!(save_picture(&path, &nothing, &info()).is_err());
-    assert_eq!(fs::read(&path).unwrap(), b"before");
-    assert_eq!(folder.files(), ["a.png"]);
+    for format in FORMATS {
+        let path = folder.0.join(format!("a.{format}"));
+        fs::write(&path, "before").unwrap();
+        check_writable(&path).unwrap();
+        // A picture without pixels cannot be encoded.
+        let nothing = Grid::from_values(0, 0, Vec::new()).unwrap();
+        let refused = save_picture(&path, &nothing, &info());
+        assert!(matches!(refused, Err(Error::Write { .. })), "{refused:?}");
+        assert_eq!(fs::read(&path).unwrap(), b"before");
+    }
+    assert_eq!(folder.files().len(), FORMATS.len());
+}
+
+#[test]
+fn pictures_too_wide_for_a_format_are_refused() {
+    let folder = Folder::new("wide");
+    for (format, width) in [("pcx", 65_535), ("tga", 65_536), ("hdr", 32_768)] {
+        let refused = folder.0.join(format!("a.{format}"));
+        let refused = save_picture(&refused, &Grid::filled(width, 1, Rgb::WHITE), &info());
+        assert!(matches!(refused, Err(Error::Write { .. })), "{format}: {refused:?}");
+    }
+    assert_eq!(folder.files(), [""; 0]);
 }
 
 /// Cut anywhere, or with any byte of its header changed, a file is read or refused.

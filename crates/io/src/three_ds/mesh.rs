@@ -1,12 +1,12 @@
 //! Meshes of a 3DS file.
 
-use super::chunk::Reader;
+use super::affine::Affine;
 use super::wide;
-use super::{WarningKind, Warnings};
+use super::{ObjectFlags, WarningKind};
 use traylib_math::{Vec2, Vec3};
 
 /// A triangle of a [`Mesh`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Face {
     /// Three different vertices, counter-clockwise seen from the front. Each
     /// exists and is finite.
@@ -16,6 +16,10 @@ pub struct Face {
     pub smoothing: u32,
     /// Index into the document's materials.
     pub material: Option<usize>,
+    /// Marks as stored: bit 0 shows the edge from the third corner to the first,
+    /// 1 from the second to the third, 2 from the first to the second; 3 and 4
+    /// say that u and v cross the seam of a mapping.
+    pub flags: u16,
 }
 
 /// A named mesh, in world space.
@@ -23,151 +27,111 @@ pub struct Face {
 pub struct Mesh {
     /// Name of the object.
     pub name: String,
+    /// Marks of the object.
+    pub flags: ObjectFlags,
     /// Positions. Those no face uses may be infinite or not a number.
     pub vertices: Vec<Vec3>,
     /// Texture coordinates, one per vertex or none at all; v grows upward.
     pub uvs: Vec<Vec2>,
     /// The faces that can be drawn.
     pub faces: Vec<Face>,
+    /// Faces of the file that cannot be drawn and are left out.
+    pub dropped_faces: usize,
+    /// The object's own x, y and z axes and its origin, in world space. They
+    /// have been applied to the vertices already.
+    pub axes: Option<[Vec3; 4]>,
+    /// Materials of the six sides of a box around the mesh, where it is mapped
+    /// so.
+    pub box_map: Vec<String>,
 }
 
-/// A mesh as it comes, with nothing checked across chunks: they may be in any
-/// order.
-#[derive(Debug, Default)]
-pub(super) struct RawMesh {
-    name: String,
-    vertices: Vec<Vec3>,
-    uvs: Vec<Vec2>,
-    faces: Vec<[u16; 3]>,
-    smoothing: Vec<u32>,
-    groups: Vec<(String, Vec<u16>)>,
-}
-
-impl RawMesh {
-    /// Reads a triangle object (4100).
-    pub(super) fn decode(name: String, mut reader: Reader<'_>, warnings: &mut Warnings) -> Self {
-        let mut mesh = Self { name, ..Self::default() };
-        while let Some((id, mut body)) = reader.next_chunk(warnings) {
-            match id {
-                0x4110 => mesh.vertices = body.list(warnings, vec3),
-                0x4120 => mesh.faces(body, warnings),
-                0x4140 => mesh.uvs = body.list(warnings, vec2),
-                _ => {}
-            }
-        }
-        mesh
+impl Mesh {
+    /// From the object's own coordinates to the world's; nothing is changed
+    /// where the file does not say, or says what cannot be undone.
+    pub fn local_to_world(&self) -> Affine {
+        let stored = self.axes.map(|[x, y, z, origin]| Affine::new([x, y, z], origin));
+        stored.filter(|affine| !affine.is_singular()).unwrap_or(Affine::IDENTITY)
     }
 
-    fn faces(&mut self, mut reader: Reader<'_>, warnings: &mut Warnings) {
-        self.faces = reader.list(warnings, |entry| {
-            let corners = [entry.u16()?, entry.u16()?, entry.u16()?];
-            // Which edges to draw, and the like.
-            let _flags = entry.u16()?;
-            Some(corners)
-        });
-        while let Some((id, mut body)) = reader.next_chunk(warnings) {
-            match id {
-                0x4130 => {
-                    let name = body.string();
-                    self.groups.push((name, body.list(warnings, Reader::u16)));
-                }
-                0x4150 => self.smoothing = masks(body, self.faces.len(), warnings),
-                0x41a0 => warnings.add(WarningKind::MapSkipped),
-                _ => {}
-            }
-        }
-    }
-
-    /// The mesh with its materials resolved by `find` and only the faces that
-    /// can be drawn.
-    pub(super) fn finish(
-        self,
-        find: impl Fn(&str) -> Option<usize>,
-        warnings: &mut Warnings,
-    ) -> Mesh {
-        let materials = self.face_materials(find, warnings);
-        let mut faces = Vec::new();
-        for (index, &corners) in self.faces.iter().enumerate() {
-            if let Some(kind) = self.fault(corners) {
-                warnings.add(kind);
-                continue;
-            }
-            let smoothing = self.smoothing.get(index).copied().unwrap_or(0);
-            faces.push(Face { corners, smoothing, material: materials[index] });
-        }
-        let uvs = finish_uvs(self.uvs, self.vertices.len(), warnings);
-        Mesh { name: self.name, vertices: self.vertices, uvs, faces }
-    }
-
-    fn face_materials(
-        &self,
-        find: impl Fn(&str) -> Option<usize>,
-        warnings: &mut Warnings,
-    ) -> Vec<Option<usize>> {
-        let mut materials = vec![None; self.faces.len()];
-        for (name, members) in &self.groups {
-            let material = find(name);
-            if material.is_none() {
-                warnings.add(WarningKind::UnknownMaterial);
-            }
-            for &member in members {
-                match materials.get_mut(usize::from(member)) {
-                    Some(slot) => {
-                        if slot.is_some() {
-                            warnings.add(WarningKind::FaceInTwoGroups);
-                        }
-                        *slot = material;
-                    }
-                    None => warnings.add(WarningKind::GroupBeyondFaces),
-                }
-            }
-        }
-        materials
-    }
-
-    /// Why a face cannot be drawn.
-    fn fault(&self, corners: [u16; 3]) -> Option<WarningKind> {
-        let vertex = |corner: u16| self.vertices.get(usize::from(corner)).copied();
-        let [Some(a), Some(b), Some(c)] = corners.map(vertex) else {
-            return Some(WarningKind::FaceWithoutVertex);
+    /// The mesh put elsewhere. Where left becomes right, faces are turned over
+    /// to keep their fronts outside.
+    #[must_use]
+    pub fn placed(&self, place: &Affine) -> Self {
+        let vertices: Vec<Vec3> = self.vertices.iter().map(|&v| place.point(v)).collect();
+        let mirrored = place.determinant() < 0.0;
+        let turned = |face: &Face| {
+            let [a, b, c] = face.corners;
+            Face { corners: if mirrored { [a, c, b] } else { [a, b, c] }, ..*face }
         };
-        if !(a.is_finite() && b.is_finite() && c.is_finite()) {
-            return Some(WarningKind::FaceNotFinite);
+        let drawn = |face: &Face| fault(&vertices, face.corners).is_none();
+        let faces: Vec<Face> = self.faces.iter().map(turned).filter(drawn).collect();
+        let dropped_faces = self.dropped_faces + self.faces.len() - faces.len();
+        let axes = self.axes.map(|[x, y, z, origin]| {
+            let [x, y, z] = [x, y, z].map(|axis| place.point(axis + origin) - place.point(origin));
+            [x, y, z, place.point(origin)]
+        });
+        let (name, uvs, box_map) = (self.name.clone(), self.uvs.clone(), self.box_map.clone());
+        Self { name, flags: self.flags, vertices, uvs, faces, dropped_faces, axes, box_map }
+    }
+}
+
+/// Why a face cannot be drawn.
+pub(super) fn fault(vertices: &[Vec3], corners: [u16; 3]) -> Option<WarningKind> {
+    let vertex = |corner: u16| vertices.get(usize::from(corner)).copied();
+    let [Some(a), Some(b), Some(c)] = corners.map(vertex) else {
+        return Some(WarningKind::FaceWithoutVertex);
+    };
+    if !(a.is_finite() && b.is_finite() && c.is_finite()) {
+        return Some(WarningKind::FaceNotFinite);
+    }
+    let normal = wide::cross(wide::difference(a, b), wide::difference(a, c));
+    let flat = wide::unit(normal).is_none();
+    flat.then_some(WarningKind::FaceWithoutArea)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangle() -> Mesh {
+        let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+        let faces = vec![Face { corners: [0, 1, 2], smoothing: 5, ..Face::default() }];
+        Mesh { vertices, faces, ..Mesh::default() }
+    }
+
+    #[test]
+    fn a_mirrored_mesh_keeps_its_front() {
+        let mirrored = triangle().placed(&Affine::scaling(Vec3::new(-1.0, 1.0, 1.0)));
+        assert_eq!(mirrored.vertices, [Vec3::ZERO, Vec3::NEG_X, Vec3::Y]);
+        let expected = Face { corners: [0, 2, 1], smoothing: 5, ..Face::default() };
+        assert_eq!(mirrored.faces, [expected]);
+    }
+
+    #[test]
+    fn the_axes_go_along() {
+        let origin = Vec3::new(3.0, 0.0, 0.0);
+        let mesh = Mesh { axes: Some([Vec3::X, Vec3::Y, Vec3::Z, origin]), ..triangle() };
+        let place = Affine::new([Vec3::Y, Vec3::NEG_X, Vec3::Z * 2.0], Vec3::Z);
+        let placed = mesh.placed(&place);
+        let place_of_origin = Vec3::new(0.0, 3.0, 1.0);
+        let expected = [Vec3::Y, Vec3::NEG_X, Vec3::Z * 2.0, place_of_origin];
+        assert_eq!(placed.axes, Some(expected));
+    }
+
+    #[test]
+    fn what_collapses_or_leaves_the_numbers_is_dropped() {
+        for scale in [0.0, f32::MAX] {
+            let mut mesh = triangle();
+            mesh.vertices[1] *= 4.0;
+            let placed = mesh.placed(&Affine::scaling(Vec3::splat(scale)));
+            assert_eq!((placed.faces.len(), placed.dropped_faces), (0, 1), "{scale}");
         }
-        let normal = wide::cross(wide::difference(a, b), wide::difference(a, c));
-        let flat = wide::unit(normal).is_none();
-        flat.then_some(WarningKind::FaceWithoutArea)
     }
-}
 
-/// One mask per face (4150), without a length in front.
-fn masks(mut reader: Reader<'_>, faces: usize, warnings: &mut Warnings) -> Vec<u32> {
-    let masks: Vec<u32> = (0..faces).map_while(|_| reader.u32()).collect();
-    if masks.len() < faces {
-        warnings.add(WarningKind::ListCut);
+    #[test]
+    fn axes_that_cannot_be_undone_are_not_used() {
+        let flat = Mesh { axes: Some([Vec3::X, Vec3::X, Vec3::Z, Vec3::ONE]), ..triangle() };
+        assert_eq!(flat.local_to_world(), Affine::IDENTITY);
+        assert_eq!(triangle().local_to_world(), Affine::IDENTITY);
     }
-    masks
-}
-
-fn finish_uvs(mut uvs: Vec<Vec2>, vertices: usize, warnings: &mut Warnings) -> Vec<Vec2> {
-    if uvs.is_empty() {
-        return uvs;
-    }
-    if uvs.len() != vertices {
-        warnings.add(WarningKind::UvCount);
-        uvs.resize(vertices, Vec2::ZERO);
-    }
-    for uv in uvs.iter_mut().filter(|uv| !uv.is_finite()) {
-        warnings.add(WarningKind::UvNotFinite);
-        *uv = Vec2::ZERO;
-    }
-    uvs
-}
-
-fn vec3(reader: &mut Reader<'_>) -> Option<Vec3> {
-    Some(Vec3::new(reader.f32()?, reader.f32()?, reader.f32()?))
-}
-
-fn vec2(reader: &mut Reader<'_>) -> Option<Vec2> {
-    Some(Vec2::new(reader.f32()?, reader.f32()?))
 }

@@ -103,7 +103,7 @@ mod tests {
     fn corner_of_a_cube(masks: [u32; 3]) -> Mesh {
         let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
         let corners = [[0, 1, 2], [0, 2, 3], [0, 3, 1]];
-        let face = |(corners, smoothing)| Face { corners, smoothing, material: None };
+        let face = |(corners, smoothing)| Face { corners, smoothing, ..Face::default() };
         let faces = corners.into_iter().zip(masks).map(face).collect();
         Mesh { vertices, faces, ..Mesh::default() }
     }
@@ -153,7 +153,7 @@ mod tests {
     fn a_normal_never_points_behind_its_face() {
         // Two faces back to back cancel; each keeps its own normal.
         let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
-        let face = |corners| Face { corners, smoothing: 1, material: None };
+        let face = |corners| Face { corners, smoothing: 1, ..Face::default() };
         let faces = vec![face([0, 1, 2]), face([0, 2, 1])];
         let mesh = Mesh { vertices, faces, ..Mesh::default() };
         let normals = corner_normals(&mesh, &mut Warnings::default()).unwrap();
@@ -166,7 +166,7 @@ mod tests {
             .map(|i| Face {
                 corners: [0, i + 1, i + 2],
                 smoothing: 1 + u32::from(i),
-                material: None,
+                ..Face::default()
             })
             .collect();
         let fan = |i: u16| Vec3::new((f32::from(i) * 0.01).cos(), (f32::from(i) * 0.01).sin(), 0.0);

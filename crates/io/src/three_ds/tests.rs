@@ -1,52 +1,15 @@
+mod damage;
+mod keyframer;
+mod real_files;
+mod scene;
+pub(super) mod writer;
+
 use super::*;
-use traylib_math::{Purpose, Rgb, Sampler, Vec3};
+use traylib_math::Vec3;
+use writer::{SQUARE, chunk, faces, file, group, list, material, vertices};
 
-const CUBE: &[u8] = include_bytes!("../../../../scenes/models/cube.3ds");
-const ENEMY: &[u8] = include_bytes!("../../../../scenes/models/enemy01.3ds");
-
-fn chunk(id: u16, parts: &[&[u8]]) -> Vec<u8> {
-    let body = parts.concat();
-    let length = u32::try_from(body.len() + 6).unwrap();
-    [&id.to_le_bytes()[..], &length.to_le_bytes(), &body].concat()
-}
-
-fn list<T, const N: usize>(values: &[T], bytes: impl Fn(&T) -> [u8; N]) -> Vec<u8> {
-    let count = u16::try_from(values.len()).unwrap().to_le_bytes();
-    count.into_iter().chain(values.iter().flat_map(bytes)).collect()
-}
-
-fn vertices(positions: &[[f32; 3]]) -> Vec<u8> {
-    let numbers: Vec<u8> = positions.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
-    let count = u16::try_from(positions.len()).unwrap().to_le_bytes();
-    chunk(0x4110, &[&count, &numbers])
-}
-
-fn faces(corners: &[[u16; 3]], inside: &[&[u8]]) -> Vec<u8> {
-    let entry = |&[a, b, c]: &[u16; 3]| -> [u8; 8] {
-        let mut bytes = [0; 8];
-        for (place, value) in bytes.chunks_mut(2).zip([a, b, c, 7]) {
-            place.copy_from_slice(&value.to_le_bytes());
-        }
-        bytes
-    };
-    chunk(0x4120, &[&list(corners, entry), &inside.concat()])
-}
-
-fn group(name: &[u8], members: &[u16]) -> Vec<u8> {
-    chunk(0x4130, &[name, &[0], &list(members, |m| m.to_le_bytes())])
-}
-
-fn material(name: &[u8]) -> Vec<u8> {
-    chunk(0xafff, &[&chunk(0xa000, &[name, &[0]])])
-}
-
-/// A file with one object of these triangle chunks, and other chunks after it.
-fn file(triangles: &[&[u8]], after: &[&[u8]]) -> Vec<u8> {
-    let object = chunk(0x4000, &[b"thing\0", &chunk(0x4100, triangles)]);
-    chunk(0x4d4d, &[&chunk(0x3d3d, &[&object, &after.concat()])])
-}
-
-const SQUARE: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+pub(super) const CUBE: &[u8] = include_bytes!("../../../../scenes/models/cube.3ds");
+pub(super) const ENEMY: &[u8] = include_bytes!("../../../../scenes/models/enemy01.3ds");
 
 #[test]
 fn the_smallest_exported_cube() {
@@ -70,7 +33,14 @@ fn a_real_mesh_with_smoothing_groups() {
     assert!((top - Vec3::new(13.4093, 4.39588, 6.65767)).length() < 1e-4, "{top}");
     let material = &document.materials[0];
     assert_eq!((material.shininess, material.shininess_strength), (0.1, 0.0));
-    assert_eq!(document.warnings.count(WarningKind::MapSkipped), 2);
+    let maps: Vec<_> = material.maps.iter().map(|(kind, map)| (*kind, map.file_name())).collect();
+    assert_eq!(maps, [(MapKind::Texture1, "ENEMY01D.BMP"), (MapKind::Bump, "ENEMY01B.BMP")]);
+    let [x, .., origin] = mesh.axes.unwrap();
+    assert!((x - Vec3::X * 0.326_422).length() < 1e-6, "{x}");
+    assert!((origin - Vec3::new(-0.024_363, -12.260_536, 0.0)).length() < 1e-5, "{origin}");
+    let nodes = &document.keyframer.as_ref().unwrap().nodes;
+    assert_eq!((nodes.len(), nodes[0].name.as_str(), nodes[0].tracks.len()), (1, "enemy01", 3));
+    assert_eq!(document.warnings, Warnings::default());
 }
 
 #[test]
@@ -105,6 +75,7 @@ fn faces_that_cannot_be_drawn_are_counted_and_the_rest_keeps_its_masks() {
     let corners = faces(&corners, &[&chunk(0x4150, &[&masks])]);
     let document = decode(&file(&[&vertices(&positions), &corners], &[])).unwrap();
     let [face] = &document.meshes[0].faces[..] else { panic!("not one face") };
+    assert_eq!(document.meshes[0].dropped_faces, 3);
     assert_eq!((face.corners, face.smoothing), ([0, 1, 2], 4));
     for kind in
         [WarningKind::FaceWithoutVertex, WarningKind::FaceNotFinite, WarningKind::FaceWithoutArea]
@@ -129,67 +100,10 @@ fn texture_coordinates_are_made_to_fit() {
 }
 
 #[test]
-fn what_is_not_read_is_said() {
-    let object = |id| chunk(0x4000, &[b"x\0", &chunk(id, &[])]);
-    let root = chunk(0x4d4d, &[&object(0x4600), &object(0x4700), &chunk(0xb000, &[])]);
-    let document = decode(&root).unwrap();
-    let kinds: Vec<WarningKind> = document.warnings.iter().map(|(kind, _)| kind).collect();
-    let expected =
-        [WarningKind::LightSkipped, WarningKind::CameraSkipped, WarningKind::KeyframerSkipped];
-    assert_eq!(kinds, expected);
-}
-
-#[test]
 fn other_files_are_refused() {
     assert_eq!(decode(&[]), Err(Error::TooShort(0)));
     assert_eq!(decode(b"MM"), Err(Error::TooShort(2)));
     assert_eq!(decode(b"solid cube"), Err(Error::NotThreeDs(0x6f73)));
     // A header with a length shorter than itself holds nothing.
     assert!(decode(&[0x4d, 0x4d, 0, 0, 0, 0]).is_err());
-}
-
-/// Decoding and smoothing, as an import does. Damage may make the result empty
-/// or an error, never a panic.
-fn survive(bytes: &[u8]) {
-    if let Ok(mut document) = decode(bytes) {
-        for mesh in &document.meshes {
-            assert!(mesh.faces.len() <= bytes.len() / 8);
-            let _ = smoothing::corner_normals(mesh, &mut document.warnings);
-        }
-    }
-}
-
-#[test]
-fn every_beginning_of_a_file_is_survived() {
-    for bytes in [CUBE, ENEMY] {
-        for end in 0..bytes.len() {
-            survive(&bytes[..end]);
-        }
-    }
-}
-
-#[test]
-fn changed_bytes_are_survived() {
-    let mut sampler = Sampler::new(3, Purpose::Test, 0, 0);
-    for bytes in [CUBE, ENEMY] {
-        for _ in 0..3000 {
-            let mut changed = bytes.to_vec();
-            for _ in 0..4 {
-                let place = (sampler.next_1d() * bytes.len() as f32) as usize;
-                changed[place] = (sampler.next_1d() * 256.0) as u8;
-            }
-            survive(&changed);
-        }
-    }
-}
-
-#[test]
-fn absurd_lengths_and_counts_are_survived() {
-    for length in [0_u32, 5, 6, 0x7fff_ffff, 0xffff_ffff] {
-        for place in 0..CUBE.len() - 4 {
-            let mut changed = CUBE.to_vec();
-            changed[place..place + 4].copy_from_slice(&length.to_le_bytes());
-            survive(&changed);
-        }
-    }
 }

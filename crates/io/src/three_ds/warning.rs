@@ -14,6 +14,12 @@ pub enum WarningKind {
     ChunkTooShort,
     /// A list says it has more entries than there are bytes.
     ListCut,
+    /// A chunk has fewer bytes than what it should hold.
+    RecordCut,
+    /// A number is infinite or not a number.
+    NumberNotFinite,
+    /// There are more items than the limit.
+    TooManyItems,
     /// A face names a vertex that does not exist.
     FaceWithoutVertex,
     /// A face uses a vertex that is infinite or not a number.
@@ -32,20 +38,20 @@ pub enum WarningKind {
     UvNotFinite,
     /// A colour is infinite or not a number.
     ColourNotFinite,
+    /// The local axes of a mesh cannot be undone.
+    MatrixSingular,
+    /// The local axes of a mesh make left of right.
+    MatrixMirrored,
+    /// A light stands at no place that can be told.
+    LightWithoutPlace,
+    /// A camera stands at, or looks to, no place that can be told.
+    CameraWithoutPlace,
+    /// A node hangs on one that does not exist.
+    ParentUnknown,
+    /// Nodes hang on one another in a loop.
+    ParentLoop,
     /// A vertex joins faces of more smoothing masks than are told apart.
     TooManySmoothingMasks,
-    /// A texture, bump, reflection or other map.
-    MapSkipped,
-    /// A material that lets light through.
-    TransparencySkipped,
-    /// A material that shines by itself.
-    SelfIlluminationSkipped,
-    /// A light.
-    LightSkipped,
-    /// A camera.
-    CameraSkipped,
-    /// The animation part of the file.
-    KeyframerSkipped,
 }
 
 impl fmt::Display for WarningKind {
@@ -54,6 +60,11 @@ impl fmt::Display for WarningKind {
             Self::ChunkCut => "chunk longer than what holds it, cut to fit",
             Self::ChunkTooShort => "chunk shorter than its header, the rest of its parent is lost",
             Self::ListCut => "list with fewer entries than it says",
+            Self::RecordCut => "chunk shorter than what it should hold, not used",
+            Self::NumberNotFinite => "number infinite or not a number, not used",
+            Self::TooManyItems => {
+                "meshes, materials, lights, cameras or nodes beyond the limit, skipped"
+            }
             Self::FaceWithoutVertex => "face dropped: it names a vertex that does not exist",
             Self::FaceNotFinite => "face dropped: a vertex is infinite or not a number",
             Self::FaceWithoutArea => "face dropped: it has no area",
@@ -63,13 +74,17 @@ impl fmt::Display for WarningKind {
             Self::UvCount => "mesh whose texture coordinates are not one per vertex",
             Self::UvNotFinite => "texture coordinate infinite or not a number, set to 0",
             Self::ColourNotFinite => "colour infinite or not a number, not used",
+            Self::MatrixSingular => {
+                "mesh whose local axes cannot be undone, taken as those of the world"
+            }
+            Self::MatrixMirrored => {
+                "mesh with mirrored local axes, its vertices are used as stored"
+            }
+            Self::LightWithoutPlace => "light dropped: it stands at no place that can be told",
+            Self::CameraWithoutPlace => "camera dropped: its place or target cannot be told",
+            Self::ParentUnknown => "node hanging on one that does not exist, set free",
+            Self::ParentLoop => "nodes hanging on one another in a loop, opened",
             Self::TooManySmoothingMasks => "vertex with too many smoothing masks, left flat",
-            Self::MapSkipped => "texture or other map skipped (maps are not read)",
-            Self::TransparencySkipped => "transparency skipped (surfaces are opaque)",
-            Self::SelfIlluminationSkipped => "self-illumination skipped (it has no unit)",
-            Self::LightSkipped => "light skipped (lights are not read)",
-            Self::CameraSkipped => "camera skipped (cameras are not read)",
-            Self::KeyframerSkipped => "keyframer section skipped (animation is not read)",
         })
     }
 }

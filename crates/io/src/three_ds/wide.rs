@@ -4,10 +4,14 @@ use traylib_math::Vec3;
 
 pub(super) type Wide = [f64; 3];
 
+pub(super) fn widen(a: Vec3) -> Wide {
+    a.to_array().map(f64::from)
+}
+
 /// b − a.
 pub(super) fn difference(a: Vec3, b: Vec3) -> Wide {
-    let (a, b) = (a.to_array(), b.to_array());
-    std::array::from_fn(|i| f64::from(b[i]) - f64::from(a[i]))
+    let (a, b) = (widen(a), widen(b));
+    std::array::from_fn(|i| b[i] - a[i])
 }
 
 pub(super) fn cross(a: Wide, b: Wide) -> Wide {

@@ -11,13 +11,17 @@ fn placement() -> Placement {
 /// Two squares' halves that meet at a right angle along x.
 fn bent(smoothing: [u32; 2], materials: [Option<usize>; 2]) -> Mesh {
     let corners = [[0, 1, 2], [0, 3, 1]];
-    let face =
-        |i: usize| Face { corners: corners[i], smoothing: smoothing[i], material: materials[i] };
+    let face = |i: usize| Face {
+        corners: corners[i],
+        smoothing: smoothing[i],
+        material: materials[i],
+        ..Face::default()
+    };
     Mesh {
         name: "bent".to_string(),
         vertices: vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z],
-        uvs: Vec::new(),
         faces: vec![face(0), face(1)],
+        ..Mesh::default()
     }
 }
 

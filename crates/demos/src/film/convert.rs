@@ -1,0 +1,51 @@
+//! `film convert`.
+
+use crate::messages::{say, tell};
+use crate::outcome::Failure;
+use clap::Args;
+use std::path::{Path, PathBuf};
+use traylib_io::{TextureLimits, check_writable, load_texture, open_exr, write_picture};
+
+/// A picture to write anew.
+#[derive(Args, Clone, Debug)]
+pub struct ConvertOptions {
+    /// Picture: EXR, HDR, PNG, JPEG, GIF (first frame), TGA or PCX
+    #[arg(value_name = "IN")]
+    pub input: PathBuf,
+
+    /// Picture to write: .exr, .hdr, .png, .tga or .pcx
+    #[arg(value_name = "OUT")]
+    pub output: PathBuf,
+
+    /// Factor on the light in .png, .tga and .pcx; .exr and .hdr keep the light
+    /// itself
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = parse_exposure)]
+    pub exposure: f32,
+}
+
+fn parse_exposure(text: &str) -> Result<f32, &'static str> {
+    let number = text.parse().ok().filter(|x: &f32| x.is_finite() && *x > 0.0);
+    number.ok_or("wanted a number above 0, as 0.5 or 2")
+}
+
+pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
+    let ConvertOptions { input, output, exposure } = options;
+    check_writable(output)?;
+    let picture = load_texture(input, TextureLimits::default())?;
+    for warning in &picture.warnings {
+        say(format_args!("warning: {warning}"));
+    }
+    if picture.alpha.is_some() {
+        say(format_args!("warning: {}: opacity left out, no format has it here", input.display()));
+    }
+    write_picture(output, &picture.pixels, *exposure, &attributes(input))?;
+    tell(output.display())
+}
+
+/// How an EXR file says it was made; of any other picture only who converts it.
+fn attributes(input: &Path) -> Vec<(String, String)> {
+    let software = concat!("film ", env!("CARGO_PKG_VERSION"));
+    let own = || vec![("software".to_string(), software.to_string())];
+    let layers = open_exr(input).map(|file| file.layers.into_iter());
+    layers.ok().and_then(|mut layers| layers.next()).map_or_else(own, |layer| layer.attributes)
+}

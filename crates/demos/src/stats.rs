@@ -1,0 +1,26 @@
+//! What is in a file, as JSON.
+
+use crate::messages::{say, tell};
+use crate::options::RenderOptions;
+use crate::outcome::Failure;
+use std::path::{Path, PathBuf};
+use traylib_io::inventory;
+
+/// Writes the figures of the scene's files to `file`, `-` for standard output.
+pub(crate) fn stats(options: &RenderOptions, file: &Path) -> Result<(), Failure> {
+    let files: Vec<PathBuf> =
+        [&options.scene].into_iter().chain(&options.more).map(PathBuf::from).collect();
+    let (found, warnings) = inventory(&files, options.root.as_deref())?;
+    if !options.quiet {
+        for warning in &warnings {
+            say(format_args!("warning: {warning}"));
+        }
+    }
+    let text = serde_json::to_string_pretty(&found).map_err(Failure::output)?;
+    if file == Path::new("-") {
+        return tell(text);
+    }
+    std::fs::write(file, text + "\n").map_err(|error| {
+        Failure::output(format_args!("{}: cannot be written: {error}", file.display()))
+    })
+}

@@ -1,0 +1,130 @@
+//! What is in a file, in figures.
+
+use crate::load::{LoadOptions, load_scene_with};
+use crate::{Error, Warning, mgf, three_ds};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use traylib_scene::Light;
+
+/// What a reader made of files, as figures that can be held against what other
+/// programs find in them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Inventory {
+    /// Of a 3DS file.
+    ThreeDs(Box<three_ds::Counts>),
+    /// Of MGF files, read one after the other.
+    Mgf(Box<mgf::Counts>),
+    /// Of a scene in RON or built in.
+    Scene(SceneCounts),
+}
+
+/// What there is in a scene.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct SceneCounts {
+    /// Triangles, spheres and other shapes.
+    pub primitives: usize,
+    /// Materials.
+    pub materials: usize,
+    /// Lamps with an area.
+    pub area_lights: usize,
+    /// Point lights.
+    pub point_lights: usize,
+    /// Columns of the camera's picture.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+/// Reads files and counts what is in them; beside it, what was skipped or repaired. A
+/// missing camera or lamp is no error in a 3DS or MGF file. Several files are one scene, which only MGF knows. `root` is the folder that
+/// MGF includes may not leave; `None` for that of the first file.
+///
+/// # Errors
+/// A file cannot be read or makes no sense; several files of another format.
+pub fn inventory(
+    files: &[PathBuf],
+    root: Option<&Path>,
+) -> Result<(Inventory, Vec<String>), Error> {
+    match files {
+        [] => Err(Error::NoFile),
+        files if files.iter().all(|file| has_ending(file, "mgf")) => of_mgf(files, root),
+        [file] if is_three_ds(file) => of_three_ds(file),
+        [file] => of_scene(file),
+        [_, other, ..] => Err(Error::SeveralFiles(other.clone())),
+    }
+}
+
+fn has_ending(file: &Path, wanted: &str) -> bool {
+    file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
+}
+
+/// By its ending, or for want of one by its first bytes.
+fn is_three_ds(file: &Path) -> bool {
+    let starts = || std::fs::read(file).is_ok_and(|bytes| three_ds::decode(&bytes).is_ok());
+    has_ending(file, "3ds") || (file.extension().is_none() && starts())
+}
+
+fn of_mgf(files: &[PathBuf], root: Option<&Path>) -> Result<(Inventory, Vec<String>), Error> {
+    let options = mgf::Options { root: root.map(PathBuf::from), ..mgf::Options::default() };
+    let document = mgf::decode(files, &options)?;
+    let warnings = document.warnings.iter().map(ToString::to_string).collect();
+    Ok((Inventory::Mgf(Box::new(document.counts)), warnings))
+}
+
+fn of_three_ds(file: &Path) -> Result<(Inventory, Vec<String>), Error> {
+    let name = file.display().to_string();
+    let bytes = std::fs::read(file).map_err(|cause| Error::Read { file: name.clone(), cause })?;
+    let document =
+        three_ds::decode(&bytes).map_err(|cause| Error::Mesh { file: name.clone(), cause })?;
+    let warnings = document.warnings.iter().map(|(kind, count)| {
+        let what = kind.to_string();
+        Warning { file: name.clone(), what, count }.to_string()
+    });
+    let warnings = warnings.collect();
+    Ok((Inventory::ThreeDs(Box::new(three_ds::Counts::of(&document))), warnings))
+}
+
+fn of_scene(file: &Path) -> Result<(Inventory, Vec<String>), Error> {
+    let loaded = load_scene_with(&file.to_string_lossy(), LoadOptions::default())?;
+    let lights = loaded.scene.lights();
+    let point_lights = lights.iter().filter(|light| Light::is_point(light)).count();
+    let counts = SceneCounts {
+        primitives: loaded.scene.primitive_count(),
+        materials: loaded.scene.materials().len(),
+        area_lights: lights.len() - point_lights,
+        point_lights,
+        width: loaded.scene.camera().width(),
+        height: loaded.scene.camera().height(),
+    };
+    let warnings = loaded.warnings.iter().map(ToString::to_string).collect();
+    Ok((Inventory::Scene(counts), warnings))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scene_is_counted() {
+        let (found, warnings) = inventory(&["cornell".into()], None).unwrap();
+        assert!(warnings.is_empty());
+        let Inventory::Scene(counts) = found else { panic!("{found:?}") };
+        assert_eq!((counts.primitives, counts.area_lights, counts.width), (15, 1, 400));
+    }
+
+    #[test]
+    fn a_mesh_is_counted() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/models/cube.3ds");
+        let (found, _) = inventory(&[file.into()], None).unwrap();
+        let Inventory::ThreeDs(counts) = found else { panic!("{found:?}") };
+        assert_eq!((counts.meshes, counts.faces), (1, 12));
+    }
+
+    #[test]
+    fn only_mgf_files_go_together() {
+        let files = ["cornell", "furnace"].map(PathBuf::from);
+        assert!(matches!(inventory(&files, None), Err(Error::SeveralFiles(_))));
+        assert!(matches!(inventory(&[], None), Err(Error::NoFile)));
+    }
+}

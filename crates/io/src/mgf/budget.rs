@@ -1,0 +1,33 @@
+//! Bounds that are checked before anything is done.
+
+use super::Cause;
+
+/// Nothing, if a number is within its bound.
+pub(super) fn limit(
+    what: &'static str,
+    value: u64,
+    limit: u64,
+    option: &'static str,
+) -> Result<(), Cause> {
+    if value <= limit { Ok(()) } else { Err(Cause::Limit { what, limit, option }) }
+}
+
+/// What may still be used of something.
+pub(super) struct Budget {
+    what: &'static str,
+    limit: u64,
+    left: u64,
+    option: &'static str,
+}
+
+impl Budget {
+    pub(super) fn new(what: &'static str, limit: u64, option: &'static str) -> Self {
+        Self { what, limit, left: limit, option }
+    }
+
+    pub(super) fn take(&mut self, amount: u64) -> Result<(), Cause> {
+        let Self { what, limit, option, .. } = *self;
+        self.left = self.left.checked_sub(amount).ok_or(Cause::Limit { what, limit, option })?;
+        Ok(())
+    }
+}

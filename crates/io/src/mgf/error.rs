@@ -1,0 +1,142 @@
+//! Why files are not a scene.
+
+use super::Place;
+use std::path::PathBuf;
+
+/// Files that cannot be read or make no sense.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A file that the caller named cannot be read.
+    #[error("{}: {fault}", .file.display())]
+    File {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        fault: FileFault,
+    },
+    /// A known entity makes no sense or asks for too much.
+    #[error("{place}: {entity}: {cause}")]
+    Entity {
+        /// Where it stands.
+        place: Place,
+        /// Its keyword.
+        entity: &'static str,
+        /// Why.
+        cause: Cause,
+    },
+}
+
+/// Why a file cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FileFault {
+    /// The system says no.
+    #[error("cannot be read: {0}")]
+    Read(#[from] std::io::Error),
+    /// A folder, a pipe or the like.
+    #[error("is not a file")]
+    NotAFile,
+    /// All files together are too long.
+    #[error("all files together have more than {0} bytes (Options::max_bytes)")]
+    TooManyBytes(u64),
+    /// A line is too long.
+    #[error("line {line} has more than {limit} bytes (Options::max_line)")]
+    LineTooLong {
+        /// Where it begins.
+        line: u32,
+        /// The bound.
+        limit: usize,
+    },
+}
+
+/// Why an entity makes no sense.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Cause {
+    /// A name that nothing has.
+    #[error("no {what} is named `{name}`")]
+    Undefined {
+        /// Colour, material or vertex.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// The wrong number or kind of words.
+    #[error("{found} arguments where it takes {expected}")]
+    Arguments {
+        /// What it takes.
+        expected: &'static str,
+        /// How many there are.
+        found: usize,
+    },
+    /// A word that should be a finite number.
+    #[error("`{0}` is not a finite number")]
+    NotANumber(String),
+    /// A word that should be an integer.
+    #[error("`{0}` is not an integer of 0 or more")]
+    NotACount(String),
+    /// A number that may not be.
+    #[error("{what} is {value}, it must be {range}")]
+    Range {
+        /// What the number stands for.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// What it may be.
+        range: &'static str,
+    },
+    /// Numbers that do not fit each other.
+    #[error("{0}")]
+    Illegal(&'static str),
+    /// A word among the arguments of a transform that is no option.
+    #[error("`{0}` is no option of a transform")]
+    UnknownOption(String),
+    /// An option without all of its numbers.
+    #[error("`{0}` lacks a number")]
+    OptionCut(String),
+    /// An `xf` or `o` that closes nothing of the same file.
+    #[error("closes nothing that this file has opened")]
+    Unmatched,
+    /// An absolute name of a file.
+    #[error("`{0}` is an absolute name; included files are named relative to the including one")]
+    Absolute(String),
+    /// An included file outside of the root folder.
+    #[error("`{name}` is outside of {}, which includes may not leave (Options::root)", .root.display())]
+    Outside {
+        /// Its name.
+        name: String,
+        /// The folder.
+        root: PathBuf,
+    },
+    /// A file that includes itself, directly or by others.
+    #[error("`{0}` is being read already: files include each other in a circle")]
+    Circle(String),
+    /// An included file cannot be read.
+    #[error("`{name}` {fault}")]
+    Include {
+        /// Its name.
+        name: String,
+        /// Why.
+        fault: FileFault,
+    },
+    /// A bound is exceeded.
+    #[error("more than {limit} {what}; if that is meant, raise Options::{option}")]
+    Limit {
+        /// Of what there is too much.
+        what: &'static str,
+        /// The bound.
+        limit: u64,
+        /// The option that sets it.
+        option: &'static str,
+    },
+}
+
+/// A word for a message: as it is, or its beginning.
+pub(super) fn shown(word: &str) -> String {
+    const LONGEST: usize = 60;
+    match word.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &word[..end]),
+        None => word.to_string(),
+    }
+}

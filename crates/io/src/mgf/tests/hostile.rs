@@ -1,0 +1,115 @@
+//! Damaged files end in a document or an error, soon.
+
+use super::*;
+use traylib_math::{Purpose, Sampler};
+
+const SHAPES: &str = "\
+# everything once\r\n\
+c warm =\r\n\tcct 3000\r\nc grey =\r\n\tcspec 400 700 .2 .5 \\\r\n\t\t.3\r\n\
+c both =\r\n\tcmix 1 warm 2 grey\r\nc xy =\r\n\tcxy .3 .4\r\n\
+m lamp =\r\n\tsides 1\r\n\tc warm\r\n\ted 100\r\n\trd .5\r\n\trs .25 .1\r\n\ttd .1\r\n\tts .1 0\r\n\tir 1.5 0\r\n\
+v a =\r\n\tp 0 0 0\r\n\tn 0 0 1\r\nv b =\r\n\tp 1 0 0\r\nv c =\r\n\tp 1 1 0\r\nv d = a\r\n\tp 0 1 0\r\n\
+v e =\r\n\tp .2 .2 0\r\nv g =\r\n\tp .2 .4 0\r\nv h =\r\n\tp .4 .2 0\r\n\
+o group\r\nxf -rx 30 -a 3 -t 0 0 1 -i 2 -s .5 -mx\r\n\
+f a b c d\r\nfh a b c d - e g h\r\nsph a -1\r\ncyl a 1 b\r\ncone a 1 b 2\r\nring a 1 2\r\n\
+torus a 1 3\r\nprism a b c d .5\r\nxf\r\no\r\nies lamp.ies -t 0 0 1\r\n0 0 0\r\n";
+
+const ARRAYS: &str = "\
+v a =\n\tp 0 0 0\nxf -a 9 -t 1 0 0 -a 9 -t 0 1 0\nxf -a 3 -rz 9\nsph a 1\nxf\n\
+v b = a\n\tp 1 2 3\nf a b a b\nxf\nxf -i 99 -s 1.1\ncyl a .5 b\nxf\n";
+
+const INCLUDES: &str = "\
+i part.mgf -a 3 -t 0 0 2\ni sub/deep.mgf\nxf -s 3\ni part.mgf\nxf\ni PART.MGF\n";
+
+const SAMPLES: [&str; 3] = [SHAPES, ARRAYS, INCLUDES];
+
+fn folder() -> Folder {
+    Folder::new(&[("part.mgf", "v z =\np 1 1 1\nsph z .5\n"), ("sub/deep.mgf", "i ../part.mgf\n")])
+}
+
+fn survive(folder: &Folder, bytes: &[u8]) -> bool {
+    // A new file each time: some systems wait for the disk when one is cut short.
+    let _ = fs::remove_file(folder.0.join("x.mgf"));
+    folder.write("x.mgf", bytes);
+    let options =
+        Options { max_surfaces: 1000, max_vertices: 5000, max_text: 50_000, ..Options::default() };
+    let Ok(document) = decode(&[folder.0.join("x.mgf")], &options) else { return false };
+    for surface in document.surfaces.iter().take(20) {
+        for corner in tessellate::triangles(&surface.shape, 1).iter().flatten() {
+            assert!(!corner.position.is_nan());
+        }
+        assert!(surface.material < document.materials.len());
+    }
+    true
+}
+
+#[test]
+fn the_samples_are_sound() {
+    let folder = folder();
+    for text in SAMPLES {
+        assert!(survive(&folder, text.as_bytes()), "{text}");
+    }
+}
+
+#[test]
+fn every_beginning_is_survived() {
+    let folder = folder();
+    for text in SAMPLES {
+        let sound = (0..text.len()).filter(|&end| survive(&folder, &text.as_bytes()[..end]));
+        assert!(sound.count() > text.len() / 10, "{text}");
+    }
+}
+
+#[test]
+fn changed_bytes_are_survived() {
+    let folder = folder();
+    let mut sampler = Sampler::new(5, Purpose::Test, 0, 0);
+    for text in SAMPLES {
+        let mut refused = 0;
+        for _ in 0..2000 {
+            let mut bytes = text.as_bytes().to_vec();
+            for _ in 0..3 {
+                let place = (sampler.next_1d() * bytes.len() as f32) as usize;
+                mutate(&mut bytes, place.min(text.len() / 2), &mut sampler);
+            }
+            refused += u32::from(!survive(&folder, &bytes));
+        }
+        assert!((1..2000).contains(&refused), "{refused} of 2000 for {text}");
+    }
+}
+
+/// Another byte, a number, a word, or a line less or twice.
+fn mutate(bytes: &mut Vec<u8>, place: usize, sampler: &mut Sampler) {
+    const WORDS: [&str; 12] = [
+        "-a 99999999 ",
+        "1e308 ",
+        "-1 ",
+        "0 ",
+        "\nxf\n",
+        "\no\n",
+        "\\",
+        "=",
+        " nan ",
+        "\r",
+        "-s 1e200 ",
+        "i x.mgf\n",
+    ];
+    let end = bytes[place..]
+        .iter()
+        .position(|&byte| byte == b'\n')
+        .map_or(bytes.len(), |n| place + n + 1);
+    match (sampler.next_1d() * 4.0) as u32 {
+        0 => bytes[place] = (sampler.next_1d() * 256.0) as u8,
+        1 => {
+            let word = WORDS[(sampler.next_1d() * WORDS.len() as f32) as usize];
+            bytes.splice(place..place, word.bytes());
+        }
+        2 => {
+            bytes.drain(place..end);
+        }
+        _ => {
+            let line = bytes[place..end].to_vec();
+            bytes.splice(place..place, line);
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! Pictures of any program, as light and opacity.
+//!
+//! The first bytes of a file say what it is; only TGA has none of its own and is
+//! known by its last bytes or the ending of its name.
+//!
+//! | format | what is read |
+//! |---|---|
+//! | PNG | all kinds, 16 bits a channel too; gamma and colour profiles are not looked at |
+//! | JPEG | baseline and progressive; which way the camera was held is not looked at |
+//! | GIF | the first frame, at its place on the screen and cut to it; transparent black around it |
+//! | TGA | types 1, 2, 3 and 9, 10, 11; 8, 15, 16, 24, 32 bits; all four orders |
+//! | PCX | 1, 2, 4, 8 bits in one plane, 1 bit in two to four, 24 bits |
+//! | Radiance | `.hdr` of RGBE, rows from the top |
+//! | EXR | what [`load_exr`] reads, without opacity |
+//!
+//! All but the last two have 8 or 16 bits a channel and do not say which curve
+//! these follow; they are taken for sRGB. The attribute bit of 16-bit TGA pixels
+//! is not opacity here, whatever the header says: many files have it zero in all
+//! pixels.
+
+mod gif;
+mod hdr;
+mod pcx;
+mod raster;
+mod sniff;
+
+use crate::picture::load_exr;
+use crate::{Error, Warning};
+use sniff::Format;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+use traylib_math::{Grid, Rgb};
+
+/// What a picture file may claim. Memory is taken only within.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextureLimits {
+    /// Pixels. Each takes 16 bytes as light and opacity, and up to 8 on the way.
+    pub pixels: u64,
+    /// Bytes of the file.
+    pub file_bytes: u64,
+}
+
+impl Default for TextureLimits {
+    /// 2²⁶ pixels, as 8192 × 8192, and 2³⁰ bytes.
+    fn default() -> Self {
+        Self { pixels: 1 << 26, file_bytes: 1 << 30 }
+    }
+}
+
+impl TextureLimits {
+    /// Refuses a size before memory is taken for it.
+    fn check(self, width: u32, height: u32) -> Result<(), TextureError> {
+        match u64::from(width) * u64::from(height) {
+            0 => Err(TextureError::Empty),
+            pixels if pixels > self.pixels => {
+                Err(TextureError::TooLarge { width, height, most: self.pixels })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A picture to look up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texture {
+    /// Linear light; row 0 is at the top. In formats of 8 or 16 bits a channel
+    /// from 0 to 1, else as stored.
+    pub pixels: Grid<Rgb>,
+    /// Opacity from 0 to 1, of the same size; `None` if every pixel is opaque.
+    pub alpha: Option<Grid<f32>>,
+    /// What was repaired.
+    pub warnings: Vec<Warning>,
+}
+
+/// Why bytes are not a picture, as the cause in [`Error::ReadPicture`].
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum TextureError {
+    /// The file cannot be read.
+    #[error("{0}")]
+    File(#[from] io::Error),
+    /// The file is larger than [`TextureLimits`] allows.
+    #[error("it has more than {0} bytes")]
+    TooLong(u64),
+    /// Neither the content nor the name is of a known format.
+    #[error(
+        "it begins as none of PNG, JPEG, GIF, PCX, Radiance and EXR does; \
+         a TGA file must be named .tga"
+    )]
+    UnknownFormat,
+    /// It says it has no pixels.
+    #[error("it has no pixels")]
+    Empty,
+    /// More pixels than [`TextureLimits`] allows.
+    #[error("{width}x{height} pixels are more than the {most} allowed")]
+    TooLarge {
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// [`TextureLimits::pixels`].
+        most: u64,
+    },
+    /// A decoder gave up.
+    #[error("{format}: {cause}")]
+    Decoder {
+        /// The format.
+        format: &'static str,
+        /// The decoder's reason.
+        cause: Box<dyn std::error::Error + Send + Sync>,
+    },
+    /// Something in a Radiance file is not as it must be.
+    #[error("Radiance: at byte {at}: {what}")]
+    Radiance {
+        /// Where, from the start of the file.
+        at: usize,
+        /// What is wrong.
+        what: &'static str,
+    },
+}
+
+/// Reads a picture file of any format. An EXR file has the bounds of [`load_exr`].
+///
+/// # Errors
+/// [`Error::ReadPicture`] with a [`TextureError`] inside; of an EXR file what
+/// `load_exr` says.
+pub fn load_texture(path: &Path, limits: TextureLimits) -> Result<Texture, Error> {
+    let bytes = read(path, limits).map_err(|cause| in_file(path, cause))?;
+    if bytes.starts_with(sniff::EXR) {
+        return Ok(Texture { pixels: load_exr(path)?, alpha: None, warnings: Vec::new() });
+    }
+    texture_from_bytes(&bytes, path, limits)
+}
+
+/// Reads a picture of any format but EXR. The name is for messages, and to know a
+/// TGA file by its ending.
+///
+/// # Errors
+/// [`Error::ReadPicture`] with a [`TextureError`] inside.
+pub fn texture_from_bytes(
+    bytes: &[u8],
+    name: &Path,
+    limits: TextureLimits,
+) -> Result<Texture, Error> {
+    let Decoded { pixels, alpha, repairs } =
+        decode(bytes, name, limits).map_err(|cause| in_file(name, cause))?;
+    let file = name.display().to_string();
+    let warning = |what: &str| Warning { file: file.clone(), what: what.to_string(), count: 1 };
+    Ok(Texture { pixels, alpha, warnings: repairs.into_iter().map(warning).collect() })
+}
+
+fn in_file(path: &Path, cause: TextureError) -> Error {
+    Error::ReadPicture { file: path.to_path_buf(), cause: cause.into() }
+}
+
+fn read(path: &Path, limits: TextureLimits) -> Result<Vec<u8>, TextureError> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(limits.file_bytes.saturating_add(1)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limits.file_bytes {
+        return Err(TextureError::TooLong(limits.file_bytes));
+    }
+    Ok(bytes)
+}
+
+/// What comes out of a decoder.
+struct Decoded {
+    pixels: Grid<Rgb>,
+    alpha: Option<Grid<f32>>,
+    /// What was repaired, in words, each kind once.
+    repairs: Vec<&'static str>,
+}
+
+fn decode(bytes: &[u8], name: &Path, limits: TextureLimits) -> Result<Decoded, TextureError> {
+    match Format::of(bytes, name).ok_or(TextureError::UnknownFormat)? {
+        Format::Png => raster::png(bytes, limits),
+        Format::Jpeg => raster::jpeg(bytes, limits),
+        Format::Gif => raster::gif(bytes, limits),
+        Format::Tga => raster::tga(bytes, limits),
+        Format::Pcx => pcx::decode(bytes, limits),
+        Format::Hdr => hdr::decode(bytes, limits),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,109 @@
+//! Formats of 8 or 16 bits a channel: to linear light.
+
+use super::gif::with_screen;
+use super::{Decoded, TextureError, TextureLimits};
+use crate::srgb;
+use image::codecs::gif::GifDecoder;
+use image::codecs::jpeg::JpegDecoder;
+use image::codecs::png::PngDecoder;
+use image::codecs::tga::TgaDecoder;
+use image::{ColorType, DynamicImage, ImageDecoder, ImageError, Limits};
+use std::io::Cursor;
+use traylib_math::{Grid, Rgb};
+
+pub(super) fn png(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, TextureError> {
+    let decoder = PngDecoder::with_limits(Cursor::new(bytes), memory(limits));
+    picture("PNG", decoder, limits).map(linear)
+}
+
+pub(super) fn gif(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, TextureError> {
+    let bytes = with_screen(bytes);
+    picture("GIF", GifDecoder::new(Cursor::new(&bytes)), limits).map(linear)
+}
+
+/// The decoder fills what is missing at the end.
+pub(super) fn jpeg(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, TextureError> {
+    let mut decoded = picture("JPEG", JpegDecoder::new(Cursor::new(bytes)), limits).map(linear)?;
+    // No such pair is within the data of a scan.
+    let last = |marker: [u8; 2]| bytes.windows(2).rposition(|pair| pair == marker);
+    if last([0xff, 0xd9]) < last([0xff, 0xda]) {
+        decoded.repairs.push("cut off, the end of the picture is missing");
+    }
+    Ok(decoded)
+}
+
+/// The decoder takes unknown types for grey, and the fourth byte of pixels for
+/// opacity where the header says that there is none.
+pub(super) fn tga(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, TextureError> {
+    const TYPES: [u8; 6] = [1, 2, 3, 9, 10, 11];
+    if bytes.get(2).is_some_and(|kind| !TYPES.contains(kind)) {
+        let cause = "the image type is none of 1, 2, 3, 9, 10 and 11".into();
+        return Err(TextureError::Decoder { format: "TGA", cause });
+    }
+    let mut decoded = picture("TGA", TgaDecoder::new(Cursor::new(bytes)), limits).map(linear)?;
+    let alpha_bits = bytes.get(17).map_or(0, |descriptor| descriptor & 0x0f);
+    decoded.alpha = decoded.alpha.filter(|_| alpha_bits > 0);
+    Ok(decoded)
+}
+
+/// Beside the picture a decoder needs rows and tables.
+fn memory(limits: TextureLimits) -> Limits {
+    let mut memory = Limits::no_limits();
+    memory.max_alloc = Some(limits.pixels.saturating_mul(16).saturating_add(1 << 20));
+    memory
+}
+
+fn picture<D: ImageDecoder>(
+    format: &'static str,
+    decoder: Result<D, ImageError>,
+    limits: TextureLimits,
+) -> Result<DynamicImage, TextureError> {
+    let failed = |cause: ImageError| TextureError::Decoder { format, cause: cause.into() };
+    let mut decoder = decoder.map_err(failed)?;
+    let (width, height) = decoder.dimensions();
+    limits.check(width, height)?;
+    decoder.set_limits(memory(limits)).map_err(failed)?;
+    DynamicImage::from_decoder(decoder).map_err(failed)
+}
+
+fn linear(picture: DynamicImage) -> Decoded {
+    use ColorType::{L16, La16, Rgb16, Rgba16};
+    let (width, height) = (picture.width() as usize, picture.height() as usize);
+    if matches!(picture.color(), L16 | La16 | Rgb16 | Rgba16) {
+        let pixels = picture.into_rgba16().into_raw();
+        let part = |value: u16| f32::from(value) / f32::from(u16::MAX);
+        return decoded(
+            width,
+            height,
+            pixels.as_chunks().0,
+            |value| srgb::decode(part(value)),
+            part,
+        );
+    }
+    from_rgba8(width, height, picture.into_rgba8().into_raw().as_chunks().0)
+}
+
+/// Light and opacity of bytes, red first.
+pub(super) fn from_rgba8(width: usize, height: usize, pixels: &[[u8; 4]]) -> Decoded {
+    let part = |value: u8| f32::from(value) / f32::from(u8::MAX);
+    let curve: [f32; 256] = std::array::from_fn(|value| srgb::decode(part(value as u8)));
+    decoded(width, height, pixels, |value| curve[usize::from(value)], part)
+}
+
+fn decoded<T: Copy>(
+    width: usize,
+    height: usize,
+    pixels: &[[T; 4]],
+    light: impl Fn(T) -> f32,
+    opacity: impl Fn(T) -> f32,
+) -> Decoded {
+    let colour = |&[r, g, b, _]: &[T; 4]| Rgb::new(light(r), light(g), light(b));
+    let alpha: Vec<f32> = pixels.iter().map(|pixel| opacity(pixel[3])).collect();
+    let is_opaque = alpha.iter().all(|&value| value == 1.0);
+    let colours = pixels.iter().map(colour).collect();
+    Decoded {
+        pixels: Grid::from_values(width, height, colours).expect("one a pixel"),
+        alpha: Grid::from_values(width, height, alpha).filter(|_| !is_opaque),
+        repairs: Vec::new(),
+    }
+}

@@ -1,0 +1,246 @@
+//! Pictures that a material is covered with.
+
+use super::Warnings;
+use super::chunk::{Reader, set};
+use super::colour;
+use traylib_math::{Rgb, Vec2};
+
+/// What a map changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MapKind {
+    /// Diffuse colour.
+    Texture1,
+    /// Diffuse colour, over the first.
+    Texture2,
+    /// How much shows at all.
+    Opacity,
+    /// Height.
+    Bump,
+    /// Colour of the highlight.
+    Specular,
+    /// Glossiness.
+    Shininess,
+    /// How much it shines by itself.
+    SelfIllumination,
+    /// What it mirrors.
+    Reflection,
+}
+
+/// The chunk of each map and that of its mask.
+const CHUNKS: [(MapKind, u16, u16); 8] = [
+    (MapKind::Texture1, 0xa200, 0xa33e),
+    (MapKind::Texture2, 0xa33a, 0xa340),
+    (MapKind::Opacity, 0xa210, 0xa342),
+    (MapKind::Bump, 0xa230, 0xa344),
+    (MapKind::Specular, 0xa204, 0xa348),
+    (MapKind::Shininess, 0xa33c, 0xa346),
+    (MapKind::SelfIllumination, 0xa33d, 0xa34a),
+    (MapKind::Reflection, 0xa220, 0xa34c),
+];
+
+impl MapKind {
+    /// What a chunk is a map for, and whether it is the mask of that map.
+    pub(super) fn of(chunk: u16) -> Option<(Self, bool)> {
+        let (kind, _, mask) =
+            CHUNKS.iter().find(|(_, map, mask)| [*map, *mask].contains(&chunk))?;
+        Some((*kind, *mask == chunk))
+    }
+}
+
+/// What is beyond the edges of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tiling {
+    /// The map again.
+    Repeat,
+    /// The map again, every other time mirrored.
+    Mirror,
+    /// Nothing: the material shows without it.
+    Once,
+}
+
+/// A picture and how it lies on a surface, as stored.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// Name of the picture's file, often in capitals, 8.3, or with the folder of
+    /// a machine long gone.
+    pub file: String,
+    /// Share of the map in 0..1; 1 if the file does not say.
+    pub strength: f32,
+    /// The flags of [`Map`]'s constants.
+    pub flags: u16,
+    /// Blur, as stored.
+    pub blur: f32,
+    /// How often the map fits into 0..1 of u and v; not 0.
+    pub scale: Vec2,
+    /// Where the middle of the map is, from the middle of 0..1.
+    pub offset: Vec2,
+    /// Turn about the middle, in degrees.
+    pub rotation_degrees: f32,
+    /// Colours for the luminance of the map (black and white), and for its red,
+    /// green and blue.
+    pub tints: [Option<Rgb>; 5],
+}
+
+impl Default for Map {
+    fn default() -> Self {
+        Self {
+            file: String::new(),
+            strength: 1.0,
+            flags: 0,
+            blur: 0.0,
+            scale: Vec2::ONE,
+            offset: Vec2::ZERO,
+            rotation_degrees: 0.0,
+            tints: [None; 5],
+        }
+    }
+}
+
+impl Map {
+    /// The map is a decal.
+    pub const DECAL: u16 = 0x01;
+    /// Every other tile is mirrored.
+    pub const MIRROR: u16 = 0x02;
+    /// The picture is used as a negative.
+    pub const NEGATIVE: u16 = 0x08;
+    /// The map does not repeat.
+    pub const NO_TILING: u16 = 0x10;
+    /// Filtered by a table of summed areas.
+    pub const SUMMED_AREA: u16 = 0x20;
+    /// The alpha of the picture is what is used.
+    pub const ALPHA_SOURCE: u16 = 0x40;
+    /// Tinted by its luminance.
+    pub const TINT: u16 = 0x80;
+    /// The alpha of the picture is not used.
+    pub const IGNORE_ALPHA: u16 = 0x100;
+    /// Each of red, green and blue is tinted.
+    pub const RGB_TINT: u16 = 0x200;
+
+    /// Whether all these flags are set.
+    pub fn has(&self, flags: u16) -> bool {
+        self.flags & flags == flags
+    }
+
+    /// What is beyond the edges.
+    pub fn tiling(&self) -> Tiling {
+        if self.has(Self::NO_TILING) {
+            Tiling::Once
+        } else if self.has(Self::MIRROR) {
+            Tiling::Mirror
+        } else {
+            Tiling::Repeat
+        }
+    }
+
+    /// The file's name without folders, be they written with `/` or `\`.
+    pub fn file_name(&self) -> &str {
+        self.file.rsplit(['/', '\\']).next().unwrap_or_default()
+    }
+
+    /// Where in the picture, in 0..1 with v upward, the map shows at texture
+    /// coordinates; `None` where it does not.
+    ///
+    /// 3D Studio moves, turns and scales about the middle of the map, in this
+    /// order. Programs disagree on the sign of the offset.
+    pub fn lookup(&self, uv: Vec2) -> Option<Vec2> {
+        let moved = uv - Vec2::splat(0.5) - self.offset;
+        let turn = Vec2::from_angle(self.rotation_degrees.to_radians());
+        let placed = turn.rotate(moved) * self.scale + Vec2::splat(0.5);
+        let tiling = self.tiling();
+        Some(Vec2::new(tile(placed.x, tiling)?, tile(placed.y, tiling)?))
+    }
+}
+
+fn tile(x: f32, tiling: Tiling) -> Option<f32> {
+    let tiled = match tiling {
+        // An upper edge belongs to the map, as its lower one does.
+        _ if (0.0..=1.0).contains(&x) => x,
+        Tiling::Once => return None,
+        Tiling::Repeat => x.rem_euclid(1.0),
+        Tiling::Mirror => 1.0 - (x.rem_euclid(2.0) - 1.0).abs(),
+    };
+    tiled.is_finite().then_some(tiled)
+}
+
+/// Reads a map.
+pub(super) fn decode(mut reader: Reader<'_>, warnings: &mut Warnings) -> Map {
+    let mut map = Map::default();
+    while let Some((id, mut body)) = reader.next_chunk(warnings) {
+        match id {
+            0x0030 | 0x0031 => set(&mut map.strength, colour::fraction_of(id, body)),
+            0xa300 => map.file = body.string(),
+            0xa351 => set(&mut map.flags, body.u16()),
+            0xa353 => set(&mut map.blur, body.number(warnings)),
+            0xa354 => set(&mut map.scale.x, scale(body, warnings)),
+            0xa356 => set(&mut map.scale.y, scale(body, warnings)),
+            0xa358 => set(&mut map.offset.x, body.number(warnings)),
+            0xa35a => set(&mut map.offset.y, body.number(warnings)),
+            0xa35c => set(&mut map.rotation_degrees, body.number(warnings)),
+            0xa360 | 0xa362 | 0xa364 | 0xa366 | 0xa368 => {
+                map.tints[usize::from(id - 0xa360) / 2] = tint(body, warnings);
+            }
+            _ => {}
+        }
+    }
+    map
+}
+
+/// A scale of 0 would show one point everywhere; it stands for none.
+fn scale(mut body: Reader<'_>, warnings: &mut Warnings) -> Option<f32> {
+    body.number(warnings).filter(|&scale| scale != 0.0)
+}
+
+/// Three bytes, unlike all other colours; one as all others is understood too.
+fn tint(mut body: Reader<'_>, warnings: &mut Warnings) -> Option<Rgb> {
+    if body.len() == 3 { colour::bytes(&mut body) } else { colour::colour(body, warnings) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(map: &Map, u: f32, v: f32) -> Option<[f32; 2]> {
+        map.lookup(Vec2::new(u, v)).map(|uv| uv.to_array())
+    }
+
+    #[test]
+    fn every_chunk_is_one_map_or_one_mask() {
+        for (kind, map, mask) in CHUNKS {
+            assert_eq!(MapKind::of(map), Some((kind, false)));
+            assert_eq!(MapKind::of(mask), Some((kind, true)));
+        }
+        assert_eq!(MapKind::of(0xa300), None);
+    }
+
+    #[test]
+    fn a_plain_map_repeats() {
+        let map = Map::default();
+        assert_eq!(shown(&map, 0.25, 1.0), Some([0.25, 1.0]));
+        assert_eq!(shown(&map, -0.25, 2.5), Some([0.75, 0.5]));
+        let mirrored = Map { flags: Map::MIRROR, ..Map::default() };
+        assert_eq!(shown(&mirrored, -0.25, 1.75), Some([0.25, 0.25]));
+        let once = Map { flags: Map::NO_TILING | Map::DECAL, ..Map::default() };
+        assert_eq!((shown(&once, 0.5, 1.0), shown(&once, 1.5, 0.5)), (Some([0.5, 1.0]), None));
+    }
+
+    #[test]
+    fn scale_offset_and_turn_are_about_the_middle() {
+        let small = Map { scale: Vec2::splat(2.0), flags: Map::NO_TILING, ..Map::default() };
+        assert_eq!(shown(&small, 0.75, 0.5), Some([1.0, 0.5]));
+        assert_eq!(shown(&small, 0.9, 0.5), None);
+        let moved = Map { offset: Vec2::new(0.25, 0.0), ..Map::default() };
+        assert_eq!(shown(&moved, 0.75, 0.5), Some([0.5, 0.5]));
+        let turned = Map { rotation_degrees: 90.0, ..Map::default() };
+        let [u, v] = shown(&turned, 1.0, 0.5).unwrap();
+        assert!((u - 0.5).abs() < 1e-6 && (v - 1.0).abs() < 1e-6, "{u} {v}");
+        let absurd = Map { scale: Vec2::splat(f32::MAX), ..Map::default() };
+        assert_eq!(shown(&absurd, 1e30, 0.5), None);
+    }
+
+    #[test]
+    fn folders_are_no_part_of_a_name() {
+        for (file, name) in [("A.TGA", "A.TGA"), ("c:\\maps\\a.gif", "a.gif"), ("x/y\\z", "z")] {
+            assert_eq!(Map { file: file.to_string(), ..Map::default() }.file_name(), name);
+        }
+    }
+}
