@@ -110,7 +110,7 @@ fn method(entry: &Entry, reference: &Reference, facts: SceneFacts) -> MethodResu
         budgets: points,
         cost: bootstrap::mean(&entry.costs(reference), LEVEL),
         cost_ratio: Estimate { value: 1.0, low: 1.0, high: 1.0 },
-        error_per_pass: per_pass(entry, reference, lost),
+        error_per_pass: noise_times(entry, reference, lost, |run| f64::from(run.passes)),
         seconds_per_pass: seconds_per_pass(entry),
         targets: targets(entry, reference, lost),
         metrics: metrics(entry, reference, &spread),
@@ -147,12 +147,18 @@ fn raw_errors(entry: &Entry) -> Vec<f64> {
     entry.records.iter().map(Record::last_error).collect()
 }
 
-fn per_pass(entry: &Entry, reference: &Reference, lost: f64) -> Estimate {
+/// The noise of a run times what it falls with, passes or seconds: mean over the runs.
+/// Where hardly any is left beside what is lost, a hundredth of the error.
+fn noise_times(
+    entry: &Entry,
+    reference: &Reference,
+    lost: f64,
+    effort: impl Fn(&Record) -> f64,
+) -> Estimate {
     let errors = entry.errors(reference);
-    let of_pass = |(error, record): (&f64, &Record)| {
-        (error - lost).max(0.01 * error) * f64::from(record.passes)
-    };
-    let values: Vec<f64> = errors.iter().zip(&entry.records).map(of_pass).collect();
+    let noise = |error: f64| (error - lost).max(0.01 * error);
+    let runs = errors.into_iter().zip(&entry.records);
+    let values: Vec<f64> = runs.map(|(error, record)| noise(error) * effort(record)).collect();
     bootstrap::mean(&values, LEVEL)
 }
 
@@ -165,24 +171,13 @@ fn seconds_per_pass(entry: &Entry) -> Estimate {
 /// Times to the errors of [`TARGETS`]: noise falls as one over time. Nothing is
 /// faster than a pass.
 fn targets(entry: &Entry, reference: &Reference, lost: f64) -> Vec<Target> {
-    let seconds: f64 = quantile(&seconds_of(entry), 0.5);
-    let noise: Vec<f64> = entry
-        .errors(reference)
-        .iter()
-        .zip(&entry.records)
-        .map(|(error, record)| (error - lost).max(0.01 * error) * record.seconds)
-        .collect();
-    let cost = bootstrap::mean(&noise, LEVEL);
-    let shortest = seconds_per_pass(entry).value.min(seconds);
+    let cost = noise_times(entry, reference, lost, |run| run.seconds);
+    let shortest = seconds_per_pass(entry).value;
     let time = |error: f64| {
         let within = |cost: f64| (cost / (error - lost)).max(shortest);
         Estimate { value: within(cost.value), low: within(cost.low), high: within(cost.high) }
     };
     TARGETS.map(|error| Target { error, seconds: (error > lost).then(|| time(error)) }).to_vec()
-}
-
-fn seconds_of(entry: &Entry) -> Vec<f64> {
-    entry.records.iter().map(|record| record.seconds).collect()
 }
 
 fn metrics(entry: &Entry, reference: &Reference, spread: &Spread) -> Metrics {

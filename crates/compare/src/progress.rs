@@ -1,7 +1,6 @@
 //! The line that tells how long the whole comparison still takes.
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
-use std::cell::Cell;
 use std::fmt::Write;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -12,7 +11,6 @@ use traylib_demos::{clock, say};
 pub struct Plan {
     bar: ProgressBar,
     total: f64,
-    done: Cell<f64>,
     /// When the work that is going on began, and the seconds left then.
     now: Arc<Mutex<(Instant, f64)>>,
 }
@@ -33,17 +31,14 @@ impl Plan {
             bar.set_style(style.with_key("left", left));
         }
         bar.enable_steady_tick(Duration::from_millis(200));
-        Self { bar, total, done: Cell::new(0.0), now }
+        Self { bar, total, now }
     }
 
     /// Says what begins; a line of its own where nobody watches a moving one.
     pub fn begin(&self, title: &str) {
         self.bar.set_prefix(title.to_owned());
         if self.bar.is_hidden() {
-            say(format_args!(
-                "{title}  {} left",
-                clock(whole_seconds(self.total - self.done.get()))
-            ));
+            say(format_args!("{title}  {} left", clock(whole_seconds(self.left()))));
         }
     }
 
@@ -55,10 +50,14 @@ impl Plan {
     /// So many of the planned seconds are done, by work or because they were found
     /// done.
     pub fn done(&self, seconds: f64) {
-        self.done.set((self.done.get() + seconds).min(self.total));
-        let left = self.total - self.done.get();
+        let left = (self.left() - seconds).max(0.0);
         *self.now.lock().unwrap_or_else(PoisonError::into_inner) = (Instant::now(), left);
-        self.bar.set_position((1000.0 * self.done.get()) as u64);
+        self.bar.set_position((1000.0 * (self.total - left)) as u64);
+    }
+
+    /// Seconds left when the work that is going on began.
+    fn left(&self) -> f64 {
+        self.now.lock().unwrap_or_else(PoisonError::into_inner).1
     }
 
     /// Takes the line away.

@@ -18,7 +18,7 @@ mod technique_pictures;
 pub use duration::parse_duration;
 pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions};
 pub use interrupt::stop_flag;
-pub use messages::{count, print_notes, say, tell};
+pub use messages::{print_notes, say, tell};
 pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution};
 pub use outcome::Failure;
 pub use progress::clock;

@@ -115,7 +115,7 @@ pub(crate) fn summarise(
 }
 
 /// A number short enough to read.
-pub fn count(n: u64) -> String {
+pub(crate) fn count(n: u64) -> String {
     match n as f64 {
         x if x >= 1e9 => format!("{:.2} G", x / 1e9),
         x if x >= 1e6 => format!("{:.2} M", x / 1e6),

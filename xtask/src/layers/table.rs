@@ -80,8 +80,6 @@ pub(super) const LAYERS: &[Layer] = &[
         "traylib-compare",
         &[
             "traylib-math",
-            "traylib-geometry",
-            "traylib-materials",
             "traylib-scene",
             "traylib-io",
             "traylib-integrators",
