@@ -27,6 +27,9 @@ pub enum Error {
     /// An exponent outside the range for which the lobe is accurate.
     #[error("exponent {0} must lie between 0 and 1e6; a sharper lobe is a Mirror")]
     Exponent(f32),
+    /// An index of refraction that makes no boundary, or none that there is.
+    #[error("index {0} must lie between 0.1 and 10 and not be 1")]
+    Index(f32),
 }
 
 /// Rounding that a sum of decimal fractions in `f32` may show.

@@ -21,6 +21,18 @@ impl Lambert {
         Ok(Self { reflectance })
     }
 
+    /// The part of the light that is reflected, kd.
+    pub fn reflectance(&self) -> Rgb {
+        self.reflectance
+    }
+
+    /// A surface with another reflectance, for textures: each band is brought
+    /// into [0, 1].
+    #[must_use]
+    pub fn with_reflectance(&self, reflectance: Rgb) -> Self {
+        Self { reflectance: reflectance.saturated() }
+    }
+
     /// Whether nothing is reflected at all.
     pub(crate) fn is_black(&self) -> bool {
         self.reflectance.is_black()
@@ -52,6 +64,7 @@ impl Lambert {
             pdf: SolidAnglePdf(warp::cosine_hemisphere_pdf(cos_i)),
             pdf_reverse: SolidAnglePdf(warp::cosine_hemisphere_pdf(cos_o)),
             is_delta: false,
+            compression: 1.0,
         })
     }
 }

@@ -10,6 +10,9 @@
 //! walk came from, `wi` toward where it goes next. The unit `normal` is on the
 //! side of `wo`. All models are isotropic, so any orthonormal coordinates do.
 //!
+//! A [`Material`] is a model with what lies over it: textures, and light that
+//! passes straight through.
+//!
 //! ```
 //! use traylib_materials::{Lambert, SurfaceModel};
 //! use traylib_math::{Rgb, Vec3};
@@ -20,19 +23,29 @@
 //! # Ok::<(), traylib_materials::Error>(())
 //! ```
 
+mod dielectric;
 mod error;
 mod lambert;
 mod lottery;
+mod maps;
+mod material;
 mod max_phong;
 mod mirror;
 mod model;
 mod phong;
 mod scattering;
+mod sheet;
+mod texture;
 
+pub use dielectric::Dielectric;
 pub use error::Error;
 pub use lambert::Lambert;
+pub use maps::{Bump, Layer, Maps};
+pub use material::{Material, Shading, Site};
 pub use max_phong::MaxPhong;
 pub use mirror::Mirror;
 pub use model::SurfaceModel;
 pub use phong::Phong;
 pub use scattering::{BsdfSample, Scattering};
+pub use sheet::Sheet;
+pub use texture::{Texture, Tiling};

@@ -56,14 +56,12 @@ impl Mirror {
     pub(crate) fn sample(&self, normal: Vec3, wo: Vec3, u: [f32; 3]) -> Option<BsdfSample> {
         let chance = 1.0 - self.delta_chance;
         if u[0] >= self.delta_chance {
-            let BsdfSample { wi, weight, pdf, pdf_reverse, is_delta } =
-                self.diffuse.sample(normal, wo, u)?;
+            let sample = self.diffuse.sample(normal, wo, u)?;
             return Some(BsdfSample {
-                wi,
-                weight: weight / chance,
-                pdf: SolidAnglePdf(chance * pdf.0),
-                pdf_reverse: SolidAnglePdf(chance * pdf_reverse.0),
-                is_delta,
+                weight: sample.weight / chance,
+                pdf: SolidAnglePdf(chance * sample.pdf.0),
+                pdf_reverse: SolidAnglePdf(chance * sample.pdf_reverse.0),
+                ..sample
             });
         }
         let wi = mirror_direction(normal, wo);
@@ -73,6 +71,7 @@ impl Mirror {
             pdf: SolidAnglePdf(self.delta_chance),
             pdf_reverse: SolidAnglePdf(self.delta_chance),
             is_delta: true,
+            compression: 1.0,
         })
     }
 }

@@ -1,6 +1,6 @@
 //! The closed set of surface models.
 
-use crate::{BsdfSample, Lambert, MaxPhong, Mirror, Phong, Scattering};
+use crate::{BsdfSample, Dielectric, Lambert, MaxPhong, Mirror, Phong, Scattering, Sheet};
 use traylib_math::{Defect, Vec3, planted};
 
 /// How a surface scatters light. Small and `Copy`; a scene keeps one a material.
@@ -14,12 +14,17 @@ pub enum SurfaceModel {
     MaxPhong(MaxPhong),
     /// Ideal mirror, perhaps with a diffuse part.
     Mirror(Mirror),
+    /// Thin sheet that scatters light to both of its sides.
+    Sheet(Sheet),
+    /// Boundary of clear glass.
+    Dielectric(Dielectric),
 }
 
 impl SurfaceModel {
-    /// The BRDF and the densities of a pair of directions, without the part
-    /// that only an ideal reflection carries. Zero unless both directions are
-    /// above the surface.
+    /// The BSDF and the densities of a pair of directions, without the part
+    /// that only an ideal reflection or refraction carries. Zero unless `wo` is
+    /// above the surface, and `wi` too if the surface [`transmits`](Self::transmits)
+    /// nothing.
     #[inline]
     pub fn evaluate(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {
         match self {
@@ -27,6 +32,8 @@ impl SurfaceModel {
             Self::Phong(m) => m.evaluate(normal, wo, wi),
             Self::MaxPhong(m) => m.evaluate(normal, wo, wi),
             Self::Mirror(m) => m.evaluate(normal, wo, wi),
+            Self::Sheet(m) => m.evaluate(normal, wo, wi),
+            Self::Dielectric(_) => Scattering::NONE,
         }
     }
 
@@ -39,8 +46,10 @@ impl SurfaceModel {
         match self {
             Self::Lambert(m) => m.sample(normal, wo, u),
             Self::Mirror(m) => m.sample(normal, wo, u),
+            Self::Dielectric(m) => m.sample(normal, wo, u),
             Self::Phong(m) => self.weigh(normal, wo, m.direction(normal, wo, u)),
             Self::MaxPhong(m) => self.weigh(normal, wo, m.direction(normal, wo, u)),
+            Self::Sheet(m) => self.weigh(normal, wo, m.direction(normal, wo, u)?),
         }
     }
 
@@ -50,13 +59,14 @@ impl SurfaceModel {
         let folded = planted(Defect::BelowHorizonFolded);
         let wi = if folded { wi - 2.0 * normal.dot(wi).min(0.0) * normal } else { wi };
         let Scattering { f, pdf, pdf_reverse } = self.evaluate(normal, wo, wi);
-        let weight = f * (normal.dot(wi) / pdf.0);
+        let weight = f * (normal.dot(wi).abs() / pdf.0);
         (pdf.0 > 0.0 && !weight.is_black()).then_some(BsdfSample {
             wi,
             weight,
             pdf,
             pdf_reverse,
             is_delta: false,
+            compression: 1.0,
         })
     }
 
@@ -66,13 +76,34 @@ impl SurfaceModel {
         match self {
             Self::Lambert(m) => !m.is_black(),
             Self::Phong(_) | Self::MaxPhong(_) => true,
+            Self::Sheet(_) => true,
             Self::Mirror(m) => m.has_smooth_part(),
+            Self::Dielectric(_) => false,
         }
     }
 
-    /// Whether part of the light is reflected ideally.
+    /// Whether part of the light is reflected or refracted ideally.
     pub fn has_delta_part(&self) -> bool {
-        matches!(self, Self::Mirror(m) if m.has_delta_part())
+        match self {
+            Self::Mirror(m) => m.has_delta_part(),
+            Self::Dielectric(_) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether [`evaluate`](Self::evaluate) can be anything but zero for `wi`
+    /// below the surface.
+    pub fn transmits(&self) -> bool {
+        matches!(self, Self::Sheet(_))
+    }
+
+    /// The model of a surface whose front and back differ, seen from its back.
+    #[must_use]
+    pub fn from_behind(self) -> Self {
+        match self {
+            Self::Dielectric(m) => Self::Dielectric(m.from_behind()),
+            other => other,
+        }
     }
 }
 

@@ -39,14 +39,56 @@ impl Phong {
         Ok(Self { diffuse, specular, exponent, lobe_chance })
     }
 
+    /// The same surface with another diffuse and specular part, for textures:
+    /// each band is brought into [0, 1] and both parts are scaled down where
+    /// they would reflect more than arrives.
+    #[must_use]
+    pub fn with_parts(&self, diffuse: Rgb, specular: Rgb) -> Self {
+        let [diffuse, specular] = [diffuse, specular].map(Rgb::saturated);
+        let excess = (diffuse + specular).max_band().max(1.0);
+        let (diffuse, specular) = (diffuse / excess, specular / excess);
+        let lobe_chance = specular_chance(diffuse, specular);
+        Self { diffuse, specular, exponent: self.exponent, lobe_chance }
+    }
+
+    /// The diffuse part kd.
+    pub fn diffuse(&self) -> Rgb {
+        self.diffuse
+    }
+
+    /// The specular part ks.
+    pub fn specular(&self) -> Rgb {
+        self.specular
+    }
+
+    /// No more than this is reflected, from whatever direction.
+    pub(crate) fn albedo_bound(&self) -> Rgb {
+        self.diffuse + self.specular
+    }
+
     #[inline]
     pub(crate) fn evaluate(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {
-        let (cos_o, cos_i) = (normal.dot(wo), normal.dot(wi));
+        let cosines = [normal.dot(wo), normal.dot(wi)];
+        self.scattering(cosines, half_square_off_mirror(normal, wo, wi))
+    }
+
+    /// The same for light that passes to the other side, with the lobe about the
+    /// straight direction: as if `wi` were mirrored in the surface.
+    #[inline]
+    pub(crate) fn evaluate_through(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {
+        let cosines = [normal.dot(wo), -normal.dot(wi)];
+        self.scattering(cosines, half_square_off_straight(normal, wo, wi))
+    }
+
+    /// For these cosines at `wo` and `wi`, and half the squared distance to the
+    /// middle of the lobe.
+    #[inline]
+    fn scattering(&self, [cos_o, cos_i]: [f32; 2], half_square: f32) -> Scattering {
         if cos_o <= 0.0 || cos_i <= 0.0 {
             return Scattering::NONE;
         }
         let n = self.exponent;
-        let lobe = warp::cosine_power(half_square_off_mirror(normal, wo, wi), n) / TAU;
+        let lobe = warp::cosine_power(half_square, n) / TAU;
         let mixture = |cosine| {
             let diffuse = (1.0 - self.lobe_chance) * warp::cosine_hemisphere_pdf(cosine);
             SolidAnglePdf(self.lobe_chance * (n + 1.0) * lobe + diffuse)
@@ -85,8 +127,17 @@ pub(crate) fn mirror_direction(normal: Vec3, wo: Vec3) -> Vec3 {
 /// wi + wo beside the normal, and the difference of their cosines.
 #[inline]
 pub(crate) fn half_square_off_mirror(normal: Vec3, wo: Vec3, wi: Vec3) -> f32 {
-    let sum = wo + wi;
+    half_square(normal, wo + wi, normal.dot(wo) - normal.dot(wi))
+}
+
+/// Half the squared distance between `wi` and −`wo`, in the same form.
+#[inline]
+fn half_square_off_straight(normal: Vec3, wo: Vec3, wi: Vec3) -> f32 {
+    half_square(normal, wo + wi, normal.dot(wo) + normal.dot(wi))
+}
+
+#[inline]
+fn half_square(normal: Vec3, sum: Vec3, cosines: f32) -> f32 {
     let tangential = sum - normal.dot(sum) * normal;
-    let cosines = normal.dot(wo) - normal.dot(wi);
     0.5 * (tangential.length_squared() + cosines * cosines)
 }

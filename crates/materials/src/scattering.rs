@@ -5,7 +5,7 @@ use traylib_math::{Rgb, SolidAnglePdf, Vec3};
 /// How a surface treats a pair of directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scattering {
-    /// The BRDF, in 1/sr, without any cosine. The same when the directions are
+    /// The BSDF, in 1/sr, without any cosine. The same when the directions are
     /// exchanged.
     pub f: Rgb,
     /// Density of [`sample`](crate::SurfaceModel::sample) returning `wi`, given
@@ -34,6 +34,11 @@ pub struct BsdfSample {
     pub pdf: SolidAnglePdf,
     /// Density of `wo` given `wi`; for a mirror the chance to choose it.
     pub pdf_reverse: SolidAnglePdf,
-    /// Whether this was a perfect reflection, which no connection can find.
+    /// Whether this was an ideal reflection or refraction, which no connection
+    /// can find.
     pub is_delta: bool,
+    /// What refraction multiplies radiance with on its way from the medium of
+    /// `wi` into that of `wo`, (n_o/n_i)²; one for all else. It is not in
+    /// `weight`: a walk from a light carries power, which is not changed.
+    pub compression: f32,
 }

@@ -44,6 +44,12 @@ impl Rgb {
         self.r.max(self.g).max(self.b)
     }
 
+    /// Each band brought into [0, 1]; what is not a number becomes 0.
+    pub fn saturated(self) -> Self {
+        let [r, g, b] = self.to_array().map(|band| band.max(0.0).min(1.0));
+        Self { r, g, b }
+    }
+
     /// The smallest band.
     pub fn min_band(self) -> f32 {
         self.r.min(self.g).min(self.b)

@@ -23,13 +23,19 @@ fn mirror(reflectance: f32, diffuse: f32) -> SurfaceModel {
     SurfaceModel::Mirror(Mirror::new(Rgb::splat(reflectance), Rgb::splat(diffuse)).unwrap())
 }
 
+/// Half of the light passes, most of it near the straight direction.
+fn sheet(exponent: f32) -> SurfaceModel {
+    let part = |kd, ks| Phong::new(Rgb::splat(kd), Rgb::splat(ks), exponent).unwrap();
+    SurfaceModel::Sheet(Sheet::new(part(0.3, 0.1), part(0.1, 0.4)).unwrap())
+}
+
 fn models() -> Vec<SurfaceModel> {
     let mut models = vec![
         SurfaceModel::Lambert(Lambert::new(Rgb::new(0.2, 0.5, 0.9)).unwrap()),
         mirror(0.5, 0.3),
     ];
     for n in EXPONENTS {
-        models.extend([phong(0.3, 0.6, n), phong(0.0, 1.0, n), max_phong(0.9, n)]);
+        models.extend([phong(0.3, 0.6, n), phong(0.0, 1.0, n), max_phong(0.9, n), sheet(n)]);
     }
     models
 }
@@ -62,7 +68,7 @@ fn weight_is_value_over_density() {
                     (scattered.pdf, scattered.pdf_reverse),
                     (sample.pdf, sample.pdf_reverse)
                 );
-                let expected = scattered.f * (sample.wi.z / sample.pdf.0);
+                let expected = scattered.f * (sample.wi.z.abs() / sample.pdf.0);
                 for (got, want) in sample.weight.to_array().iter().zip(expected.to_array()) {
                     assert!((got - want).abs() <= 1e-5 * want, "{model:?} {got} {want}");
                 }
@@ -82,7 +88,8 @@ fn exchanging_directions_changes_nothing() {
                 Some(sample) if !sample.is_delta => sample.wi,
                 _ => warp::cosine_hemisphere(normal, sampler.next_2d()),
             };
-            let (ab, ba) = (model.evaluate(normal, a, b), model.evaluate(normal, b, a));
+            let behind = if normal.dot(b) < 0.0 { -normal } else { normal };
+            let (ab, ba) = (model.evaluate(normal, a, b), model.evaluate(behind, b, a));
             assert_eq!(ab.f, ba.f, "{model:?}");
             assert_eq!((ab.pdf, ab.pdf_reverse), (ba.pdf_reverse, ba.pdf));
         }
@@ -190,13 +197,28 @@ fn mirror_and_diffuse_part_share_the_light() {
 }
 
 #[test]
-fn nothing_goes_through_the_surface() {
+fn nothing_goes_through_but_sheets() {
     let below = Vec3::new(0.6, 0.0, -0.8);
     for model in models() {
-        assert_eq!(model.evaluate(Vec3::Z, Vec3::Z, below), Scattering::NONE);
+        let through = model.evaluate(Vec3::Z, Vec3::Z, below);
+        assert_eq!(through == Scattering::NONE, !model.transmits(), "{model:?}");
         assert_eq!(model.evaluate(Vec3::Z, below, Vec3::Z), Scattering::NONE);
         assert!(model.sample(Vec3::Z, below, [0.5; 3]).is_none());
     }
+}
+
+/// At right angles a lobe loses nothing: just the four parts are left.
+#[test]
+fn a_sheet_shares_the_light_among_its_parts() {
+    let model = sheet(20.0);
+    let (front, back) = (|s: &BsdfSample| s.wi.z > 0.0, |s: &BsdfSample| s.wi.z < 0.0);
+    let share = |side: fn(&BsdfSample) -> bool| {
+        mean(&model, Vec3::Z, 20_000, |s| if side(s) { s.weight.g } else { 0.0 })
+    };
+    let (reflected, passed) = (share(front), share(back));
+    // Weights stay below 1.1: five standard errors of the mean at most.
+    let slack = 5.0 * 0.55 / f64::from(20_000_u16).sqrt();
+    assert!((reflected - 0.4).abs() < slack && (passed - 0.5).abs() < slack);
 }
 
 #[test]

@@ -1,0 +1,71 @@
+//! A model and what lies over it.
+
+use crate::{Maps, SurfaceModel};
+use traylib_math::{Rgb, Vec2, Vec3};
+
+/// What a surface is made of: how it scatters light, how much of it passes
+/// straight through as if the surface were not there, and its textures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// How light is scattered, where a texture does not say otherwise.
+    pub model: SurfaceModel,
+    /// The part of the light that passes straight through, in 0..1: a pane of
+    /// clear glass, which is too thin to shift what is behind it. Together with
+    /// what the model scatters it is at most one.
+    pub through: Rgb,
+    /// Its textures, if it has any.
+    pub maps: Option<Box<Maps>>,
+}
+
+/// Where on a surface a material is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Site {
+    /// Texture coordinates.
+    pub uv: Vec2,
+    /// How the place moves with each of them, in metres a unit; `None` where that
+    /// is not known.
+    pub tangents: Option<[Vec3; 2]>,
+}
+
+/// A material at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shading {
+    /// How light is scattered where the surface is.
+    pub model: SurfaceModel,
+    /// How much of the surface is there, in 0..1.
+    pub coverage: f32,
+    /// The part of the light that passes straight through, also where the
+    /// surface is not.
+    pub through: Rgb,
+    /// Unit shading normal.
+    pub normal: Vec3,
+}
+
+impl From<SurfaceModel> for Material {
+    fn from(model: SurfaceModel) -> Self {
+        Self { model, through: Rgb::BLACK, maps: None }
+    }
+}
+
+impl Material {
+    /// Whether light can pass straight through somewhere.
+    pub fn is_see_through(&self) -> bool {
+        !self.through.is_black() || self.maps.as_ref().is_some_and(|maps| maps.opacity.is_some())
+    }
+
+    /// The material at a place whose unit shading normal without relief is
+    /// `normal`.
+    #[inline]
+    pub fn at(&self, normal: Vec3, site: impl FnOnce() -> Option<Site>) -> Shading {
+        let plain = Shading { model: self.model, coverage: 1.0, through: self.through, normal };
+        let Some(maps) = &self.maps else { return plain };
+        let Some(site) = site() else { return plain };
+        let coverage = maps.coverage(site.uv);
+        Shading {
+            model: maps.apply(self.model, site.uv),
+            coverage,
+            through: self.through * coverage + Rgb::splat(1.0 - coverage),
+            normal: maps.shading_normal(normal, &site),
+        }
+    }
+}
