@@ -63,6 +63,11 @@ impl Mesh {
         if finite { Ok(()) } else { Err(Error::NotFinite) }
     }
 
+    /// Whether there is anything to interpolate, normals or texture coordinates.
+    pub fn has_attributes(&self) -> bool {
+        !(self.normals.is_empty() && self.uvs.is_empty())
+    }
+
     /// Where the corners are.
     pub fn positions(&self) -> &[Vec3] {
         &self.positions
@@ -98,6 +103,16 @@ impl Mesh {
     pub fn uv(&self, index: usize, u: f32, v: f32) -> Option<Vec2> {
         let [a, b, c] = self.corners(index, &self.uvs)?;
         Some((1.0 - u - v) * a + u * b + v * c)
+    }
+
+    /// How triangle `index` moves with its texture coordinates.
+    pub fn tangents(&self, index: usize) -> Option<(Vec3, Vec3)> {
+        let [a, b, c] = self.corners(index, &self.positions)?;
+        let [ta, tb, tc] = self.corners(index, &self.uvs)?;
+        let (p, q, s, t) = (b - a, c - a, tb - ta, tc - ta);
+        let d = s.x * t.y - s.y * t.x;
+        let (u, v) = ((p * t.y - q * s.y) / d, (q * s.x - p * t.x) / d);
+        (u.is_finite() && v.is_finite()).then_some((u, v))
     }
 
     /// What belongs to the corners of a triangle.

@@ -62,23 +62,23 @@ pub struct Bdpt {
 
 /// A light path: where it started, and the vertices after that.
 #[derive(Clone, Copy)]
-struct LightPath<'a, 'scene> {
+struct LightPath<'a> {
     start: &'a LightStart,
-    vertices: &'a [Vertex<'scene>],
+    vertices: &'a [Vertex],
 }
 
 /// The light paths of a chunk, their vertices in one list.
 #[derive(Default)]
-struct LightPaths<'scene> {
-    vertices: Vec<Vertex<'scene>>,
+struct LightPaths {
+    vertices: Vec<Vertex>,
     /// Start and vertices of each path; `None` for one that left the scene at
     /// once.
     paths: Vec<Option<(LightStart, Range<usize>)>>,
 }
 
-impl<'scene> LightPaths<'scene> {
+impl LightPaths {
     /// The path that a camera path is joined with, by its place in the chunk.
-    fn partner(&self, camera_path: usize) -> Option<LightPath<'_, 'scene>> {
+    fn partner(&self, camera_path: usize) -> Option<LightPath<'_>> {
         let index = camera_path.checked_rem(self.paths.len())?;
         let (start, range) = self.paths[index].as_ref()?;
         Some(LightPath { start, vertices: &self.vertices[range.clone()] })

@@ -1,7 +1,6 @@
 //! What an integrator cannot see.
 
 use std::fmt;
-use traylib_materials::SurfaceModel;
 use traylib_scene::{Light, Scene};
 
 /// What decides which kinds of light there are in a scene.
@@ -11,7 +10,7 @@ pub struct SceneFacts {
     pub area_lights: bool,
     /// Some lamp is a point.
     pub point_lights: bool,
-    /// Some surface reflects ideally.
+    /// Some surface reflects or refracts ideally.
     pub mirrors: bool,
 }
 
@@ -36,7 +35,7 @@ impl SceneFacts {
         Self {
             area_lights: scene.lights().iter().any(|light| !light.is_point()),
             point_lights: scene.lights().iter().any(Light::is_point),
-            mirrors: scene.materials().iter().any(SurfaceModel::has_delta_part),
+            mirrors: scene.materials().iter().any(|material| material.model.has_delta_part()),
         }
     }
 

@@ -21,7 +21,7 @@ pub(crate) struct LightSample {
 /// Draws a lamp and a point on it. `None` where no light can come that way.
 pub(crate) fn sample_light(
     scene: &Scene,
-    point: &SurfacePoint<'_>,
+    point: &SurfacePoint,
     wo: Vec3,
     numbers: &VertexNumbers,
 ) -> Option<LightSample> {
@@ -44,7 +44,7 @@ pub(crate) fn sample_light(
 /// What every point light gives a vertex, one sample each.
 pub(crate) fn sample_point_lights<'a>(
     scene: &'a Scene,
-    point: &'a SurfacePoint<'a>,
+    point: &'a SurfacePoint,
     wo: Vec3,
 ) -> impl Iterator<Item = LightSample> + 'a {
     scene.light_ids().filter(|&id| scene.light(id).is_point()).filter_map(move |id| {
@@ -55,7 +55,7 @@ pub(crate) fn sample_point_lights<'a>(
 
 /// The light that a given point of a lamp sends by way of the vertex, per area
 /// of the lamp: f·cos_s·Le·cos₀/d².
-fn aim(point: &SurfacePoint<'_>, wo: Vec3, id: LightId, x0: LightPoint) -> Option<LightSample> {
+fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<LightSample> {
     let offset = x0.site.position - point.site.position;
     let distance_squared = offset.length_squared();
     let wi = offset.try_normalize()?;
@@ -78,9 +78,9 @@ fn aim(point: &SurfacePoint<'_>, wo: Vec3, id: LightId, x0: LightPoint) -> Optio
 }
 
 impl LightSample {
-    /// Whether the lamp's point sees the vertex.
-    pub(crate) fn is_visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint<'_>) -> bool {
-        tracer.is_free(&self.x0.segment_from(&point.site))
+    /// The part of the light that arrives at the vertex, if any.
+    pub(crate) fn visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint) -> Option<Rgb> {
+        tracer.sees(&self.x0.segment_from(&point.site))
     }
 
     /// Density with which the vertex's own sampling would have found the lamp's

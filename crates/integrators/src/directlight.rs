@@ -2,7 +2,7 @@
 
 use crate::direct::{LightSample, sample_light};
 use crate::step::next_step;
-use crate::tracer::Tracer;
+use crate::tracer::{Met, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_geometry::Ray;
 use traylib_math::{
@@ -51,20 +51,25 @@ impl DirectLight {
         let mut radiance = Rgb::BLACK;
         let mut throughput = Rgb::WHITE;
         let mut arrival = Arrival::Alone;
-        let mut hit = tracer.camera_ray(&ray);
         for edges in 1.. {
-            let Some(point) = hit else { break };
-            let wo = -ray.direction;
             let numbers = sampler.next_vertex();
+            let met = if edges == 1 {
+                tracer.camera_ray(&ray, numbers.passage)
+            } else {
+                tracer.bounce_ray(&ray, numbers.passage)
+            };
+            let Some(Met { point, passed }) = met else { break };
+            throughput *= passed;
+            let wo = -ray.direction;
             radiance += throughput * self.hit_emission(scene, &point, wo, arrival);
             if !self.limits.allow(edges + 1) {
                 break;
             }
             if let Some(light) = sample_light(scene, &point, wo, &numbers)
-                && light.is_visible(tracer, &point)
+                && let Some(part) = light.visible(tracer, &point)
             {
                 let weight = self.light_weight(scene, &point, &light);
-                radiance += throughput * light.radiance * weight;
+                radiance += throughput * light.radiance * part * weight;
             }
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);
@@ -76,19 +81,12 @@ impl DirectLight {
                 Arrival::Sampled(point.site.position, step.sample.pdf)
             };
             ray = step.ray;
-            hit = tracer.bounce_ray(&ray);
         }
         radiance
     }
 
     /// Emission of a lamp that the walk hit, times the weight of having hit it.
-    fn hit_emission(
-        &self,
-        scene: &Scene,
-        point: &SurfacePoint<'_>,
-        wo: Vec3,
-        arrival: Arrival,
-    ) -> Rgb {
+    fn hit_emission(&self, scene: &Scene, point: &SurfacePoint, wo: Vec3, arrival: Arrival) -> Rgb {
         let Some((id, x0)) = scene.emitting_point(point) else { return Rgb::BLACK };
         let weight = match (arrival, self.combine) {
             (Arrival::Alone, _) => 1.0,
@@ -107,7 +105,7 @@ impl DirectLight {
     }
 
     /// The weight of a light sample against hitting the same point.
-    fn light_weight(&self, scene: &Scene, point: &SurfacePoint<'_>, light: &LightSample) -> f32 {
+    fn light_weight(&self, scene: &Scene, point: &SurfacePoint, light: &LightSample) -> f32 {
         self.combine.map_or(1.0, |heuristic| {
             let toward = light.densities(scene, point.site.position).toward;
             heuristic.weight(toward, light.hit_pdf())

@@ -3,7 +3,7 @@
 use crate::emission::emit;
 use crate::splat::aim_at_camera;
 use crate::step::next_step;
-use crate::tracer::Tracer;
+use crate::tracer::{Met, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_math::{Rgb, Sampler};
 use traylib_scene::{Scene, Walk};
@@ -22,10 +22,11 @@ impl Integrator for Particle {
     }
 
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
-        chunk.sample_pixels(scene, out, |tracer, film_point, _| {
+        chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
+            let passage = sampler.next_vertex().passage;
             tracer
-                .camera_ray(&scene.camera().ray(film_point))
-                .map_or(Rgb::BLACK, |point| scene.emitted(&point))
+                .camera_ray(&scene.camera().ray(film_point), passage)
+                .map_or(Rgb::BLACK, |Met { point, passed }| passed * scene.emitted(&point))
         });
         let mut tracer = Tracer::new(scene);
         let share = 1.0 / (scene.camera().width() * scene.camera().height()) as f32;
@@ -52,24 +53,24 @@ impl Particle {
         let scene = tracer.scene;
         let Some(start) = emit(tracer, sampler) else { return };
         let mut throughput = start.throughput * share;
-        let (mut wo, mut hit) = (-start.direction, Some(start.x1));
+        let (mut wo, mut point, mut numbers) = (-start.direction, start.x1, start.numbers);
         for edges in 1.. {
-            let Some(point) = hit else { return };
-            let numbers = sampler.next_vertex();
             if !self.limits.allow(edges + 1) {
                 return;
             }
             if let Some(splat) = aim_at_camera(scene, &point, wo)
-                && tracer.seen_by_camera(&point)
+                && let Some(part) = tracer.seen_by_camera(&point)
             {
-                out.add(splat.pixel(scene), throughput * splat.value);
+                out.add(splat.pixel(scene), throughput * splat.value * part);
             }
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromLight, &point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { return };
-            throughput *= step.weight;
             wo = -step.ray.direction;
-            hit = tracer.bounce_ray(&step.ray);
+            numbers = sampler.next_vertex();
+            let Some(met) = tracer.bounce_ray(&step.ray, numbers.passage) else { return };
+            throughput *= step.weight * met.passed;
+            point = met.point;
         }
     }
 }

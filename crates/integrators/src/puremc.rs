@@ -2,7 +2,7 @@
 
 use crate::direct::sample_light;
 use crate::step::next_step;
-use crate::tracer::Tracer;
+use crate::tracer::{Met, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_geometry::Ray;
 use traylib_math::{Rgb, Sampler};
@@ -34,27 +34,31 @@ impl PureMc {
         let scene = tracer.scene;
         let mut radiance = Rgb::BLACK;
         let mut throughput = Rgb::WHITE;
-        let mut hit = tracer.camera_ray(&ray);
         for edges in 1.. {
-            let Some(point) = hit else { break };
-            let wo = -ray.direction;
             let numbers = sampler.next_vertex();
+            let met = if edges == 1 {
+                tracer.camera_ray(&ray, numbers.passage)
+            } else {
+                tracer.bounce_ray(&ray, numbers.passage)
+            };
+            let Some(Met { point, passed }) = met else { break };
+            throughput *= passed;
+            let wo = -ray.direction;
             radiance += throughput * scene.emitted(&point);
             if !self.limits.allow(edges + 1) {
                 break;
             }
             if let Some(light) = sample_light(scene, &point, wo, &numbers)
                 && light.x0.is_point
-                && light.is_visible(tracer, &point)
+                && let Some(part) = light.visible(tracer, &point)
             {
-                radiance += throughput * light.radiance;
+                radiance += throughput * light.radiance * part;
             }
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { break };
             throughput *= step.weight;
             ray = step.ray;
-            hit = tracer.bounce_ray(&ray);
         }
         radiance
     }

@@ -17,7 +17,7 @@ pub(crate) struct Splat {
 
 /// Aims at the camera from a vertex that a light path reached from `wo`. In
 /// front of the camera, inside the picture, facing: the shadow ray comes last.
-pub(crate) fn aim_at_camera(scene: &Scene, point: &SurfacePoint<'_>, wo: Vec3) -> Option<Splat> {
+pub(crate) fn aim_at_camera(scene: &Scene, point: &SurfacePoint, wo: Vec3) -> Option<Splat> {
     if !point.model.has_smooth_part() {
         return None;
     }
@@ -43,8 +43,8 @@ impl Splat {
     }
 
     /// Density with which a camera path would have found the vertex, per m².
-    pub(crate) fn camera_pdf(&self, point: &SurfacePoint<'_>) -> f32 {
-        let cosine = point.normal.dot(self.projection.to_camera);
+    pub(crate) fn camera_pdf(&self, point: &SurfacePoint) -> f32 {
+        let cosine = point.normal.dot(self.projection.to_camera).abs();
         let conversion = solid_angle_per_area(cosine, self.projection.distance_squared);
         self.projection.pdf.to_area(conversion).0
     }

@@ -19,7 +19,7 @@ pub(crate) struct Step {
 #[inline]
 pub(crate) fn next_step(
     walk: Walk,
-    point: &SurfacePoint<'_>,
+    point: &SurfacePoint,
     wo: Vec3,
     numbers: &VertexNumbers,
     roulette: Roulette,
@@ -30,6 +30,8 @@ pub(crate) fn next_step(
     let chance = roulette.survive(edge, weight, numbers.roulette)?;
     let unpaid = planted(Defect::RouletteUnpaid) && walk == Walk::FromLight;
     let chance = if unpaid { 1.0 } else { chance };
+    // Radiance is compressed by refraction, power is not; roulette is for power.
+    let compression = if walk == Walk::FromCamera { sample.compression } else { 1.0 };
     let ray = Ray::new(point.site.ray_origin(sample.wi), sample.wi);
-    Some(Step { ray, weight: weight / chance, sample })
+    Some(Step { ray, weight: weight * (compression / chance), sample })
 }

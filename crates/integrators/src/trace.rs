@@ -5,7 +5,7 @@ use crate::direct::sample_point_lights;
 use crate::tracer::Tracer;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts};
 use traylib_math::{Rgb, Vec2};
-use traylib_scene::Scene;
+use traylib_scene::{MOST_PASSAGES, Scene};
 
 /// Emission seen directly, and one shadow ray to each point light; no other
 /// light, no interreflection. Without `jitter` the ray goes through the middle
@@ -37,13 +37,22 @@ impl Integrator for Trace {
     }
 }
 
+/// Light that comes straight through surfaces is followed, without chance.
 fn radiance(tracer: &mut Tracer<'_>, film_point: Vec2) -> Rgb {
     let scene = tracer.scene;
-    let ray = scene.camera().ray(film_point);
-    let Some(point) = tracer.camera_ray(&ray) else { return Rgb::BLACK };
-    let lit = sample_point_lights(scene, &point, -ray.direction)
-        .filter(|sample| sample.is_visible(tracer, &point))
-        .map(|sample| sample.radiance)
-        .sum::<Rgb>();
-    scene.emitted(&point) + lit
+    let mut ray = scene.camera().ray(film_point);
+    let (mut radiance, mut passed) = (Rgb::BLACK, Rgb::WHITE);
+    for _ in 0..MOST_PASSAGES {
+        let Some(point) = tracer.look(&ray) else { break };
+        let lit = sample_point_lights(scene, &point, -ray.direction)
+            .filter_map(|sample| Some(sample.radiance * sample.visible(tracer, &point)?))
+            .sum::<Rgb>();
+        radiance += passed * (scene.emitted(&point) + lit) * point.coverage;
+        passed = passed * point.through;
+        if passed.is_black() {
+            break;
+        }
+        ray.origin = point.site.ray_origin(ray.direction);
+    }
+    radiance
 }

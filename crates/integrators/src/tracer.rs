@@ -2,7 +2,8 @@
 
 use std::ops::AddAssign;
 use traylib_geometry::Ray;
-use traylib_scene::{Scene, SurfacePoint};
+use traylib_math::Rgb;
+use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
 
 /// What a rendering did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,36 +52,78 @@ impl<'scene> Tracer<'scene> {
         Self { scene, statistics: Statistics::default() }
     }
 
-    /// The first edge of a walk from the camera.
-    pub(crate) fn camera_ray(&mut self, ray: &Ray) -> Option<SurfacePoint<'scene>> {
+    /// The first edge of a walk from the camera; `passage` as for
+    /// [`bounce_ray`](Self::bounce_ray).
+    pub(crate) fn camera_ray(&mut self, ray: &Ray, passage: f32) -> Option<Met> {
+        self.statistics.camera_paths += 1;
+        self.meet(ray, passage, |statistics| statistics.camera_rays += 1)
+    }
+
+    /// The first edge of a walk from a lamp.
+    pub(crate) fn emission_ray(&mut self, ray: &Ray, passage: f32) -> Option<Met> {
+        self.statistics.light_paths += 1;
+        self.bounce_ray(ray, passage)
+    }
+
+    /// What stands first in a ray from the camera, be it see-through or not.
+    pub(crate) fn look(&mut self, ray: &Ray) -> Option<SurfacePoint> {
         self.statistics.camera_paths += 1;
         self.statistics.camera_rays += 1;
         self.scene.intersect(ray)
     }
 
-    /// The first edge of a walk from a lamp.
-    pub(crate) fn emission_ray(&mut self, ray: &Ray) -> Option<SurfacePoint<'scene>> {
-        self.statistics.light_paths += 1;
-        self.bounce_ray(ray)
+    /// Any later edge of a walk. The number `passage` decides where it ends if
+    /// light can pass straight through surfaces on its way.
+    pub(crate) fn bounce_ray(&mut self, ray: &Ray, passage: f32) -> Option<Met> {
+        self.meet(ray, passage, |statistics| statistics.bounce_rays += 1)
     }
 
-    /// Any later edge of a walk.
-    pub(crate) fn bounce_ray(&mut self, ray: &Ray) -> Option<SurfacePoint<'scene>> {
-        self.statistics.bounce_rays += 1;
-        self.scene.intersect(ray)
+    /// The surface that a walk goes on from. What lets light straight through is
+    /// passed with the chance of the band that it weakens least. A passage is no
+    /// vertex: its chance scales the estimator alone, as roulette does, and is in
+    /// no density and no weight.
+    fn meet(
+        &mut self,
+        ray: &Ray,
+        mut passage: f32,
+        count: impl Fn(&mut Statistics),
+    ) -> Option<Met> {
+        let (mut passed, mut rest) = (Rgb::WHITE, *ray);
+        for _ in 0..MOST_PASSAGES {
+            count(&mut self.statistics);
+            let point = self.scene.intersect(&rest)?;
+            let chance = point.through.max_band();
+            if passage >= chance {
+                let weight = point.coverage / (1.0 - chance);
+                return Some(Met { point, passed: passed * weight });
+            }
+            passed = passed * point.through / chance;
+            passage /= chance;
+            rest.origin = point.site.ray_origin(rest.direction);
+        }
+        None
     }
 
-    /// Whether the camera sees a point. Asked from the camera, as all questions of
-    /// the kind are from the side of the eye: through the back of a one-sided
-    /// surface light passes that way only.
-    pub(crate) fn seen_by_camera(&mut self, point: &SurfacePoint<'_>) -> bool {
+    /// How much of the light of a point the camera sees. Asked from the camera,
+    /// as all questions of the kind are from the side of the eye: through the
+    /// back of a one-sided surface light passes that way only.
+    pub(crate) fn seen_by_camera(&mut self, point: &SurfacePoint) -> Option<Rgb> {
         let pinhole = self.scene.camera().position();
-        self.is_free(&point.site.segment_from_point(pinhole))
+        self.sees(&point.site.segment_from_point(pinhole))
     }
 
-    /// Whether nothing stands in the way of a segment.
-    pub(crate) fn is_free(&mut self, segment: &Ray) -> bool {
+    /// The part of the light that a segment lets through, if any.
+    pub(crate) fn sees(&mut self, segment: &Ray) -> Option<Rgb> {
         self.statistics.shadow_rays += 1;
-        self.scene.is_free(segment)
+        Some(self.scene.transmittance(segment)).filter(|part| !part.is_black())
     }
+}
+
+/// Where an edge of a walk ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Met {
+    pub(crate) point: SurfacePoint,
+    /// What the throughput is multiplied with for what the edge passed on its
+    /// way.
+    pub(crate) passed: Rgb,
 }

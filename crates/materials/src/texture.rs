@@ -43,9 +43,7 @@ impl Texture {
         }
         let (x0, x1, right) = neighbours(uv.x, self.pixels.width(), tiling);
         let (y0, y1, down) = neighbours(1.0 - uv.y, self.pixels.height(), tiling);
-        let row = |y| {
-            *self.pixels.get(x0, y) * (1.0 - right) + *self.pixels.get(x1, y) * right
-        };
+        let row = |y| *self.pixels.get(x0, y) * (1.0 - right) + *self.pixels.get(x1, y) * right;
         Some(row(y0) * (1.0 - down) + row(y1) * down)
     }
 }

@@ -21,6 +21,9 @@ pub enum Purpose {
 /// off does not shift the numbers of the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexNumbers {
+    /// Which of the surfaces that light can pass straight through the edge to
+    /// this vertex ends at.
+    pub passage: f32,
     /// Lobe, and two for the direction.
     pub bsdf: [f32; 3],
     /// Russian roulette.
@@ -69,6 +72,7 @@ impl Sampler {
     #[inline]
     pub fn next_vertex(&mut self) -> VertexNumbers {
         VertexNumbers {
+            passage: self.next_1d(),
             bsdf: [self.next_1d(), self.next_1d(), self.next_1d()],
             roulette: self.next_1d(),
             light_pick: self.next_1d(),

@@ -4,7 +4,7 @@ use crate::light::check_emission;
 use crate::scene::{LightId, Surface};
 use crate::{Camera, Error, Light, PointLight, Scene};
 use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides};
-use traylib_materials::SurfaceModel;
+use traylib_materials::Material;
 use traylib_math::{DiscreteDistribution, Rgb, Vec3};
 
 /// Names a material of a scene.
@@ -39,7 +39,7 @@ pub struct SceneBuilder {
     camera: Camera,
     shapes: Vec<SidedPrimitive>,
     surfaces: Vec<Surface>,
-    materials: Vec<SurfaceModel>,
+    materials: Vec<Material>,
     meshes: Vec<Mesh>,
     lights: Vec<Light>,
 }
@@ -58,8 +58,8 @@ impl SceneBuilder {
     }
 
     /// Adds a material for objects to name.
-    pub fn add_material(&mut self, model: SurfaceModel) -> MaterialId {
-        self.materials.push(model);
+    pub fn add_material(&mut self, material: impl Into<Material>) -> MaterialId {
+        self.materials.push(material.into());
         MaterialId(self.materials.len() as u32 - 1)
     }
 
@@ -80,12 +80,9 @@ impl SceneBuilder {
                 let id = self.meshes.len() as u32;
                 for index in 0..mesh.triangle_count() {
                     let Some(triangle) = mesh.triangle(index) else { continue };
-                    let smooth = mesh
-                        .shading_normal(index, 0.0, 0.0)
-                        .is_some()
-                        .then_some((id, index as u32));
                     let primitive = Primitive::Triangle(triangle);
-                    self.add_primitive(primitive, sides, material, emission, smooth);
+                    let of_mesh = mesh.has_attributes().then_some((id, index as u32));
+                    self.add_primitive(primitive, sides, material, emission, of_mesh);
                 }
                 if self.shapes.len() == before {
                     return Err(Error::EmptyMesh);
@@ -102,14 +99,14 @@ impl SceneBuilder {
         sides: Sides,
         material: MaterialId,
         radiance: Rgb,
-        smooth: Option<(u32, u32)>,
+        of_mesh: Option<(u32, u32)>,
     ) {
         let light = (!radiance.is_black()).then(|| {
             self.lights.push(Light::Area { primitive, radiance });
             LightId(self.lights.len() as u32 - 1)
         });
         self.shapes.push(SidedPrimitive { primitive, sides });
-        self.surfaces.push(Surface { material: material.0, light, smooth });
+        self.surfaces.push(Surface { material: material.0, light, of_mesh });
     }
 
     /// Adds a point light of this intensity in W/sr.
@@ -137,11 +134,13 @@ impl SceneBuilder {
         let powers: Vec<f32> = self.lights.iter().map(|l| l.power().luminance()).collect();
         let light_by_power = DiscreteDistribution::new(&powers).ok_or(Error::Dark)?;
         let shapes = Bvh::build(self.shapes)?;
+        let see_through = self.materials.iter().any(Material::is_see_through);
         Ok(Scene {
             camera: self.camera,
             shapes,
             surfaces: self.surfaces,
             materials: self.materials,
+            see_through,
             meshes: self.meshes,
             lights: self.lights,
             light_by_power,

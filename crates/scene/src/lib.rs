@@ -19,5 +19,5 @@ pub use error::Error;
 pub use film::{Film, PassImage};
 pub use light::{Emission, Light, LightPoint, PointLight};
 pub use picture_error::{PictureError, error_floor, relative_square_errors};
-pub use scene::{LightChoice, LightDensities, LightId, Scene};
+pub use scene::{LightChoice, LightDensities, LightId, MOST_PASSAGES, Scene};
 pub use surface_point::{SurfacePoint, Walk};

@@ -1,9 +1,9 @@
 //! The finished scene and the questions a renderer asks of it.
 
 use crate::{Camera, Light, LightPoint, SurfacePoint};
-use traylib_geometry::{Bvh, Mesh, Ray, SidedPrimitive};
-use traylib_materials::SurfaceModel;
-use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec3, planted};
+use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, SidedPrimitive};
+use traylib_materials::{Material, Shading, Site};
+use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3, planted};
 
 /// Names a lamp of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,8 +14,9 @@ pub struct LightId(pub(crate) u32);
 pub(crate) struct Surface {
     pub(crate) material: u32,
     pub(crate) light: Option<LightId>,
-    /// Mesh and triangle that hold the vertex normals, if it has any.
-    pub(crate) smooth: Option<(u32, u32)>,
+    /// Mesh and triangle that hold vertex normals and texture coordinates, if it
+    /// has any.
+    pub(crate) of_mesh: Option<(u32, u32)>,
 }
 
 /// Camera, lamps and surfaces, ready to be rendered. Immutable.
@@ -24,7 +25,9 @@ pub struct Scene {
     pub(crate) camera: Camera,
     pub(crate) shapes: Bvh<SidedPrimitive>,
     pub(crate) surfaces: Vec<Surface>,
-    pub(crate) materials: Vec<SurfaceModel>,
+    pub(crate) materials: Vec<Material>,
+    /// Whether light passes straight through any of them.
+    pub(crate) see_through: bool,
     pub(crate) meshes: Vec<Mesh>,
     pub(crate) lights: Vec<Light>,
     pub(crate) light_by_power: DiscreteDistribution,
@@ -55,6 +58,10 @@ pub struct LightDensities {
     pub toward: f32,
 }
 
+/// More surfaces than this in a row let nothing through. Rounding could otherwise
+/// hold a ray for ever where sheets meet.
+pub const MOST_PASSAGES: u32 = 1000;
+
 impl Scene {
     /// The camera.
     pub fn camera(&self) -> &Camera {
@@ -67,7 +74,7 @@ impl Scene {
     }
 
     /// All materials.
-    pub fn materials(&self) -> &[SurfaceModel] {
+    pub fn materials(&self) -> &[Material] {
         &self.materials
     }
 
@@ -77,33 +84,77 @@ impl Scene {
     }
 
     /// The first surface that a ray meets. The direction must be unit.
-    pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint<'_>> {
+    pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint> {
         let hit = self.shapes.nearest(ray)?;
         let surface = &self.surfaces[hit.primitive as usize];
         let site = self.shapes.shapes()[hit.primitive as usize].primitive.site(ray, &hit);
-        let front_shading = surface
-            .smooth
-            .and_then(|(mesh, triangle)| {
-                self.meshes[mesh as usize].shading_normal(triangle as usize, hit.u, hit.v)
-            })
-            .unwrap_or(site.normal);
+        let smooth = self.smooth_normal(surface, &hit).unwrap_or(site.normal);
+        let material = &self.materials[surface.material as usize];
+        let shading = material.at(smooth, || self.site_of_textures(surface, &hit));
+        let Shading { model, coverage, through, normal: front_shading } = shading;
         let by_shading = planted(Defect::EmissionByShadingNormal);
         let front = if by_shading { front_shading } else { site.normal };
-        let side = if front.dot(ray.direction) <= 0.0 { 1.0 } else { -1.0 };
+        let is_front = front.dot(ray.direction) <= 0.0;
+        let side = if is_front { 1.0 } else { -1.0 };
         Some(SurfacePoint {
             site,
             normal: site.normal * side,
             shading_normal: front_shading * side,
-            model: &self.materials[surface.material as usize],
+            model: if is_front { model } else { model.from_behind() },
+            coverage,
+            through,
             light: surface.light,
         })
     }
 
-    /// Whether nothing stands in the way of a segment, made by
+    /// The interpolated normal of a mesh that has some.
+    fn smooth_normal(&self, surface: &Surface, hit: &Hit) -> Option<Vec3> {
+        let (mesh, triangle) = surface.of_mesh?;
+        self.meshes[mesh as usize].shading_normal(triangle as usize, hit.u, hit.v)
+    }
+
+    /// Where on its textures a hit is; `None` on shapes without texture
+    /// coordinates.
+    fn site_of_textures(&self, surface: &Surface, hit: &Hit) -> Option<Site> {
+        if let Some((mesh, triangle)) = surface.of_mesh {
+            let (mesh, triangle) = (&self.meshes[mesh as usize], triangle as usize);
+            let uv = mesh.uv(triangle, hit.u, hit.v)?;
+            return Some(Site { uv, tangents: mesh.tangents(triangle).map(<[Vec3; 2]>::from) });
+        }
+        match self.shapes.shapes()[hit.primitive as usize].primitive {
+            Primitive::Quad(quad) => {
+                Some(Site { uv: Vec2::new(hit.u, hit.v), tangents: Some(quad.edges()) })
+            }
+            _ => None,
+        }
+    }
+
+    /// The part of the light that a segment lets through: white where nothing
+    /// stands in its way. The segment is one made by
     /// [`SurfaceSite::segment_to`](traylib_geometry::SurfaceSite::segment_to)
     /// or its like: it has no slack of its own.
-    pub fn is_free(&self, segment: &Ray) -> bool {
-        !self.shapes.any_hit(segment)
+    pub fn transmittance(&self, segment: &Ray) -> Rgb {
+        if !self.shapes.any_hit(segment) {
+            Rgb::WHITE
+        } else if self.see_through {
+            self.transmittance_of_sheets(segment)
+        } else {
+            Rgb::BLACK
+        }
+    }
+
+    fn transmittance_of_sheets(&self, segment: &Ray) -> Rgb {
+        let end = segment.at(segment.t_max);
+        let (mut passed, mut rest) = (Rgb::WHITE, *segment);
+        for _ in 0..MOST_PASSAGES {
+            let Some(point) = self.intersect(&rest) else { return passed };
+            passed = passed * point.through;
+            if passed.is_black() {
+                return passed;
+            }
+            rest = Ray::segment(point.site.ray_origin(rest.direction), end);
+        }
+        Rgb::BLACK
     }
 
     /// A lamp, drawn in proportion to its power.
@@ -123,7 +174,7 @@ impl Scene {
     }
 
     /// The point as one of a lamp, if it emits toward the side it is seen from.
-    pub fn emitting_point(&self, point: &SurfacePoint<'_>) -> Option<(LightId, LightPoint)> {
+    pub fn emitting_point(&self, point: &SurfacePoint) -> Option<(LightId, LightPoint)> {
         let id = point.light?;
         match self.light(id) {
             Light::Area { radiance, .. } if point.is_front() => {
@@ -135,7 +186,7 @@ impl Scene {
     }
 
     /// Radiance that a surface emits toward the side it is seen from.
-    pub fn emitted(&self, point: &SurfacePoint<'_>) -> Rgb {
+    pub fn emitted(&self, point: &SurfacePoint) -> Rgb {
         self.emitting_point(point).map_or(Rgb::BLACK, |(_, point)| point.emitted)
     }
 

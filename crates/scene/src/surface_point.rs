@@ -21,36 +21,54 @@ pub enum Walk {
 /// Directions `wo` and `wi` are unit and leave the surface; `wo` leads back to
 /// where the walk came from.
 #[derive(Clone, Copy, Debug)]
-pub struct SurfacePoint<'scene> {
+pub struct SurfacePoint {
     /// Position, its rounding error, and the *front* normal of the geometry.
     pub site: SurfaceSite,
     /// Geometric normal N_g on the side of `wo`.
     pub normal: Vec3,
     /// Shading normal N_s, turned over together with N_g.
     pub shading_normal: Vec3,
-    /// What the surface is made of.
-    pub model: &'scene SurfaceModel,
+    /// How the surface scatters light here, seen from this side.
+    pub model: SurfaceModel,
+    /// How much of the surface is there, in 0..1.
+    pub coverage: f32,
+    /// The part of the light that passes straight through.
+    pub through: Rgb,
     /// The lamp this surface is.
     pub light: Option<LightId>,
 }
 
-impl SurfacePoint<'_> {
-    /// BRDF and densities for a pair of directions. Zero unless both are on the
-    /// side of the geometric *and* of the shading normal, in every technique
-    /// alike.
+impl SurfacePoint {
+    /// BSDF and densities for a pair of directions. Zero unless `wo` is on the
+    /// side of the geometric *and* of the shading normal and `wi` on the same
+    /// side of both, in every technique alike.
     #[inline]
     pub fn evaluate(&self, wo: Vec3, wi: Vec3) -> Scattering {
-        if self.normal.dot(wo) <= 0.0 || self.normal.dot(wi) <= 0.0 {
+        if self.normal.dot(wo) <= 0.0 || !self.may_scatter_to(wi) || !self.agree(wi) {
             return Scattering::NONE;
         }
         self.model.evaluate(self.shading_normal, wo, wi)
     }
 
-    /// A direction to go on in; its weight is that of a walk from the camera.
+    /// Whether light can go on in this direction, of any length: on the side of
+    /// `wo`, or through.
+    #[inline]
+    pub fn may_scatter_to(&self, wi: Vec3) -> bool {
+        self.normal.dot(wi) > 0.0 || self.model.transmits()
+    }
+
+    /// Whether a direction is on the same side of both normals.
+    #[inline]
+    fn agree(&self, wi: Vec3) -> bool {
+        self.normal.dot(wi) * self.shading_normal.dot(wi) > 0.0
+    }
+
+    /// A direction to go on in; its weight is that of a walk from the camera, but
+    /// for refraction's compression.
     #[inline]
     pub fn sample(&self, wo: Vec3, u: [f32; 3]) -> Option<BsdfSample> {
         let sample = self.model.sample(self.shading_normal, wo, u)?;
-        (self.normal.dot(wo) > 0.0 && self.normal.dot(sample.wi) > 0.0).then_some(sample)
+        (self.normal.dot(wo) > 0.0 && self.agree(sample.wi)).then_some(sample)
     }
 
     /// What the BRDF is multiplied with when a walk from `wo` goes on to `wi`.

@@ -22,8 +22,8 @@ pub(crate) struct Joiner<'a> {
 }
 
 /// A joined path that carries light, unless something stands between.
-struct Found<'a, 'scene> {
-    path: JoinedPath<'a, 'scene>,
+struct Found<'a> {
+    path: JoinedPath<'a>,
     /// What its technique alone would add.
     value: Rgb,
     weight: f64,
@@ -38,7 +38,7 @@ impl<'a> Joiner<'a> {
     pub(crate) fn splat_all(
         &self,
         tracer: &mut Tracer<'_>,
-        path: LightPath<'_, '_>,
+        path: LightPath<'_>,
         out: &mut ChunkOutput,
     ) {
         if !self.bdpt.techniques.splats {
@@ -59,8 +59,8 @@ impl<'a> Joiner<'a> {
         &self,
         tracer: &mut Tracer<'_>,
         pixel: u32,
-        camera: &[Vertex<'_>],
-        light: Option<LightPath<'_, '_>>,
+        camera: &[Vertex],
+        light: Option<LightPath<'_>>,
         sampler: &mut Sampler,
         out: &mut ChunkOutput,
     ) {
@@ -94,7 +94,7 @@ impl<'a> Joiner<'a> {
         &self,
         tracer: &Tracer<'_>,
         pixel: u32,
-        camera: &[Vertex<'_>],
+        camera: &[Vertex],
         out: &mut ChunkOutput,
     ) -> Option<Rgb> {
         let x0 = camera.last()?;
@@ -123,7 +123,7 @@ impl<'a> Joiner<'a> {
         &self,
         tracer: &mut Tracer<'_>,
         pixel: u32,
-        camera: &[Vertex<'_>],
+        camera: &[Vertex],
         out: &mut ChunkOutput,
     ) -> Option<Rgb> {
         let x1 = camera.last()?;
@@ -134,7 +134,7 @@ impl<'a> Joiner<'a> {
             return None;
         }
         let densities = light.densities(scene, x1.point.site.position);
-        let cosine = x1.point.normal.dot(light.wi);
+        let cosine = x1.point.normal.dot(light.wi).abs();
         let end = End {
             scattering: light.scattering,
             conversion: solid_angle_per_area(cosine, light.distance_squared),
@@ -144,10 +144,9 @@ impl<'a> Joiner<'a> {
         let weight = weight::light_sample(x1, &end, &densities, hit_pdf, techniques, heuristic);
         let joint = Joint::LightSample { end, hit_pdf };
         let path = JoinedPath { light: &[], camera, densities, is_point, joint };
-        light.is_visible(tracer, &x1.point).then(|| {
-            let value = x1.throughput * light.radiance;
-            self.add(pixel, &Found { path, value, weight }, out)
-        })
+        let part = light.visible(tracer, &x1.point)?;
+        let value = x1.throughput * light.radiance * part;
+        Some(self.add(pixel, &Found { path, value, weight }, out))
     }
 
     /// s ≥ 2, t ≥ 2: an edge between the last vertices of both subpaths.
@@ -155,8 +154,8 @@ impl<'a> Joiner<'a> {
         &self,
         tracer: &mut Tracer<'_>,
         pixel: u32,
-        (start, light): (&LightStart, &[Vertex<'_>]),
-        camera: &[Vertex<'_>],
+        (start, light): (&LightStart, &[Vertex]),
+        camera: &[Vertex],
         worth: &mut Worth<'_>,
         out: &mut ChunkOutput,
     ) {
@@ -165,9 +164,9 @@ impl<'a> Joiner<'a> {
             return;
         }
         let offset = z.point.site.position - y.point.site.position;
-        let facing = y.point.normal.dot(offset) > 0.0 && z.point.normal.dot(offset) < 0.0;
+        let possible = y.point.may_scatter_to(offset) && z.point.may_scatter_to(-offset);
         let distance_squared = offset.length_squared();
-        if !facing || distance_squared == 0.0 {
+        if !possible || distance_squared == 0.0 {
             return;
         }
         let direction = offset / distance_squared.sqrt();
@@ -177,8 +176,8 @@ impl<'a> Joiner<'a> {
         if f.is_black() {
             return;
         }
-        let end = |vertex: &Vertex<'_>, scattering| {
-            let cosine = vertex.point.normal.dot(direction);
+        let end = |vertex: &Vertex, scattering| {
+            let cosine = vertex.point.normal.dot(direction).abs();
             End { scattering, conversion: solid_angle_per_area(cosine, distance_squared) }
         };
         let (light_end, camera_end) = (end(y, from_light), end(z, from_camera));
@@ -187,10 +186,10 @@ impl<'a> Joiner<'a> {
             * z.point.cosine(Walk::FromCamera, z.wo, -direction);
         let value = y.throughput * z.throughput * f * (cosines / distance_squared);
         let Some(chance) = worth.try_it(value * weight as f32) else { return };
-        if tracer.is_free(&z.point.site.segment_to(&y.point.site)) {
+        if let Some(part) = tracer.sees(&z.point.site.segment_to(&y.point.site)) {
             let joint = Joint::Connection { light: light_end, camera: camera_end };
             let path = start.path(light, camera, joint);
-            self.add(pixel, &Found { path, value: value / chance, weight }, out);
+            self.add(pixel, &Found { path, value: value * part / chance, weight }, out);
         }
     }
 
@@ -198,7 +197,7 @@ impl<'a> Joiner<'a> {
         &self,
         tracer: &mut Tracer<'_>,
         start: &LightStart,
-        light: &[Vertex<'_>],
+        light: &[Vertex],
         out: &mut ChunkOutput,
     ) {
         let [.., y] = light else { return };
@@ -207,8 +206,8 @@ impl<'a> Joiner<'a> {
         let pdf_back = splat.scattering.pdf_reverse;
         let heuristic = self.bdpt.heuristic;
         let weight = weight::splat(y, camera_pdf, pdf_back, self.light_paths, heuristic);
-        if tracer.seen_by_camera(&y.point) {
-            let value = y.throughput * splat.value * (1.0 / self.light_paths as f32);
+        if let Some(part) = tracer.seen_by_camera(&y.point) {
+            let value = y.throughput * splat.value * part * (1.0 / self.light_paths as f32);
             let twice = planted(Defect::LightPathsDividedTwice);
             let value = if twice { value / self.light_paths as f32 } else { value };
             let path = start.path(light, &[], Joint::Splat { pdf_back, camera_pdf });
@@ -217,7 +216,7 @@ impl<'a> Joiner<'a> {
     }
 
     /// Adds what was found, and returns it.
-    fn add(&self, pixel: u32, found: &Found<'_, '_>, out: &mut ChunkOutput) -> Rgb {
+    fn add(&self, pixel: u32, found: &Found<'_>, out: &mut ChunkOutput) -> Rgb {
         let Found { path, value, weight } = found;
         let Bdpt { techniques, heuristic, weighting, report, .. } = *self.bdpt;
         // By the recursive weight whatever the form, so that all of them try the
@@ -240,12 +239,7 @@ impl<'a> Joiner<'a> {
 }
 
 impl LightStart {
-    fn path<'a, 'scene>(
-        &self,
-        light: &'a [Vertex<'scene>],
-        camera: &'a [Vertex<'scene>],
-        joint: Joint,
-    ) -> JoinedPath<'a, 'scene> {
+    fn path<'a>(&self, light: &'a [Vertex], camera: &'a [Vertex], joint: Joint) -> JoinedPath<'a> {
         let is_point = self.x0.is_point;
         JoinedPath { light, camera, densities: self.densities, is_point, joint }
     }

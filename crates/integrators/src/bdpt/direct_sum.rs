@@ -10,11 +10,11 @@ use traylib_scene::LightDensities;
 
 /// Two subpaths and how they were joined.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct JoinedPath<'a, 'scene> {
+pub(crate) struct JoinedPath<'a> {
     /// x₁ … of the light subpath.
-    pub(crate) light: &'a [Vertex<'scene>],
+    pub(crate) light: &'a [Vertex],
     /// x_{k−1} … of the camera subpath, from the camera.
-    pub(crate) camera: &'a [Vertex<'scene>],
+    pub(crate) camera: &'a [Vertex],
     /// Of the lamp's point x₀.
     pub(crate) densities: LightDensities,
     pub(crate) is_point: bool,
@@ -46,7 +46,7 @@ pub(crate) struct PathDensities {
     pub(crate) is_point: bool,
 }
 
-impl JoinedPath<'_, '_> {
+impl JoinedPath<'_> {
     /// Vertices from the light and from the camera, x₀ and x_k included.
     pub(crate) fn technique(&self) -> (usize, usize) {
         let s = match self.joint {
@@ -120,7 +120,7 @@ impl JoinedPath<'_, '_> {
 }
 
 /// Area density of the vertex before `vertex`, found by going back.
-fn back_area_pdf(vertex: &Vertex<'_>, next: Option<&Vertex<'_>>, at_end: SolidAnglePdf) -> f64 {
+fn back_area_pdf(vertex: &Vertex, next: Option<&Vertex>, at_end: SolidAnglePdf) -> f64 {
     let pdf = if next.is_some() { vertex.pdf_back } else { at_end };
     f64::from(pdf.0) * f64::from(vertex.conversion_back)
 }

@@ -50,7 +50,7 @@ impl Report {
         self,
         out: &mut ChunkOutput,
         pixel: u32,
-        path: &JoinedPath<'_, '_>,
+        path: &JoinedPath<'_>,
         value: Rgb,
         weight: f64,
         all_weights: impl FnOnce() -> Vec<f64>,
@@ -73,7 +73,7 @@ impl Report {
 }
 
 /// One path as text: a line for itself, a line a vertex from lamp to camera.
-fn describe(path: &JoinedPath<'_, '_>, value: Rgb, weight: f64, all_weights: &[f64]) -> String {
+fn describe(path: &JoinedPath<'_>, value: Rgb, weight: f64, all_weights: &[f64]) -> String {
     let (s, t) = path.technique();
     let densities = path.path_densities();
     let Rgb { r, g, b } = value;

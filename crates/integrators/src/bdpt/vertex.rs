@@ -20,8 +20,8 @@ use traylib_scene::SurfacePoint;
 
 /// A vertex of a subpath, on a surface.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Vertex<'scene> {
-    pub(crate) point: SurfacePoint<'scene>,
+pub(crate) struct Vertex {
+    pub(crate) point: SurfacePoint,
     /// Unit direction back to the vertex before.
     pub(crate) wo: Vec3,
     /// What the subpath up to here is worth, over its density.
@@ -63,14 +63,14 @@ pub(crate) struct Tail {
 impl Tail {
     /// The vertex at `point`, reached from this one.
     #[inline]
-    pub(crate) fn arrive<'scene>(
+    pub(crate) fn arrive(
         &self,
-        point: SurfacePoint<'scene>,
+        point: SurfacePoint,
         wo: Vec3,
         throughput: Rgb,
         numbers: VertexNumbers,
         heuristic: Heuristic,
-    ) -> Vertex<'scene> {
+    ) -> Vertex {
         let distance_squared = (point.site.position - self.position).length_squared();
         let cosine = point.normal.dot(wo).abs();
         let pdf = self.pdf.to_area(solid_angle_per_area(cosine, distance_squared));
@@ -94,7 +94,7 @@ impl Tail {
     }
 }
 
-impl Vertex<'_> {
+impl Vertex {
     /// The sum, over all techniques that connect further back than the last edge
     /// of this subpath, of (their density / that of connecting at the edge from
     /// here), raised: P(B)·(M + P(pdf back)·C), with B the density of finding

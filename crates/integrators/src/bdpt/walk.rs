@@ -7,8 +7,8 @@ use crate::Limits;
 use crate::chunk::pixel_corner;
 use crate::emission::{Emitted, emit};
 use crate::step::next_step;
-use crate::tracer::Tracer;
-use traylib_math::{Heuristic, Rgb, Sampler};
+use crate::tracer::{Met, Tracer};
+use traylib_math::{Heuristic, Sampler};
 use traylib_scene::{LightDensities, LightPoint, Walk};
 
 /// Where a light subpath started: x₀.
@@ -34,17 +34,16 @@ impl Walker {
 
     /// The vertices of a light subpath after x₀; nothing if it left the scene at
     /// once.
-    pub(crate) fn light_subpath<'scene>(
+    pub(crate) fn light_subpath(
         &self,
-        tracer: &mut Tracer<'scene>,
+        tracer: &mut Tracer<'_>,
         sampler: &mut Sampler,
-        vertices: &mut Vec<Vertex<'scene>>,
+        vertices: &mut Vec<Vertex>,
     ) -> Option<LightStart> {
         let emitted = emit(tracer, sampler)?;
         let tail = self.light_tail(&emitted);
-        let (wo, numbers) = (-emitted.direction, sampler.next_vertex());
-        let Emitted { x0, x1, throughput, densities, .. } = emitted;
-        vertices.push(tail.arrive(x1, wo, throughput, numbers, self.heuristic));
+        let Emitted { x0, direction, x1, numbers, throughput, densities } = emitted;
+        vertices.push(tail.arrive(x1, -direction, throughput, numbers, self.heuristic));
         // One more edge must fit behind each vertex, to join it to the camera.
         self.walk_on(Walk::FromLight, 1, tracer, sampler, vertices);
         Some(LightStart { x0, densities })
@@ -52,7 +51,7 @@ impl Walker {
 
     /// What the first surface needs to know of x₀: the techniques that could have
     /// found it otherwise are light sampling and, if the lamp has an area, a hit.
-    pub(crate) fn light_tail(&self, emitted: &Emitted<'_>) -> Tail {
+    pub(crate) fn light_tail(&self, emitted: &Emitted) -> Tail {
         let Emitted { x0, direction, densities, .. } = emitted;
         let emission = f64::from(densities.emission);
         let sampled = self.techniques.samples_light(x0.is_point);
@@ -68,16 +67,17 @@ impl Walker {
     }
 
     /// The vertices of the camera subpath of a pixel, after the pinhole.
-    pub(crate) fn camera_subpath<'scene>(
+    pub(crate) fn camera_subpath(
         &self,
-        tracer: &mut Tracer<'scene>,
+        tracer: &mut Tracer<'_>,
         pixel: u32,
         sampler: &mut Sampler,
-        vertices: &mut Vec<Vertex<'scene>>,
+        vertices: &mut Vec<Vertex>,
     ) {
         let camera = *tracer.scene.camera();
         let ray = camera.ray(pixel_corner(tracer.scene, pixel) + sampler.next_2d());
-        let Some(point) = tracer.camera_ray(&ray) else { return };
+        let numbers = sampler.next_vertex();
+        let Some(Met { point, passed }) = tracer.camera_ray(&ray, numbers.passage) else { return };
         let splats = if self.techniques.splats { splats_in_weights(self.light_paths) } else { 0.0 };
         let tail = Tail {
             position: camera.position(),
@@ -87,20 +87,19 @@ impl Walker {
             m_factor: splats,
             c_factor: 0.0,
         };
-        let (wo, numbers) = (-ray.direction, sampler.next_vertex());
-        vertices.push(tail.arrive(point, wo, Rgb::WHITE, numbers, self.heuristic));
+        vertices.push(tail.arrive(point, -ray.direction, passed, numbers, self.heuristic));
         self.walk_on(Walk::FromCamera, 0, tracer, sampler, vertices);
     }
 
     /// Extends a subpath whose first edge is walked. `joining` edges must still
     /// fit behind its last vertex.
-    fn walk_on<'scene>(
+    fn walk_on(
         &self,
         walk: Walk,
         joining: u32,
-        tracer: &mut Tracer<'scene>,
+        tracer: &mut Tracer<'_>,
         sampler: &mut Sampler,
-        vertices: &mut Vec<Vertex<'scene>>,
+        vertices: &mut Vec<Vertex>,
     ) {
         let roulette = self.limits.roulette;
         for edge in 2.. {
@@ -113,9 +112,10 @@ impl Walker {
             let sample = step.sample;
             let tail = last.leave(&sample, self.techniques.connections, self.heuristic);
             let throughput = last.throughput * step.weight;
-            let Some(point) = tracer.bounce_ray(&step.ray) else { return };
-            let (wo, numbers) = (-sample.wi, sampler.next_vertex());
-            vertices.push(tail.arrive(point, wo, throughput, numbers, self.heuristic));
+            let numbers = sampler.next_vertex();
+            let Some(met) = tracer.bounce_ray(&step.ray, numbers.passage) else { return };
+            let (wo, throughput) = (-sample.wi, throughput * met.passed);
+            vertices.push(tail.arrive(met.point, wo, throughput, numbers, self.heuristic));
         }
     }
 }

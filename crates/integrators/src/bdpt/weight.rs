@@ -13,7 +13,7 @@ use traylib_scene::LightDensities;
 /// s = 0: the camera path's last vertex is the lamp's point x₀. Not for a lamp
 /// seen directly, which nothing else can find.
 pub(crate) fn hit(
-    x0: &Vertex<'_>,
+    x0: &Vertex,
     densities: &LightDensities,
     techniques: Techniques,
     heuristic: Heuristic,
@@ -30,7 +30,7 @@ pub(crate) fn hit(
 /// s = 1: a lamp's point was sampled from the camera path's last vertex x₁.
 /// `hit_pdf` is the density with which x₁ would have hit it.
 pub(crate) fn light_sample(
-    x1: &Vertex<'_>,
+    x1: &Vertex,
     end: &End,
     densities: &LightDensities,
     hit_pdf: f32,
@@ -47,11 +47,11 @@ pub(crate) fn light_sample(
 
 /// s ≥ 2, t ≥ 2: `light` and `camera` were connected.
 pub(crate) fn connection(
-    light: (&Vertex<'_>, &End),
-    camera: (&Vertex<'_>, &End),
+    light: (&Vertex, &End),
+    camera: (&Vertex, &End),
     heuristic: Heuristic,
 ) -> f64 {
-    let side = |(vertex, end): (&Vertex<'_>, &End), other: &End| {
+    let side = |(vertex, end): (&Vertex, &End), other: &End| {
         let arrive = f64::from(other.scattering.pdf.0) * f64::from(end.conversion);
         vertex.competition(arrive, end.scattering.pdf_reverse, heuristic)
     };
@@ -66,7 +66,7 @@ pub(crate) fn splats_in_weights(light_paths: u32) -> f64 {
 /// t = 1: the light path's last vertex was joined to the camera, which would
 /// have found it with density `camera_pdf`; each of `light_paths` might have.
 pub(crate) fn splat(
-    vertex: &Vertex<'_>,
+    vertex: &Vertex,
     camera_pdf: f32,
     pdf_back: SolidAnglePdf,
     light_paths: u32,

@@ -3,7 +3,7 @@
 use super::*;
 use crate::{CameraSettings, Object, ObjectShape, SceneBuilder};
 use traylib_geometry::{Facing, Primitive, Quad, Sides, Sphere};
-use traylib_materials::Lambert;
+use traylib_materials::{Lambert, SurfaceModel};
 use traylib_math::{Purpose, Sampler, warp};
 
 const LEANING: Vec3 = Vec3::new(-0.8, 0.0, 0.6);

@@ -26,7 +26,7 @@ fn models() -> [(&'static str, SurfaceModel); 4] {
 }
 
 /// A point of the plane z = 0 whose bumps lean this much, toward anywhere.
-fn bump<'a>(model: &'a SurfaceModel, slope: f32, sampler: &mut Sampler) -> SurfacePoint<'a> {
+fn bump<'a>(model: &'a SurfaceModel, slope: f32, sampler: &mut Sampler) -> SurfacePoint {
     let (sin, cos) = (std::f32::consts::TAU * sampler.next_1d()).sin_cos();
     let shading_normal = Vec3::new(slope * cos, slope * sin, 1.0).normalize();
     let site = SurfaceSite { position: Vec3::ZERO, error: Vec3::ZERO, normal: Vec3::Z };
@@ -38,7 +38,7 @@ fn bump<'a>(model: &'a SurfaceModel, slope: f32, sampler: &mut Sampler) -> Surfa
 fn largest(
     claim: &str,
     bound: f64,
-    of: impl Fn(&SurfacePoint<'_>, Vec3, &mut Sampler) -> Option<f64>,
+    of: impl Fn(&SurfacePoint, Vec3, &mut Sampler) -> Option<f64>,
 ) -> Vec<Finding> {
     let cases = models().into_iter().flat_map(|model| SLOPES.map(|slope| (model, slope)));
     let finding = |((name, model), slope): ((&str, SurfaceModel), f32)| {
@@ -68,7 +68,7 @@ fn cosine(a: Vec3, b: Vec3) -> f64 {
 /// its arriving edge divides out put back, is the same kernel.
 #[test]
 fn the_kernel_is_the_same_from_both_ends() {
-    let error = |point: &SurfacePoint<'_>, to_light: Vec3, sampler: &mut Sampler| {
+    let error = |point: &SurfacePoint, to_light: Vec3, sampler: &mut Sampler| {
         let to_eye = warp::cosine_hemisphere(Vec3::Z, sampler.next_2d());
         let f = point.evaluate(to_light, to_eye).f.g;
         let back = point.evaluate(to_eye, to_light).f.g;
@@ -98,7 +98,7 @@ fn the_kernel_is_the_same_from_both_ends() {
 /// light.
 #[test]
 fn walks_weigh_samples_by_the_kernel() {
-    let error = |point: &SurfacePoint<'_>, wo: Vec3, sampler: &mut Sampler| {
+    let error = |point: &SurfacePoint, wo: Vec3, sampler: &mut Sampler| {
         let sample = point.sample(wo, sampler.next_vertex().bsdf)?;
         let scattered = point.evaluate(wo, sample.wi);
         let density = f64::from(scattered.f.g) / f64::from(scattered.pdf.0);

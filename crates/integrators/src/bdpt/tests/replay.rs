@@ -13,21 +13,21 @@ use traylib_scene::{LightId, LightPoint, Scene, SurfacePoint};
 pub(super) struct FullPath<'s> {
     id: LightId,
     x0: LightPoint,
-    surfaces: Vec<SurfacePoint<'s>>,
+    surfaces: Vec<SurfacePoint>,
     /// For each surface, whether it reflected ideally.
     is_delta: Vec<bool>,
     /// x₀ as a surface, where it is one of the camera subpath.
-    lamp: Option<SurfacePoint<'s>>,
+    lamp: Option<SurfacePoint>,
 }
 
-fn delta_events(vertices: &[Vertex<'_>]) -> Vec<bool> {
+fn delta_events(vertices: &[Vertex]) -> Vec<bool> {
     let after = vertices.iter().skip(1).map(|next| next.after_delta);
     after.chain([false]).collect()
 }
 
 impl<'s> FullPath<'s> {
     /// The path of a camera subpath that ends on a lamp.
-    pub(super) fn hit(scene: &'s Scene, camera: &[Vertex<'s>]) -> Option<Self> {
+    pub(super) fn hit(scene: &'s Scene, camera: &[Vertex]) -> Option<Self> {
         let (last, inner) = camera.split_last()?;
         let (id, x0) = scene.emitting_point(&last.point)?;
         if inner.is_empty() {
@@ -45,8 +45,8 @@ impl<'s> FullPath<'s> {
     pub(super) fn connected(
         scene: &'s Scene,
         start: &LightStart,
-        light: &[Vertex<'s>],
-        camera: &[Vertex<'s>],
+        light: &[Vertex],
+        camera: &[Vertex],
     ) -> Option<Self> {
         let (y, z) = (light.last()?, camera.last()?);
         let w = (z.point.site.position - y.point.site.position).try_normalize()?;
@@ -124,7 +124,7 @@ impl<'s> FullPath<'s> {
         scene.light_densities(self.id, &self.x0, x1, self.first_direction())
     }
 
-    fn light_vertices(&self, scene: &'s Scene, walker: &Walker, bdpt: &Bdpt) -> Vec<Vertex<'s>> {
+    fn light_vertices(&self, scene: &'s Scene, walker: &Walker, bdpt: &Bdpt) -> Vec<Vertex> {
         let direction = self.first_direction();
         let emitted = Emitted {
             x0: self.x0,
@@ -137,7 +137,7 @@ impl<'s> FullPath<'s> {
         walk(walker.light_tail(&emitted), direction, &events.collect::<Vec<_>>(), bdpt)
     }
 
-    fn camera_vertices(&self, scene: &'s Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex<'s>> {
+    fn camera_vertices(&self, scene: &'s Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex> {
         let mut events: Vec<_> =
             self.surfaces.iter().copied().zip(self.is_delta.iter().copied()).collect();
         events.reverse();
@@ -155,7 +155,7 @@ impl<'s> FullPath<'s> {
     }
 
     /// x₀ as the camera subpath would have reached it.
-    fn lamp_vertex(&self, camera: &[Vertex<'s>], bdpt: &Bdpt) -> Option<Vertex<'s>> {
+    fn lamp_vertex(&self, camera: &[Vertex], bdpt: &Bdpt) -> Option<Vertex> {
         if self.x0.is_point {
             return None;
         }
@@ -173,7 +173,7 @@ impl<'s> FullPath<'s> {
         Some(tail.arrive(lamp, -wi, Rgb::WHITE, numbers, bdpt.heuristic))
     }
 
-    fn light_sample(&self, scene: &Scene, x1: &Vertex<'_>, bdpt: &Bdpt) -> f64 {
+    fn light_sample(&self, scene: &Scene, x1: &Vertex, bdpt: &Bdpt) -> f64 {
         let direction = self.first_direction();
         let offset = x1.point.site.position - self.x0.site.position;
         let scattering = x1.point.evaluate(x1.wo, -direction);
@@ -196,7 +196,7 @@ fn owns(scene: &Scene, id: LightId, x0: &LightPoint) -> bool {
 }
 
 /// A vertex's end of an edge to another.
-fn end(vertex: &Vertex<'_>, other: &Vertex<'_>) -> End {
+fn end(vertex: &Vertex, other: &Vertex) -> End {
     let offset = other.point.site.position - vertex.point.site.position;
     let w = offset.normalize();
     let cosine = vertex.point.normal.dot(w);
@@ -207,7 +207,7 @@ fn end(vertex: &Vertex<'_>, other: &Vertex<'_>) -> End {
 }
 
 /// What sampling would have said of a direction.
-fn event(point: &SurfacePoint<'_>, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSample {
+fn event(point: &SurfacePoint, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSample {
     let scattering = point.evaluate(wo, wi);
     let chance = SolidAnglePdf(0.5);
     let (pdf, pdf_reverse) =
@@ -218,9 +218,9 @@ fn event(point: &SurfacePoint<'_>, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSa
 fn walk<'s>(
     mut tail: Tail,
     first_direction: Vec3,
-    events: &[(SurfacePoint<'s>, bool)],
+    events: &[(SurfacePoint, bool)],
     bdpt: &Bdpt,
-) -> Vec<Vertex<'s>> {
+) -> Vec<Vertex> {
     let numbers = Sampler::new(0, Purpose::Test, 0, 0).next_vertex();
     let mut direction = first_direction;
     let mut vertices = Vec::new();
