@@ -49,7 +49,7 @@ fn relief_agrees(looks: &[u32], promise: f64) {
         other(Strict, 4),
         other(PureMc, 8),
         other(BdptBalance, 1),
-        other(Particle, 1),
+        other(Particle, 4),
     ];
     let budget = Budget { tile: 12, looks: looks.to_vec() };
     settle(&agree(&Subject { name: "relief", scene: &scene }, &others, &budget).findings);
