@@ -92,16 +92,16 @@ fn wires_keep_what_is_inside() {
     let mut random = Random::new(3);
     for _ in 0..50_000 {
         let place = Vec3::new(0.0, 100.0 + random.number(), 0.0);
-        let wire = cone([place, place + Vec3::Z], [2e-3; 2]);
-        // Where the normal is along x.
-        let side = DVec3::new(2e-3, 2e-5 * f64::from(random.number()), 0.5);
-        let site = wire.site_near(side);
+        let wire = cone([place, place + Vec3::new(0.0, 0.3, 1.0)], [2e-4; 2]);
+        // Where the normal is along x but for a hundred thousandth.
+        let aside = 1e-5 * random.point().as_dvec3();
+        let side = wire.across(DVec3::X + aside);
+        let site = wire.site_at(f64::from(random.number()), side);
         let out = leaving(&wire, -site.normal, &mut random);
-        if out.dot(site.normal) >= 0.0 {
-            continue;
+        if out.dot(site.normal) < 0.0 {
+            let start = difference(site.ray_origin(out), place);
+            let inside = start.cross(wire.axis()).length() / wire.axis().length();
+            assert!(inside < f64::from(wire.radii[0]), "{site:?} {out}: {inside}");
         }
-        let ray = Ray::new(site.ray_origin(out), out);
-        let inside = difference(ray.origin, place).truncate().length();
-        assert!(inside < f64::from(wire.radii[0]), "{site:?} {out}: {inside}");
     }
 }
