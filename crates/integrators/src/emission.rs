@@ -10,7 +10,8 @@ pub(crate) struct Emitted<'scene> {
     pub(crate) x0: LightPoint,
     pub(crate) direction: Vec3,
     pub(crate) x1: SurfacePoint<'scene>,
-    /// Le·cos₀/(F₀·p), with the densities of start and direction.
+    /// Le·cos₀/(F₀·p), with the densities of start and direction; of a point light
+    /// its intensity in place of Le·cos₀.
     pub(crate) throughput: Rgb,
     pub(crate) densities: LightDensities,
 }
@@ -29,12 +30,12 @@ pub(crate) fn emit<'scene>(
     let x1_position = x1.site.position;
     let densities = tracer.scene.light_densities(choice.id, &x0, x1_position, direction);
     let density = densities.emission * densities.direction.0;
-    let cosine = x0.cosine(direction);
-    (cosine > 0.0).then(|| Emitted {
+    let falloff = x0.falloff(direction);
+    (falloff > 0.0).then(|| Emitted {
         x0,
         direction,
         x1,
-        throughput: x0.emitted * (cosine / density),
+        throughput: x0.emitted * (falloff / density),
         densities,
     })
 }

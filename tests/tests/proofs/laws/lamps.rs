@@ -167,7 +167,7 @@ fn emission_laws(samples: u64) {
         };
         (view.name, Light::Area { primitive: view.shape, radiance }, PI * area * 3.0)
     });
-    let point = PointLight { position: Vec3::ONE, intensity: Rgb::splat(2.0) };
+    let point = PointLight { position: Vec3::ONE, intensity: Rgb::splat(2.0), cone: None };
     let point = ("point light", Light::Point(point), 8.0 * PI);
     let findings = lamps.chain([point]).flat_map(|(name, light, power)| {
         let mut findings = emission_findings(name, &light, samples);
