@@ -4,7 +4,7 @@
 //! mistake in a test.
 
 use std::fmt::Debug;
-use traylib_geometry::{Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere, Triangle};
+use traylib_geometry::{Cone, Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere, Triangle};
 use traylib_materials::{
     Dielectric, Lambert, Material, MaxPhong, Mirror, Phong, Sheet, SurfaceModel,
 };
@@ -131,6 +131,11 @@ pub fn triangle([a, b, c]: [Vec3; 3]) -> Primitive {
 /// A ball.
 pub fn ball(centre: Vec3, radius: f32) -> Primitive {
     Primitive::Sphere(sound(Sphere::new(centre, radius, Facing::Outward)))
+}
+
+/// An open tube that narrows or widens, its front outside.
+pub fn tube(ends: [Vec3; 2], radii: [f32; 2]) -> Primitive {
+    Primitive::Cone(sound(Cone::new(ends, radii, Facing::Outward)))
 }
 
 /// A hollow ball, its front inside.

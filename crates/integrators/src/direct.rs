@@ -28,7 +28,7 @@ pub(crate) fn sample_light(
     if !point.model.has_smooth_part() {
         return None;
     }
-    let choice = scene.choose_light(numbers.light_pick);
+    let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
     let (x0, pdf) = choice.light.sample_toward(point.site.position, numbers.light_point);
     // At the rim of a sphere rounding can turn the point away from here.
     if pdf.0 <= 0.0 {
@@ -59,14 +59,14 @@ fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<Li
     let offset = x0.site.position - point.site.position;
     let distance_squared = offset.length_squared();
     let wi = offset.try_normalize()?;
-    let cos_0 = x0.cosine(-wi);
-    if cos_0 <= 0.0 {
+    let falloff = x0.falloff(-wi);
+    if falloff <= 0.0 {
         return None;
     }
     let scattering = point.evaluate(wo, wi);
     let cosine = point.cosine(Walk::FromCamera, wo, wi);
     let radiance =
-        scattering.f * x0.emitted * (cosine * solid_angle_per_area(cos_0, distance_squared));
+        scattering.f * x0.emitted * (cosine * solid_angle_per_area(falloff, distance_squared));
     (!radiance.is_black()).then_some(LightSample {
         id,
         x0,

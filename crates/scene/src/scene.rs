@@ -1,5 +1,6 @@
 //! The finished scene and the questions a renderer asks of it.
 
+use crate::light_tree::LightTree;
 use crate::{Camera, Light, LightPoint, SurfacePoint};
 use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, SidedPrimitive};
 use traylib_materials::{Material, Shading, Site};
@@ -31,6 +32,7 @@ pub struct Scene {
     pub(crate) meshes: Vec<Mesh>,
     pub(crate) lights: Vec<Light>,
     pub(crate) light_by_power: DiscreteDistribution,
+    pub(crate) light_tree: LightTree,
 }
 
 /// A lamp that was drawn.
@@ -45,7 +47,8 @@ pub struct LightChoice<'scene> {
 }
 
 /// The densities of one point on a lamp as the first vertex x₀ of a path, each
-/// with the chance to choose the lamp.
+/// with the chance to choose the lamp: by power to emit, by power and nearness for
+/// light sampling.
 ///
 /// Area densities are per m²; those of a point light are plain probabilities.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -157,10 +160,18 @@ impl Scene {
         Rgb::BLACK
     }
 
-    /// A lamp, drawn in proportion to its power.
+    /// A lamp to start a light path, drawn in proportion to its power.
     pub fn choose_light(&self, u: f32) -> LightChoice<'_> {
         let (index, probability) = self.light_by_power.choose(u);
         LightChoice { id: LightId(index as u32), light: &self.lights[index], probability }
+    }
+
+    /// A lamp to light a surface at `x1`: rather one that is strong, near and
+    /// shines there, whatever stands between. A lamp that could light `x1` has a
+    /// chance.
+    pub fn choose_light_for(&self, x1: Vec3, u: f32) -> LightChoice<'_> {
+        let (index, probability) = self.light_tree.choose(x1, u);
+        LightChoice { id: LightId(index), light: &self.lights[index as usize], probability }
     }
 
     /// The names of all lamps.
@@ -178,8 +189,7 @@ impl Scene {
         let id = point.light?;
         match self.light(id) {
             Light::Area { radiance, .. } if point.is_front() => {
-                let site = point.site;
-                Some((id, LightPoint { site, emitted: *radiance, is_point: false }))
+                Some((id, LightPoint::on_surface(point.site, *radiance)))
             }
             _ => None,
         }
@@ -200,9 +210,8 @@ impl Scene {
         direction: Vec3,
     ) -> LightDensities {
         let light = self.light(id);
-        let choice = self.light_by_power.probability(id.0 as usize);
-        let emission = choice * light.emission_pdf().0;
-        let toward = choice * light.toward_pdf(x1, x0).0;
+        let emission = self.light_by_power.probability(id.0 as usize) * light.emission_pdf().0;
+        let toward = self.light_tree.probability(id.0, x1) * light.toward_pdf(x1, x0).0;
         LightDensities {
             emission,
             direction: x0.direction_pdf(direction),
