@@ -10,6 +10,7 @@
 //! | B3, B7: glossy rooms, rooms by their flux | [`rooms`] |
 //! | B6: concentric balls | [`concentric`] |
 //! | C1 to C4: light that a mirror throws | [`mirrored`] |
+//! | E1 to E4: panes, sheets and glass | [`transmission`] |
 //! | D1: the corner; what whole surfaces send one another | [`exchange`] |
 //! | D2 to D11: geometry that hurts | [`hard`] |
 //! | the noise of A2 | [`variance`], measured by [`estimators`] |
@@ -25,4 +26,5 @@ pub mod mirrored;
 pub mod polygon;
 pub mod polygonal;
 pub mod rooms;
+pub mod transmission;
 pub mod variance;

@@ -5,7 +5,9 @@
 
 use std::fmt::Debug;
 use traylib_geometry::{Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere, Triangle};
-use traylib_materials::{Lambert, MaxPhong, Mirror, Phong, SurfaceModel};
+use traylib_materials::{
+    Dielectric, Lambert, Material, MaxPhong, Mirror, Phong, Sheet, SurfaceModel,
+};
 use traylib_math::{Rgb, Vec3};
 use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder};
 
@@ -21,8 +23,8 @@ impl Stage {
 
     /// Adds a surface with both sides.
     #[must_use]
-    pub fn surface(self, primitive: Primitive, model: SurfaceModel) -> Self {
-        self.object(ObjectShape::Primitive(primitive), Sides::Both, model, 0.0)
+    pub fn surface(self, primitive: Primitive, material: impl Into<Material>) -> Self {
+        self.object(ObjectShape::Primitive(primitive), Sides::Both, material, 0.0)
     }
 
     /// Adds triangles with both sides.
@@ -60,10 +62,10 @@ impl Stage {
         mut self,
         shape: ObjectShape,
         sides: Sides,
-        model: SurfaceModel,
+        material: impl Into<Material>,
         radiance: f32,
     ) -> Self {
-        let material = self.0.add_material(model);
+        let material = self.0.add_material(material);
         let emission = Rgb::splat(radiance);
         sound(self.0.add_object(Object { shape, sides, material, emission }));
         self
@@ -182,6 +184,22 @@ pub fn max_phong(specular: f32, exponent: f32) -> SurfaceModel {
 /// Mirror with a diffuse part.
 pub fn mirror(reflectance: f32, diffuse: f32) -> SurfaceModel {
     SurfaceModel::Mirror(sound(Mirror::new(Rgb::splat(reflectance), Rgb::splat(diffuse))))
+}
+
+/// Smooth glass.
+pub fn glass(index: f32) -> SurfaceModel {
+    SurfaceModel::Dielectric(sound(Dielectric::new(index)))
+}
+
+/// A thin sheet that scatters light evenly to either side.
+pub fn paper(reflectance: f32, transmittance: f32) -> SurfaceModel {
+    let part = |share| sound(Phong::new(Rgb::splat(share), Rgb::BLACK, 1.0));
+    SurfaceModel::Sheet(sound(Sheet::new(part(reflectance), part(transmittance))))
+}
+
+/// A thin clear pane that mirrors.
+pub fn pane(reflectance: f32, through: f32) -> Material {
+    Material { through: Rgb::splat(through), ..mirror(reflectance, 0.0).into() }
 }
 
 /// What the library made of constants that it should not refuse.

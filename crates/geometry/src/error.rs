@@ -10,8 +10,11 @@ pub enum Error {
     /// The area is zero, or too small or too large for its reciprocal to be a
     /// number.
     NoArea,
-    /// A radius is zero or negative.
+    /// A radius is zero or negative; of several, one is negative or all are
+    /// zero.
     NoRadius,
+    /// The two ends of an axis are one point.
+    NoAxis,
     /// A normal has no direction.
     NoNormal,
     /// A triangle names a position that does not exist.
@@ -43,6 +46,7 @@ impl fmt::Display for Error {
             Self::NotFinite => write!(f, "a coordinate is infinite or not a number"),
             Self::NoArea => write!(f, "the shape has no area, or one beyond all measure"),
             Self::NoRadius => write!(f, "the radius is not positive"),
+            Self::NoAxis => write!(f, "the ends of the axis are the same point"),
             Self::NoNormal => write!(f, "the normal has length zero"),
             Self::MissingPosition { triangle, index } => {
                 write!(f, "triangle {triangle} names position {index}, which does not exist")

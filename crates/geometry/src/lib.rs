@@ -43,7 +43,7 @@ pub use mesh::Mesh;
 pub use point::SurfaceSite;
 pub use primitive::{Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
-pub use shape::{Disk, Facing, Quad, Shape, ShapeHit, Sides, Sphere, Triangle};
+pub use shape::{Cone, Disk, Facing, Quad, Shape, ShapeHit, Sides, Sphere, Triangle};
 pub use traylib_math::{Vec2, Vec3, glam};
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Indexed triangle meshes.
 
+use crate::precise::difference;
 use crate::{Error, Triangle, Vec2, Vec3};
 
 /// Triangles that share their corners; from the front, corners go
@@ -105,14 +106,21 @@ impl Mesh {
         Some((1.0 - u - v) * a + u * b + v * c)
     }
 
-    /// How triangle `index` moves with its texture coordinates.
-    pub fn tangents(&self, index: usize) -> Option<(Vec3, Vec3)> {
+    /// The derivatives of a point of triangle `index` with respect to its
+    /// texture coordinates u and v, in metres: which ways a texture lies on it.
+    ///
+    /// `None` without texture coordinates, or where those of the corners lie on
+    /// a line and the derivatives are infinite or undefined.
+    pub fn tangents(&self, index: usize) -> Option<[Vec3; 2]> {
         let [a, b, c] = self.corners(index, &self.positions)?;
-        let [ta, tb, tc] = self.corners(index, &self.uvs)?;
-        let (p, q, s, t) = (b - a, c - a, tb - ta, tc - ta);
-        let d = s.x * t.y - s.y * t.x;
-        let (u, v) = ((p * t.y - q * s.y) / d, (q * s.x - p * t.x) / d);
-        (u.is_finite() && v.is_finite()).then_some((u, v))
+        let (ab, ac) = (difference(b, a), difference(c, a));
+        let [a, b, c] = self.corners(index, &self.uvs)?.map(Vec2::as_dvec2);
+        let (to_b, to_c) = (b - a, c - a);
+        // The corners are linear in u and v: a system of two equations.
+        let determinant = to_b.perp_dot(to_c);
+        let along_u = ((ab * to_c.y - ac * to_b.y) / determinant).as_vec3();
+        let along_v = ((ac * to_b.x - ab * to_c.x) / determinant).as_vec3();
+        (along_u.is_finite() && along_v.is_finite()).then_some([along_u, along_v])
     }
 
     /// What belongs to the corners of a triangle.
@@ -126,6 +134,7 @@ impl Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::Random;
 
     fn triangle() -> Mesh {
         Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [0, 1, 1]]).unwrap()
@@ -147,6 +156,40 @@ mod tests {
         assert_eq!(mesh.shading_normal(0, 0.0, 0.5), None);
         let mesh = mesh.with_uvs(vec![Vec2::ZERO, Vec2::X, Vec2::Y]).unwrap();
         assert_eq!(mesh.uv(0, 0.5, 0.25), Some(Vec2::new(0.5, 0.25)));
+    }
+
+    /// Steps along both tangents lead where the texture coordinates do.
+    #[test]
+    fn tangents_follow_the_texture_coordinates() {
+        let mut random = Random::new(1);
+        for _ in 0..1000 {
+            let corners = [random.point(), random.point(), random.point()];
+            let uvs = [random.square(), random.square(), random.square()];
+            let [ab, ac] = [uvs[1] - uvs[0], uvs[2] - uvs[0]];
+            let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
+            let mesh = mesh.with_uvs(uvs.to_vec()).unwrap();
+            let (along_u, along_v) = mesh.tangents(0).unwrap();
+            for (step, end) in [(ab, corners[1]), (ac, corners[2])] {
+                let (u, v) = (step.x * along_u, step.y * along_v);
+                // Some six roundings of either part.
+                let rounding = 1e-6 * (u.length() + v.length() + 1.0);
+                assert!((corners[0] + u + v).distance(end) < rounding, "{mesh:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn tangents_need_texture_coordinates_with_an_area() {
+        assert_eq!(triangle().tangents(0), None);
+        let with = |uvs: [Vec2; 3]| triangle().with_uvs(uvs.to_vec()).unwrap();
+        let stretched = with([Vec2::ONE, Vec2::new(3.0, 1.0), Vec2::new(1.0, 0.5)]);
+        assert_eq!(stretched.tangents(0), Some((0.5 * Vec3::X, -2.0 * Vec3::Y)));
+        assert_eq!(stretched.tangents(1), None);
+        assert_eq!(stretched.tangents(2), None);
+        assert_eq!(with([Vec2::ZERO, Vec2::ONE, 0.1 * Vec2::ONE]).tangents(0), None);
+        assert_eq!(with([Vec2::ONE; 3]).tangents(0), None);
+        let tiny = 1e-45 * Vec2::ONE;
+        assert_eq!(with([Vec2::ZERO, tiny * Vec2::X, tiny * Vec2::Y]).tangents(0), None);
     }
 
     #[test]

@@ -36,6 +36,14 @@ impl SurfaceSite {
         Self { position, error, normal }
     }
 
+    /// The site with an error that reaches further along the normal by `more`.
+    ///
+    /// |n|·|n| is one: the error box, projected onto the normal, grows by so
+    /// much.
+    pub(crate) fn with_error(self, more: f32) -> Self {
+        Self { error: self.error + self.normal.abs() * more, ..self }
+    }
+
     /// Where a ray toward `direction` (of any length) may start: off the
     /// surface, on the side the direction points to, beyond the rounding error
     /// of the position and of this very addition.

@@ -6,37 +6,15 @@
 
 use crate::Vec3;
 
-/// A vector in double precision.
-pub(crate) type Wide = [f64; 3];
-
-/// The vector, unchanged.
-pub(crate) fn wide(v: Vec3) -> Wide {
-    v.to_array().map(f64::from)
-}
-
-/// The vector times a factor, rounded.
-pub(crate) fn narrow(v: Wide, factor: f64) -> Vec3 {
-    Vec3::from_array(v.map(|c| (c * factor) as f32))
-}
+pub(crate) use traylib_math::glam::DVec3;
 
 /// a − b.
-pub(crate) fn difference(a: Vec3, b: Vec3) -> Wide {
-    let (a, b) = (wide(a), wide(b));
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-/// a × b.
-pub(crate) fn cross(a: Wide, b: Wide) -> Wide {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// |v|².
-pub(crate) fn length_squared(v: Wide) -> f64 {
-    v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
+pub(crate) fn difference(a: Vec3, b: Vec3) -> DVec3 {
+    a.as_dvec3() - b.as_dvec3()
 }
 
 /// The unit vector along `v`, rounded; `None` for zero and what is not finite.
-pub(crate) fn unit(v: Wide) -> Option<Vec3> {
-    let length = length_squared(v).sqrt();
-    length.is_normal().then(|| narrow(v, 1.0 / length))
+pub(crate) fn unit(v: DVec3) -> Option<Vec3> {
+    let length = v.length();
+    length.is_normal().then(|| (v * (1.0 / length)).as_vec3())
 }

@@ -1,7 +1,8 @@
 //! The closed set of shapes that scenes are made of.
 
 use crate::{
-    Aabb, Disk, Hit, Quad, Ray, Shape, ShapeHit, Sides, Sphere, SurfaceSite, Triangle, Vec2, Vec3,
+    Aabb, Cone, Disk, Hit, Quad, Ray, Shape, ShapeHit, Sides, Sphere, SurfaceSite, Triangle, Vec2,
+    Vec3,
 };
 use traylib_math::AreaPdf;
 
@@ -14,8 +15,10 @@ pub enum Primitive {
     Quad(Quad),
     /// A sphere.
     Sphere(Sphere),
-    /// A flat disk.
+    /// A flat disk or ring.
     Disk(Disk),
+    /// A truncated cone or a cylinder, without its ends.
+    Cone(Cone),
 }
 
 impl Primitive {
@@ -26,6 +29,7 @@ impl Primitive {
             Self::Quad(quad) => quad.bounds(),
             Self::Sphere(sphere) => sphere.bounds(),
             Self::Disk(disk) => disk.bounds(),
+            Self::Cone(cone) => cone.bounds(),
         }
     }
 
@@ -37,6 +41,7 @@ impl Primitive {
             Self::Quad(quad) => quad.intersect(ray, sides),
             Self::Sphere(sphere) => sphere.intersect(ray, sides),
             Self::Disk(disk) => disk.intersect(ray, sides),
+            Self::Cone(cone) => cone.intersect(ray, sides),
         }
     }
 
@@ -47,6 +52,7 @@ impl Primitive {
             Self::Quad(quad) => quad.area(),
             Self::Sphere(sphere) => sphere.area(),
             Self::Disk(disk) => disk.area(),
+            Self::Cone(cone) => cone.area(),
         }
     }
 
@@ -54,13 +60,15 @@ impl Primitive {
     ///
     /// It is computed from the surface, never as origin + t·direction alone,
     /// whose error grows with the length of the ray: from the coordinates of
-    /// the hit on triangles and quads, by projection on spheres and disks.
+    /// the hit on triangles and quads, by projection on spheres, disks and
+    /// cones.
     pub fn site(&self, ray: &Ray, hit: &Hit) -> SurfaceSite {
         match self {
             Self::Triangle(triangle) => triangle.site(hit.u, hit.v),
             Self::Quad(quad) => quad.site(hit.u, hit.v),
             Self::Sphere(sphere) => sphere.site(ray, hit.t),
             Self::Disk(disk) => disk.site(ray, hit.t),
+            Self::Cone(cone) => cone.site(ray, hit.t),
         }
     }
 
@@ -71,6 +79,7 @@ impl Primitive {
             Self::Quad(quad) => quad.sample_area(u),
             Self::Sphere(sphere) => sphere.sample_area(u),
             Self::Disk(disk) => disk.sample_area(u),
+            Self::Cone(cone) => cone.sample_area(u),
         }
     }
 

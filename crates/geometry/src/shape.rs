@@ -1,13 +1,17 @@
 //! What a shape must do, and the shapes there are.
 
+mod cone;
 mod disk;
+mod facing;
 mod quad;
 mod sphere;
 mod triangle;
 
+pub use cone::Cone;
 pub use disk::Disk;
+pub use facing::Facing;
 pub use quad::Quad;
-pub use sphere::{Facing, Sphere};
+pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 use crate::{Aabb, Error, Ray, Vec3};
@@ -78,7 +82,7 @@ macro_rules! shape_from_both_sides {
     )*};
 }
 
-shape_from_both_sides!(Disk, Quad, Sphere, Triangle, crate::Primitive);
+shape_from_both_sides!(Cone, Disk, Quad, Sphere, Triangle, crate::Primitive);
 
 /// Refuses areas that are zero or whose reciprocal is not a number.
 fn sound_area(area: f64) -> Result<f32, Error> {

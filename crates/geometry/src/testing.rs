@@ -1,6 +1,6 @@
 //! Random shapes and closed meshes for tests.
 
-use crate::{Disk, Facing, Mesh, Primitive, Quad, Sphere, Triangle, Vec2, Vec3};
+use crate::{Cone, Disk, Facing, Mesh, Primitive, Quad, Sphere, Triangle, Vec2, Vec3};
 use std::collections::HashMap;
 use traylib_math::{Purpose, Sampler, warp};
 
@@ -54,12 +54,19 @@ impl Random {
 
     fn one_of(&mut self, centre: Vec3, along: Vec3, aside: Vec3, radius: f32) -> Primitive {
         let facing = if self.number() < 0.5 { Facing::Outward } else { Facing::Inward };
-        let kind = (5.0 * self.number()) as u32;
+        let kind = (9.0 * self.number()) as u32;
+        let part = self.number();
+        let cone = |to, radii| Cone::new([centre, centre + to], radii, facing).map(Primitive::Cone);
         let shape = match kind {
             0 => Sphere::new(centre, radius, facing).map(Primitive::Sphere),
             1 => Disk::new(centre, along, radius).map(Primitive::Disk),
             2 => Quad::new(centre, along, aside).map(Primitive::Quad),
             3 => Triangle::new(centre, centre + along, centre + aside).map(Primitive::Triangle),
+            4 => Disk::ring(centre, along, part * radius, radius).map(Primitive::Disk),
+            5 => cone(along, [radius, radius]),
+            6 => cone(along, [part * radius, radius]),
+            // With its tip; as a sliver, almost flat.
+            7 => cone(aside, [0.5 * part, 0.0]),
             // In a coordinate plane, as walls are.
             _ => Quad::new(centre, along.x * Vec3::X, aside.z * Vec3::Z).map(Primitive::Quad),
         };

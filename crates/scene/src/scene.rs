@@ -119,7 +119,7 @@ impl Scene {
         if let Some((mesh, triangle)) = surface.of_mesh {
             let (mesh, triangle) = (&self.meshes[mesh as usize], triangle as usize);
             let uv = mesh.uv(triangle, hit.u, hit.v)?;
-            return Some(Site { uv, tangents: mesh.tangents(triangle).map(<[Vec3; 2]>::from) });
+            return Some(Site { uv, tangents: mesh.tangents(triangle) });
         }
         match self.shapes.shapes()[hit.primitive as usize].primitive {
             Primitive::Quad(quad) => {

@@ -14,6 +14,8 @@ mod interreflection;
 mod laws;
 mod mirrored;
 mod reference;
+mod relief;
 mod repeat;
 mod stability;
+mod transmission;
 mod variance;

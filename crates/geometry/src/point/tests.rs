@@ -1,6 +1,6 @@
 use super::*;
 use crate::testing::Random;
-use crate::{Disk, Facing, Hit, Primitive, Quad, Sides, Sphere, Triangle};
+use crate::{Cone, Disk, Facing, Hit, Primitive, Quad, Sides, Sphere, Triangle};
 
 /// A unit direction on the side of `normal`, often almost along the surface.
 fn leaving(normal: Vec3, random: &mut Random) -> Vec3 {
@@ -17,14 +17,17 @@ fn some_shape(i: u32, random: &mut Random) -> Primitive {
 }
 
 /// Whether a ray that leaves a site into the hemisphere of `normal` must not
-/// meet the shape again: all but those into a sphere.
+/// meet the shape again: all but those into a sphere or a cone.
 fn is_final(shape: &Primitive, side: f32) -> bool {
     match shape {
-        Primitive::Sphere(sphere) => {
-            (sphere.facing() == Facing::Outward) == side.is_sign_positive()
-        }
+        Primitive::Sphere(sphere) => is_outside(sphere.facing(), side),
+        Primitive::Cone(cone) => is_outside(cone.facing(), side),
         _ => true,
     }
+}
+
+fn is_outside(facing: Facing, side: f32) -> bool {
+    (facing == Facing::Outward) == side.is_sign_positive()
 }
 
 #[test]
@@ -58,10 +61,16 @@ fn through_origin(kind: u32, random: &mut Random) -> (Primitive, SurfaceSite) {
     let (a, b, at) = (random.point(), random.point(), 0.4 * random.square());
     let corner = -(at.x * a + at.y * b);
     let nowhere = Hit { t: 0.0, primitive: 0, u: at.x, v: at.y };
-    let shape = match kind % 4 {
+    let shape = match kind % 5 {
         0 => Primitive::Quad(Quad::new(corner, a, b).unwrap()),
         1 => Primitive::Triangle(Triangle::new(corner, corner + a, corner + b).unwrap()),
         2 => Primitive::Sphere(Sphere::new(a, a.length(), Facing::Outward).unwrap()),
+        3 => {
+            let radius = a.length();
+            let axis = a.any_orthogonal_vector();
+            let ends = [a - axis * at.x, a + axis];
+            Primitive::Cone(Cone::new(ends, [radius, radius], Facing::Outward).unwrap())
+        }
         _ => Primitive::Disk(Disk::new(a, a.any_orthogonal_vector(), 2.0).unwrap()),
     };
     (shape, shape.site(&Ray::new(Vec3::ZERO, b), &nowhere))

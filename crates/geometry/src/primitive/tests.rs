@@ -1,6 +1,7 @@
 use super::*;
 use crate::Facing;
 use crate::testing::Random;
+use std::f32::consts::PI;
 use std::f64::consts::TAU;
 use traylib_math::solid_angle_per_area;
 
@@ -92,7 +93,8 @@ fn all_else_is_sampled_by_area() {
 }
 
 /// Points uniform by area have the centroid of the shape; on disks and spheres
-/// the mean square of their distance from it is r²/2 and r².
+/// the mean square of their distance from it is r²/2 and r², on a ring
+/// (r² + R²)/2. The centroid of a cone is at (r + 2R)/(3r + 3R) of its axis.
 #[test]
 fn area_samples_are_uniform() {
     let (a, b, c) = (Vec3::X, Vec3::new(0.0, 3.0, 1.0), Vec3::new(-1.0, 0.0, 2.0));
@@ -100,6 +102,11 @@ fn area_samples_are_uniform() {
         (Primitive::Triangle(Triangle::new(a, b, c).unwrap()), (a + b + c) / 3.0, None),
         (Primitive::Quad(Quad::new(a, b, c).unwrap()), a + 0.5 * (b + c), None),
         (Primitive::Disk(Disk::new(a, b, 2.0).unwrap()), a, Some(2.0)),
+        (Primitive::Disk(Disk::ring(a, b, 1.0, 2.0).unwrap()), a, Some(2.5)),
+        (cone([a, b], [1.0, 0.5]), a.lerp(b, 4.0 / 9.0), None),
+        (cone([a, c], [0.0, 2.0]), a.lerp(c, 2.0 / 3.0), None),
+        // r² + l²/12.
+        (cone([c, c + b], [2.0; 2]), c + 0.5 * b, Some(4.0 + 10.0 / 12.0)),
         (Primitive::Sphere(Sphere::new(c, 2.0, Facing::Outward).unwrap()), c, Some(4.0)),
     ];
     for (shape, centre, square) in shapes {
@@ -111,11 +118,21 @@ fn area_samples_are_uniform() {
     }
 }
 
+fn cone(ends: [Vec3; 2], radii: [f32; 2]) -> Primitive {
+    Primitive::Cone(Cone::new(ends, radii, Facing::Outward).unwrap())
+}
+
 #[test]
 fn areas_are_known() {
+    let ring = Disk::ring(Vec3::ONE, Vec3::Y, 3.0, 5.0).unwrap();
+    assert_eq!(Primitive::Disk(ring).area(), 16.0 * PI);
+    let ends = [Vec3::ONE, Vec3::new(1.0, 5.0, 1.0)];
+    assert_eq!(cone(ends, [0.0, 3.0]).area(), 15.0 * PI);
+    assert_eq!(cone(ends, [4.0, 1.0]).area(), 25.0 * PI);
+    assert_eq!(cone(ends, [0.5, 0.5]).area(), 4.0 * PI);
     let quad = Primitive::Quad(Quad::new(Vec3::ONE, 2.0 * Vec3::X, Vec3::ONE).unwrap());
     assert_eq!(quad.area(), 8.0_f32.sqrt());
     let triangle = Triangle::new(Vec3::ZERO, 3.0 * Vec3::X, 4.0 * Vec3::Y).unwrap();
     assert_eq!(Primitive::Triangle(triangle).area(), 6.0);
-    assert!((sphere(0.5, Facing::Inward).area() - std::f32::consts::PI).abs() < 1e-6);
+    assert!((sphere(0.5, Facing::Inward).area() - PI).abs() < 1e-6);
 }

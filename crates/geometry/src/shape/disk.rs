@@ -1,17 +1,19 @@
-//! Flat disks.
+//! Flat disks and rings.
 
 use super::{ShapeHit, Sides, all_finite, sound_area};
-use crate::precise::{unit, wide};
+use crate::precise::unit;
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use std::f64::consts::PI;
 use traylib_math::{Frame, warp};
 
-/// A flat disk.
+/// A flat disk, or the ring that is left of one without a smaller disk around
+/// its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disk {
     centre: Vec3,
     normal: Vec3,
     radius: f32,
+    inner_radius: f32,
 }
 
 impl Disk {
@@ -21,13 +23,28 @@ impl Disk {
     /// [`Error::NotFinite`], [`Error::NoNormal`], [`Error::NoRadius`], or
     /// [`Error::NoArea`] when the radius is beyond all measure.
     pub fn new(centre: Vec3, normal: Vec3, radius: f32) -> Result<Self, Error> {
-        all_finite(&[centre, normal, Vec3::splat(radius), centre.abs() + radius])?;
-        if radius <= 0.0 {
+        Self::ring(centre, normal, 0.0, radius)
+    }
+
+    /// The points of the plane through `centre` across `normal` (of any length)
+    /// whose distance from the centre is between `inner` and `outer`; all of
+    /// the disk if `inner` is zero.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NoNormal`], [`Error::NoRadius`] unless
+    /// 0 ≤ `inner` and 0 < `outer`, or [`Error::NoArea`] unless `inner` < `outer`
+    /// with an area between them that can be measured.
+    pub fn ring(centre: Vec3, normal: Vec3, inner: f32, outer: f32) -> Result<Self, Error> {
+        all_finite(&[centre, normal, Vec3::splat(inner), centre.abs() + outer])?;
+        if inner < 0.0 || outer <= 0.0 {
             return Err(Error::NoRadius);
         }
-        sound_area(PI * f64::from(radius).powi(2))?;
-        let normal = unit(wide(normal)).ok_or(Error::NoNormal)?;
-        Ok(Self { centre, normal, radius })
+        if inner >= outer {
+            return Err(Error::NoArea);
+        }
+        sound_area(area_between(inner, outer))?;
+        let normal = unit(normal.as_dvec3()).ok_or(Error::NoNormal)?;
+        Ok(Self { centre, normal, radius: outer, inner_radius: inner })
     }
 
     /// The centre.
@@ -40,9 +57,14 @@ impl Disk {
         self.normal
     }
 
-    /// The radius.
+    /// The radius, of a ring the outer one.
     pub fn radius(&self) -> f32 {
         self.radius
+    }
+
+    /// The radius of the hole: zero unless it is a ring.
+    pub fn inner_radius(&self) -> f32 {
+        self.inner_radius
     }
 
     /// A box around it.
@@ -53,7 +75,7 @@ impl Disk {
 
     /// Area in square metres.
     pub fn area(&self) -> f32 {
-        (PI * f64::from(self.radius).powi(2)) as f32
+        area_between(self.inner_radius, self.radius) as f32
     }
 
     /// Where a ray meets it.
@@ -65,7 +87,8 @@ impl Disk {
         if !(ray.contains(t) && sides.admit(slope)) {
             return None;
         }
-        let inside = (from_centre + t * ray.direction).length_squared() <= self.radius.powi(2);
+        let square = (from_centre + t * ray.direction).length_squared();
+        let inside = self.inner_radius.powi(2) <= square && square <= self.radius.powi(2);
         inside.then_some(ShapeHit { t, u: 0.0, v: 0.0 })
     }
 
@@ -76,7 +99,10 @@ impl Disk {
     }
 
     pub(crate) fn sample_area(&self, u: Vec2) -> SurfaceSite {
-        let place = self.radius * warp::uniform_disk(u);
+        let hole = (self.inner_radius / self.radius).powi(2);
+        // The square of the distance is uniform, from the hole's to one.
+        let beyond = Vec2::new(hole + u.x * (1.0 - hole), u.y);
+        let place = self.radius * warp::uniform_disk(beyond);
         let frame = Frame::around(self.normal);
         self.site_at(frame.x * place.x + frame.y * place.y)
     }
@@ -92,4 +118,10 @@ impl Disk {
         let Vec3 { x, y, z } = self.normal;
         self.radius * Vec3::new(y.hypot(z), z.hypot(x), x.hypot(y))
     }
+}
+
+/// π(R² − r²), of a thin ring too.
+fn area_between(inner: f32, outer: f32) -> f64 {
+    let (inner, outer) = (f64::from(inner), f64::from(outer));
+    PI * ((outer - inner) * (outer + inner))
 }

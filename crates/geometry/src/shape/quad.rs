@@ -1,7 +1,7 @@
 //! Parallelograms.
 
 use super::{ShapeHit, Sides, all_finite, sound_area};
-use crate::precise::{cross, length_squared, narrow, unit, wide};
+use crate::precise::unit;
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 
 /// A parallelogram: `corner + u · edge_u + v · edge_v` with u, v in [0, 1]. The
@@ -27,13 +27,13 @@ impl Quad {
     pub fn new(corner: Vec3, edge_u: Vec3, edge_v: Vec3) -> Result<Self, Error> {
         let opposite = corner + edge_u + edge_v;
         all_finite(&[corner, edge_u, edge_v, opposite])?;
-        let (u, v) = (wide(edge_u), wide(edge_v));
-        let across = cross(u, v);
-        let square = length_squared(across);
+        let (u, v) = (edge_u.as_dvec3(), edge_v.as_dvec3());
+        let across = u.cross(v);
+        let square = across.length_squared();
         let area = sound_area(square.sqrt())?;
         let normal = unit(across).ok_or(Error::NoArea)?;
-        let dual_u = narrow(cross(v, across), 1.0 / square);
-        let dual_v = narrow(cross(across, u), 1.0 / square);
+        let dual_u = (v.cross(across) * (1.0 / square)).as_vec3();
+        let dual_v = (across.cross(u) * (1.0 / square)).as_vec3();
         Ok(Self { corner, normal, dual_u, dual_v, edge_u, edge_v, area })
     }
 
@@ -42,7 +42,8 @@ impl Quad {
         self.corner
     }
 
-    /// The two edges that leave the corner.
+    /// The two edges that leave the corner: the derivatives of a point of the
+    /// surface with respect to its u and v, in metres.
     pub fn edges(&self) -> [Vec3; 2] {
         [self.edge_u, self.edge_v]
     }

@@ -1,20 +1,10 @@
 //! Spheres.
 
-use super::{ShapeHit, Sides, all_finite, sound_area};
+use super::{Facing, ShapeHit, Sides, all_finite, sound_area};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use std::f32::consts::TAU;
 use std::f64::consts::PI;
 use traylib_math::{AreaPdf, Frame, SolidAnglePdf, solid_angle_per_area, warp};
-
-/// Which side of a sphere is its front.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Facing {
-    /// Normals point away from the centre.
-    #[default]
-    Outward,
-    /// Normals point to the centre.
-    Inward,
-}
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,29 +98,29 @@ impl Sphere {
     /// A point uniform in the cone of directions that `from` sees the sphere
     /// in; `None` where that is not how the sphere is sampled.
     pub(crate) fn sample_cone(&self, from: Vec3, u: Vec2) -> Option<SurfaceSite> {
-        let cone = Cone::toward(self, from)?;
-        let one_minus_cos = u.x * cone.one_minus_cos;
+        let sight = Sight::toward(self, from)?;
+        let one_minus_cos = u.x * sight.one_minus_cos;
         let cos = 1.0 - one_minus_cos;
         let sin = (one_minus_cos * (2.0 - one_minus_cos)).sqrt();
         // Sine of the angle at the sphere between the ray and its normal; the
         // angle at the centre is the difference of the two.
-        let sin_at = (sin / cone.sin).min(1.0);
+        let sin_at = (sin / sight.sin).min(1.0);
         let cos_at = (1.0 - sin_at * sin_at).sqrt();
         let cos_centre = cos_at * cos + sin_at * sin;
         let sin_centre = (sin_at * cos - cos_at * sin).max(0.0);
         let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
         let local = Vec3::new(sin_centre * cos_phi, sin_centre * sin_phi, cos_centre);
-        Some(self.site_along(Frame::around(-cone.axis).to_world(local)))
+        Some(self.site_along(Frame::around(-sight.axis).to_world(local)))
     }
 
     /// Density per area of [`sample_cone`](Self::sample_cone) at a point with
     /// this position and normal: zero where the sphere turns away.
     pub(crate) fn pdf_cone(&self, from: Vec3, position: Vec3, normal: Vec3) -> Option<AreaPdf> {
-        let cone = Cone::toward(self, from)?;
+        let sight = Sight::toward(self, from)?;
         let back = from - position;
         let distance_squared = back.length_squared();
         let cosine = (back.dot(normal) / distance_squared.sqrt()).max(0.0);
-        let density = SolidAnglePdf(1.0 / (TAU * cone.one_minus_cos));
+        let density = SolidAnglePdf(1.0 / (TAU * sight.one_minus_cos));
         Some(density.to_area(solid_angle_per_area(cosine, distance_squared)))
     }
 
@@ -138,16 +128,12 @@ impl Sphere {
     fn site_along(&self, direction: Vec3) -> SurfaceSite {
         let outward = direction.normalize_or(Vec3::Z);
         let from_centre = self.radius * outward;
-        let normal = match self.facing {
-            Facing::Outward => outward,
-            Facing::Inward => -outward,
-        };
-        SurfaceSite::new(self.centre + from_centre, normal, from_centre)
+        SurfaceSite::new(self.centre + from_centre, self.facing.turn(outward), from_centre)
     }
 }
 
 /// The directions in which a point sees a sphere.
-struct Cone {
+struct Sight {
     axis: Vec3,
     /// Of the half angle.
     sin: f32,
@@ -155,7 +141,7 @@ struct Cone {
     one_minus_cos: f32,
 }
 
-impl Cone {
+impl Sight {
     /// The cone from a point outside a sphere that faces outward.
     fn toward(sphere: &Sphere, from: Vec3) -> Option<Self> {
         let to_centre = sphere.centre - from;

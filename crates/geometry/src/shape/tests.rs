@@ -1,6 +1,8 @@
 use super::*;
+use crate::precise::{DVec3, difference};
 use crate::testing::Random;
 use crate::{Hit, Primitive, SurfaceSite};
+use traylib_math::glam::DVec2;
 
 fn whole(hit: ShapeHit) -> Hit {
     Hit { t: hit.t, primitive: 0, u: hit.u, v: hit.v }
@@ -51,7 +53,16 @@ fn on_border(shape: &Primitive, site: &SurfaceSite) -> bool {
             beside(a, b - a) || beside(b, c - b) || beside(c, a - c)
         }
         Primitive::Sphere(_) => false,
-        Primitive::Disk(disk) => site.position.distance(disk.centre()) > disk.radius() - 1e-4,
+        Primitive::Disk(disk) => {
+            let away = site.position.distance(disk.centre());
+            [disk.radius(), disk.inner_radius()].iter().any(|r| (away - r).abs() < 1e-4)
+        }
+        // A rim is where its sphere around the end meets the surface.
+        Primitive::Cone(cone) => {
+            let [one, other] = cone.ends();
+            let across = |end: Vec3, to: Vec3| (site.position - end).dot((to - end).normalize());
+            across(one, other) < 1e-4 || across(other, one) < 1e-4
+        }
     }
 }
 
@@ -67,7 +78,7 @@ fn scaling_by_powers_of_two_is_exact() {
         let target = shape.sample_area(random.square()).position;
         let origin = target + 3.0 * random.point();
         let ray = Ray::new(origin, target + 0.1 * random.point() - origin);
-        for scale in [1024.0, 2.0_f32.powi(-14)] {
+        for scale in [1024.0, 2.0_f32.powi(20), 2.0_f32.powi(-14)] {
             let scaled = scaled(&original, scale);
             let far_ray = Ray { origin: ray.origin * scale, ..ray };
             let (one, other) =
@@ -102,7 +113,12 @@ fn scaled(shape: &Primitive, scale: f32) -> Primitive {
             Sphere::new(s.centre() * scale, s.radius() * scale, s.facing()).unwrap(),
         ),
         Primitive::Disk(d) => {
-            Primitive::Disk(Disk::new(d.centre() * scale, d.normal(), d.radius() * scale).unwrap())
+            let [inner, outer] = [d.inner_radius(), d.radius()].map(|r| r * scale);
+            Primitive::Disk(Disk::ring(d.centre() * scale, d.normal(), inner, outer).unwrap())
+        }
+        Primitive::Cone(c) => {
+            let (ends, radii) = (c.ends().map(|p| p * scale), c.radii().map(|r| r * scale));
+            Primitive::Cone(Cone::new(ends, radii, c.facing()).unwrap())
         }
     }
 }
@@ -115,7 +131,8 @@ fn fronts_are_met_from_the_front_only() {
         let shape = random.primitive(Vec3::ZERO);
         let target = shape.sample_area(random.square());
         let away = random.direction();
-        if away.dot(target.normal).abs() < 0.1 || on_border(&shape, &target) {
+        let slanted = away.dot(target.normal).abs() < 0.1;
+        if slanted || on_border(&shape, &target) || is_thin_at(&shape, &target) {
             continue;
         }
         let ray = Ray::new(target.position + 1e-2 * away, -away);
@@ -125,6 +142,14 @@ fn fronts_are_met_from_the_front_only() {
         let meets_here = front.is_some_and(|hit| hit.t == both.t);
         assert_eq!(meets_here, away.dot(target.normal) > 0.0, "{shape:?}");
     }
+}
+
+/// Whether a point a hundredth inside of a cone may be outside again: across it,
+/// at a cosine of 0.1, its surfaces are a fifth of its radius apart.
+fn is_thin_at(shape: &Primitive, site: &SurfaceSite) -> bool {
+    let Primitive::Cone(cone) = shape else { return false };
+    let [one, other] = cone.ends();
+    (site.position - one).cross((other - one).normalize()).length() < 0.06
 }
 
 #[test]
@@ -161,25 +186,36 @@ fn errors_are_bounded() {
 
 /// From the surface, in double precision.
 fn distance(shape: &Primitive, point: Vec3) -> f64 {
-    use crate::precise::{Wide, cross, difference, length_squared, wide};
-    let dot = |a: Wide, b: Wide| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let plane = |origin: Vec3, normal: Wide| {
-        (dot(difference(point, origin), normal) / length_squared(normal).sqrt()).abs()
+    let plane = |origin: Vec3, normal: DVec3| {
+        (difference(point, origin).dot(normal) / normal.length()).abs()
     };
     match shape {
         Primitive::Triangle(triangle) => {
             let [a, b, c] = triangle.corners();
-            plane(a, cross(difference(b, a), difference(c, a)))
+            plane(a, difference(b, a).cross(difference(c, a)))
         }
         Primitive::Quad(quad) => {
-            plane(quad.corner(), cross(wide(quad.edges()[0]), wide(quad.edges()[1])))
+            let [u, v] = quad.edges().map(Vec3::as_dvec3);
+            plane(quad.corner(), u.cross(v))
         }
-        Primitive::Disk(disk) => plane(disk.centre(), wide(disk.normal())),
+        Primitive::Disk(disk) => plane(disk.centre(), disk.normal().as_dvec3()),
         Primitive::Sphere(sphere) => {
-            let away = length_squared(difference(point, sphere.centre())).sqrt();
+            let away = difference(point, sphere.centre()).length();
             (away - f64::from(sphere.radius())).abs()
         }
+        Primitive::Cone(cone) => distance_to_cone(cone, point),
     }
+}
+
+/// From the line that the surface is in a half plane of the axis.
+fn distance_to_cone(cone: &Cone, point: Vec3) -> f64 {
+    let ([one, other], [first, last]) = (cone.ends(), cone.radii().map(f64::from));
+    let axis = difference(other, one);
+    let from_one = difference(point, one);
+    let aside = from_one.cross(axis).length() / axis.length();
+    let side = DVec2::new(axis.length(), last - first);
+    let in_plane = DVec2::new(from_one.dot(axis) / axis.length(), aside - first);
+    (side.perp_dot(in_plane) / side.length()).abs()
 }
 
 #[test]
@@ -192,6 +228,11 @@ fn what_has_no_area_is_refused() {
     assert_eq!(Quad::new(f32::MAX * x, f32::MAX * x, Vec3::Y), Err(Error::NotFinite));
     assert_eq!(Disk::new(o, o, 1.0), Err(Error::NoNormal));
     assert_eq!(Disk::new(o, x, 0.0), Err(Error::NoRadius));
+    assert_eq!(Disk::ring(o, x, -0.5, 1.0), Err(Error::NoRadius));
+    assert_eq!(Disk::ring(o, x, f32::NAN, 1.0), Err(Error::NotFinite));
+    for inner in [1.0, 2.0, f32::MAX] {
+        assert_eq!(Disk::ring(o, x, inner, 1.0), Err(Error::NoArea));
+    }
     assert_eq!(Sphere::new(o, -1.0, Facing::Outward), Err(Error::NoRadius));
     assert_eq!(Sphere::new(o, f32::NAN, Facing::Outward), Err(Error::NotFinite));
     assert_eq!(Sphere::new(o, 1e30, Facing::Outward), Err(Error::NoArea));

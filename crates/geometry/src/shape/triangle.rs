@@ -1,7 +1,7 @@
 //! Triangles.
 
 use super::{ShapeHit, Sides, all_finite, sound_area};
-use crate::precise::{cross, difference, length_squared, unit};
+use crate::precise::{difference, unit};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use traylib_math::warp;
 
@@ -21,8 +21,8 @@ impl Triangle {
     /// [`Error::NotFinite`], or [`Error::NoArea`] when the corners lie on a line.
     pub fn new(a: Vec3, b: Vec3, c: Vec3) -> Result<Self, Error> {
         all_finite(&[a, b, c])?;
-        let doubled = cross(difference(b, a), difference(c, a));
-        sound_area(0.5 * length_squared(doubled).sqrt())?;
+        let doubled = difference(b, a).cross(difference(c, a));
+        sound_area(0.5 * doubled.length())?;
         let normal = unit(doubled).ok_or(Error::NoArea)?;
         Ok(Self { a, b, c, normal })
     }
@@ -44,8 +44,8 @@ impl Triangle {
 
     /// Area in square metres.
     pub fn area(&self) -> f32 {
-        let doubled = cross(difference(self.b, self.a), difference(self.c, self.a));
-        (0.5 * length_squared(doubled).sqrt()) as f32
+        let doubled = difference(self.b, self.a).cross(difference(self.c, self.a));
+        (0.5 * doubled.length()) as f32
     }
 
     /// Where a ray meets it, with the barycentric coordinates of the second and

@@ -46,7 +46,7 @@ fn recursive_weights_equal_the_direct_sum() {
     }
 }
 
-/// 10⁵ random paths through a room with mirrors, glossy surfaces, a spherical
+/// 10⁵ random paths through a room with mirrors, glass, glossy surfaces, a spherical
 /// lamp (whose sampling and emission densities differ) and a point lamp: each as
 /// every technique would have found it.
 #[test]
@@ -75,7 +75,7 @@ fn weights_of_all_techniques_sum_to_one() {
 
 /// All paths that one light and one camera subpath make by connection or hit,
 /// whether or not something stands between.
-fn random_paths<'s>(scene: &'s Scene, walker: &Walker, index: u64) -> Vec<FullPath<'s>> {
+fn random_paths(scene: &Scene, walker: &Walker, index: u64) -> Vec<FullPath> {
     let mut tracer = Tracer::new(scene);
     let (mut light, mut camera) = (Vec::new(), Vec::new());
     let mut sampler = Sampler::new(1, Purpose::Light, 0, index);

@@ -5,7 +5,7 @@ use super::sampler;
 use glam::DVec3;
 use traylib_geometry::{SurfaceSite, Vec3};
 use traylib_materials::SurfaceModel;
-use traylib_math::{Sampler, warp};
+use traylib_math::{Rgb, Sampler, warp};
 use traylib_scene::{SurfacePoint, Walk};
 use traylib_tests::laws::frame::frame;
 use traylib_tests::laws::verdict::{same_bits, within, worse};
@@ -26,11 +26,19 @@ fn models() -> [(&'static str, SurfaceModel); 4] {
 }
 
 /// A point of the plane z = 0 whose bumps lean this much, toward anywhere.
-fn bump<'a>(model: &'a SurfaceModel, slope: f32, sampler: &mut Sampler) -> SurfacePoint {
+fn bump(model: SurfaceModel, slope: f32, sampler: &mut Sampler) -> SurfacePoint {
     let (sin, cos) = (std::f32::consts::TAU * sampler.next_1d()).sin_cos();
     let shading_normal = Vec3::new(slope * cos, slope * sin, 1.0).normalize();
     let site = SurfaceSite { position: Vec3::ZERO, error: Vec3::ZERO, normal: Vec3::Z };
-    SurfacePoint { site, normal: Vec3::Z, shading_normal, model, light: None }
+    SurfacePoint {
+        site,
+        normal: Vec3::Z,
+        shading_normal,
+        model,
+        coverage: 1.0,
+        through: Rgb::BLACK,
+        light: None,
+    }
 }
 
 /// The largest error that `of` finds at many points, for every model and slope;
@@ -46,7 +54,7 @@ fn largest(
         let mut sampler = sampler(&claim);
         let (mut worst, mut compared) = (0.0, 0);
         for _ in 0..PAIRS {
-            let point = bump(&model, slope, &mut sampler);
+            let point = bump(model, slope, &mut sampler);
             let w = warp::cosine_hemisphere(Vec3::Z, sampler.next_2d());
             if let Some(error) = of(&point, w, &mut sampler) {
                 worst = worse(worst, error);
@@ -125,7 +133,7 @@ fn steep_bumps_give_sound_numbers() {
     let (mut unsound, mut seen) = (0, 0);
     for i in 0..PAIRS {
         let (_, model) = models()[i as usize % 4];
-        let mut point = bump(&model, 5.0, &mut sampler);
+        let mut point = bump(model, 5.0, &mut sampler);
         let grazing = warp::uniform_sphere(sampler.next_2d()) * Vec3::new(1.0, 1.0, 1e-6);
         let wo = Vec3::new(grazing.x, grazing.y, grazing.z.abs()).normalize();
         if i % 3 == 0 {

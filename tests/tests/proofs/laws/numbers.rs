@@ -82,34 +82,34 @@ fn warps_follow_their_densities_at_length() {
     warp_laws(LONG);
 }
 
-/// All seven numbers of a vertex, by name.
-fn seven(numbers: &VertexNumbers) -> [f32; 7] {
-    let VertexNumbers { bsdf: [lobe, x, y], roulette, light_pick, light_point } = *numbers;
-    [lobe, x, y, roulette, light_pick, light_point.x, light_point.y]
+/// All eight numbers of a vertex, by name.
+fn eight(numbers: &VertexNumbers) -> [f32; 8] {
+    let VertexNumbers { passage, bsdf: [lobe, x, y], roulette, light_pick, light_point } = *numbers;
+    [passage, lobe, x, y, roulette, light_pick, light_point.x, light_point.y]
 }
 
 /// Every pair of the numbers of one vertex, and each number with the same of the
 /// next vertex and of the next path, fills the square evenly.
 fn stream_laws(samples: u64) {
-    const PAIRS: usize = 21;
+    const PAIRS: usize = 28;
     let mut within = vec![Counts::new(0); PAIRS];
-    let mut onward = vec![Counts::new(0); 14];
+    let mut onward = vec![Counts::new(0); 16];
     for path in 0..samples {
         let vertices = |path| {
             let mut sampler = Sampler::new(8, Purpose::Test, 1, path);
             // The camera's film point comes first.
             sampler.next_2d();
-            [sampler.next_vertex(), sampler.next_vertex()].map(|numbers| seven(&numbers))
+            [sampler.next_vertex(), sampler.next_vertex()].map(|numbers| eight(&numbers))
         };
         let [first, second] = vertices(2 * path);
         let [neighbour, _] = vertices(2 * path + 1);
-        let pairs = (0..7).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let pairs = (0..8).flat_map(|i| (0..i).map(move |j| (i, j)));
         for ((i, j), counts) in pairs.zip(&mut within) {
             counts.add([f64::from(first[i]), f64::from(first[j])]);
         }
         for (i, counts) in onward.iter_mut().enumerate() {
-            let other = if i < 7 { second } else { neighbour };
-            counts.add([f64::from(first[i % 7]), f64::from(other[i % 7])]);
+            let other = if i < 8 { second } else { neighbour };
+            counts.add([f64::from(first[i % 8]), f64::from(other[i % 8])]);
         }
     }
     let finding = |(i, counts): (usize, Counts)| {

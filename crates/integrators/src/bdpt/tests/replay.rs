@@ -5,12 +5,14 @@ use super::super::walk::{LightStart, Walker};
 use super::super::{Bdpt, weight};
 use crate::emission::Emitted;
 use traylib_materials::BsdfSample;
-use traylib_math::{Purpose, Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
+use traylib_math::{
+    Purpose, Rgb, Sampler, SolidAnglePdf, Vec3, VertexNumbers, solid_angle_per_area,
+};
 use traylib_scene::{LightId, LightPoint, Scene, SurfacePoint};
 
 /// x₀ … x_k; surfaces holds x₁ … x_{k−1}.
 #[derive(Clone, Debug)]
-pub(super) struct FullPath<'s> {
+pub(super) struct FullPath {
     id: LightId,
     x0: LightPoint,
     surfaces: Vec<SurfacePoint>,
@@ -25,9 +27,9 @@ fn delta_events(vertices: &[Vertex]) -> Vec<bool> {
     after.chain([false]).collect()
 }
 
-impl<'s> FullPath<'s> {
+impl FullPath {
     /// The path of a camera subpath that ends on a lamp.
-    pub(super) fn hit(scene: &'s Scene, camera: &[Vertex]) -> Option<Self> {
+    pub(super) fn hit(scene: &Scene, camera: &[Vertex]) -> Option<Self> {
         let (last, inner) = camera.split_last()?;
         let (id, x0) = scene.emitting_point(&last.point)?;
         if inner.is_empty() {
@@ -43,7 +45,7 @@ impl<'s> FullPath<'s> {
     /// The path of two subpaths with an edge between their last vertices, if it
     /// could carry light.
     pub(super) fn connected(
-        scene: &'s Scene,
+        scene: &Scene,
         start: &LightStart,
         light: &[Vertex],
         camera: &[Vertex],
@@ -74,7 +76,7 @@ impl<'s> FullPath<'s> {
     /// The weights of all techniques that can find the path.
     pub(super) fn weights(
         &self,
-        scene: &'s Scene,
+        scene: &Scene,
         walker: &Walker,
         bdpt: &Bdpt,
         light_paths: u32,
@@ -104,7 +106,7 @@ impl<'s> FullPath<'s> {
             let y = &light[n - 1];
             if let Some(found) = scene.camera().project(y.point.site.position) {
                 let conversion = solid_angle_per_area(
-                    y.point.normal.dot(found.to_camera),
+                    y.point.normal.dot(found.to_camera).abs(),
                     found.distance_squared,
                 );
                 let back = y.point.evaluate(y.wo, found.to_camera).pdf_reverse;
@@ -124,12 +126,13 @@ impl<'s> FullPath<'s> {
         scene.light_densities(self.id, &self.x0, x1, self.first_direction())
     }
 
-    fn light_vertices(&self, scene: &'s Scene, walker: &Walker, bdpt: &Bdpt) -> Vec<Vertex> {
+    fn light_vertices(&self, scene: &Scene, walker: &Walker, bdpt: &Bdpt) -> Vec<Vertex> {
         let direction = self.first_direction();
         let emitted = Emitted {
             x0: self.x0,
             direction,
             x1: self.surfaces[0],
+            numbers: numbers(),
             throughput: Rgb::WHITE,
             densities: self.densities(scene),
         };
@@ -137,7 +140,7 @@ impl<'s> FullPath<'s> {
         walk(walker.light_tail(&emitted), direction, &events.collect::<Vec<_>>(), bdpt)
     }
 
-    fn camera_vertices(&self, scene: &'s Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex> {
+    fn camera_vertices(&self, scene: &Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex> {
         let mut events: Vec<_> =
             self.surfaces.iter().copied().zip(self.is_delta.iter().copied()).collect();
         events.reverse();
@@ -169,8 +172,7 @@ impl<'s> FullPath<'s> {
             shading_normal: self.x0.site.normal,
             ..x1.point
         });
-        let numbers = Sampler::new(0, Purpose::Test, 0, 0).next_vertex();
-        Some(tail.arrive(lamp, -wi, Rgb::WHITE, numbers, bdpt.heuristic))
+        Some(tail.arrive(lamp, -wi, Rgb::WHITE, numbers(), bdpt.heuristic))
     }
 
     fn light_sample(&self, scene: &Scene, x1: &Vertex, bdpt: &Bdpt) -> f64 {
@@ -178,7 +180,7 @@ impl<'s> FullPath<'s> {
         let offset = x1.point.site.position - self.x0.site.position;
         let scattering = x1.point.evaluate(x1.wo, -direction);
         let conversion =
-            solid_angle_per_area(x1.point.normal.dot(direction), offset.length_squared());
+            solid_angle_per_area(x1.point.normal.dot(direction).abs(), offset.length_squared());
         let at_lamp = solid_angle_per_area(self.x0.cosine(direction), offset.length_squared());
         let hit_pdf = if self.x0.is_point { 0.0 } else { scattering.pdf.to_area(at_lamp).0 };
         let end = End { scattering, conversion };
@@ -199,7 +201,7 @@ fn owns(scene: &Scene, id: LightId, x0: &LightPoint) -> bool {
 fn end(vertex: &Vertex, other: &Vertex) -> End {
     let offset = other.point.site.position - vertex.point.site.position;
     let w = offset.normalize();
-    let cosine = vertex.point.normal.dot(w);
+    let cosine = vertex.point.normal.dot(w).abs();
     End {
         scattering: vertex.point.evaluate(vertex.wo, w),
         conversion: solid_angle_per_area(cosine, offset.length_squared()),
@@ -212,23 +214,43 @@ fn event(point: &SurfacePoint, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSample
     let chance = SolidAnglePdf(0.5);
     let (pdf, pdf_reverse) =
         if is_delta { (chance, chance) } else { (scattering.pdf, scattering.pdf_reverse) };
-    BsdfSample { wi, weight: Rgb::WHITE, pdf, pdf_reverse, is_delta }
+    BsdfSample { wi, weight: Rgb::WHITE, pdf, pdf_reverse, is_delta, compression: 1.0 }
 }
 
-fn walk<'s>(
+/// No walk here draws anything.
+fn numbers() -> VertexNumbers {
+    Sampler::new(0, Purpose::Test, 0, 0).next_vertex()
+}
+
+/// The point for a walk that came to it from `wo`, perhaps from its other side.
+fn seen_from(mut point: SurfacePoint, wo: Vec3) -> SurfacePoint {
+    if point.normal.dot(wo) < 0.0 {
+        point.normal = -point.normal;
+        point.shading_normal = -point.shading_normal;
+        point.model = point.model.from_behind();
+    }
+    point
+}
+
+fn walk(
     mut tail: Tail,
     first_direction: Vec3,
     events: &[(SurfacePoint, bool)],
     bdpt: &Bdpt,
 ) -> Vec<Vertex> {
-    let numbers = Sampler::new(0, Purpose::Test, 0, 0).next_vertex();
     let mut direction = first_direction;
     let mut vertices = Vec::new();
     for (i, &(point, is_delta)) in events.iter().enumerate() {
-        let mut vertex = tail.arrive(point, -direction, Rgb::WHITE, numbers, bdpt.heuristic);
+        let mut vertex = tail.arrive(
+            seen_from(point, -direction),
+            -direction,
+            Rgb::WHITE,
+            numbers(),
+            bdpt.heuristic,
+        );
         if let Some((next, _)) = events.get(i + 1) {
             direction = (next.site.position - point.site.position).normalize();
-            let sample = event(&point, vertex.wo, direction, is_delta);
+            let sample = event(&vertex.point, vertex.wo, direction, is_delta);
             tail = vertex.leave(&sample, true, bdpt.heuristic);
         }
         vertices.push(vertex);

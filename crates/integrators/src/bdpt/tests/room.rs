@@ -1,7 +1,9 @@
 //! A closed room with everything that weights must take into account.
 
 use traylib_geometry::{Facing, Primitive, Quad, Sides, Sphere};
-use traylib_materials::{Lambert, MaxPhong, Mirror, Phong, SurfaceModel};
+use traylib_materials::{
+    Dielectric, Lambert, Material, MaxPhong, Mirror, Phong, Sheet, SurfaceModel,
+};
 use traylib_math::{Rgb, Vec3};
 use traylib_scene::{Camera, CameraSettings, MaterialId, Object, ObjectShape, Scene, SceneBuilder};
 
@@ -27,8 +29,23 @@ fn materials(builder: &mut SceneBuilder) -> [MaterialId; 4] {
     .map(|model| builder.add_material(model))
 }
 
+/// What light goes through: a ball of glass, frosted glass, a clear pane that
+/// mirrors a little.
+fn transparent(builder: &mut SceneBuilder) -> [MaterialId; 3] {
+    let part = |kd, ks| Phong::new(Rgb::splat(kd), Rgb::splat(ks), 30.0).unwrap();
+    let frosted = Sheet::new(part(0.1, 0.2), part(0.2, 0.4)).unwrap();
+    let faint = Mirror::new(Rgb::splat(0.1), Rgb::BLACK).unwrap();
+    let pane = Material { through: Rgb::splat(0.8), ..SurfaceModel::Mirror(faint).into() };
+    [
+        builder.add_material(SurfaceModel::Dielectric(Dielectric::new(1.5).unwrap())),
+        builder.add_material(SurfaceModel::Sheet(frosted)),
+        builder.add_material(pane),
+    ]
+}
+
 /// A room 2 × 2 × 2 m: a floor that is half a mirror, a pure mirror, a glossy
-/// and a metal ball, a spherical lamp, a small quad lamp and a point lamp.
+/// and a metal ball, three kinds of glass, a spherical lamp, a small quad lamp
+/// and a point lamp.
 pub(crate) fn room() -> Scene {
     let settings = CameraSettings {
         position: Vec3::new(0.0, 0.1, 0.9),
@@ -42,6 +59,7 @@ pub(crate) fn room() -> Scene {
     let [grey, mixed, gloss, metal] = materials(&mut builder);
     let mirror = Mirror::new(Rgb::splat(0.9), Rgb::BLACK).unwrap();
     let mirror = builder.add_material(SurfaceModel::Mirror(mirror));
+    let [glass, frosted, pane] = transparent(&mut builder);
     let (x, y, z) = (Vec3::X * 2.0, Vec3::Y * 2.0, Vec3::Z * 2.0);
     let (low, high) = (Vec3::splat(-1.0), Vec3::splat(1.0));
     let dark = Rgb::BLACK;
@@ -55,6 +73,9 @@ pub(crate) fn room() -> Scene {
         (wall(Vec3::new(0.5, -0.8, -0.9), x * 0.2, y * 0.4), mirror, dark),
         (ball(Vec3::new(-0.4, -0.6, -0.3), 0.3), metal, dark),
         (ball(Vec3::new(0.3, -0.7, 0.0), 0.2), gloss, dark),
+        (ball(Vec3::new(-0.5, 0.3, -0.6), 0.2), glass, dark),
+        (wall(Vec3::new(0.0, -0.4, -0.6), x * 0.2, y * 0.2), frosted, dark),
+        (wall(Vec3::new(-0.3, 0.1, 0.1), x * 0.2, y * 0.3), pane, dark),
         (ball(Vec3::new(0.3, 0.6, -0.4), 0.15), grey, Rgb::splat(5.0)),
         (wall(Vec3::new(-0.5, 0.95, -0.5), x * 0.1, z * 0.1), grey, Rgb::splat(20.0)),
     ];

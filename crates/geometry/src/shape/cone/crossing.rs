@@ -1,0 +1,60 @@
+//! Where a line crosses a cone.
+
+use super::Cone;
+use crate::Ray;
+use crate::precise::difference;
+
+/// A point of a line on the cone, which here has no ends.
+pub(super) struct Crossing {
+    /// Where along the ray, in units of its direction's length.
+    pub(super) t: f64,
+    /// How far along the axis: 0 at the first end, 1 at the second.
+    height: f64,
+    /// −1 where the ray goes in, 1 where it comes out: the sign of its cosine
+    /// with the outward normal.
+    pub(super) cosine_sign: f32,
+}
+
+impl Crossing {
+    /// Whether it lies on the part of the cone that is there.
+    pub(super) fn is_between_ends(&self) -> bool {
+        (0.0..=1.0).contains(&self.height)
+    }
+}
+
+/// Where the line of a ray crosses the cone, in any order; a crossing that there
+/// is not has a `t` that is not a finite number.
+///
+/// With what lies along the axis removed, the ray's point at t is p + t·q and
+/// the cone's radius beside it r + t·g. They agree where
+///
+/// (q² − g²)·t² + 2(p·q − r·g)·t + (p² − r²) = 0.
+///
+/// The discriminant is taken as (r·q − g·p)² − (p × q)²: both squares are of the
+/// line alone, not of the place where it starts, so nothing cancels that was not
+/// close. With the sum in the root that has equal signs the other root follows
+/// from the product of both, and a line parallel to the side has one root.
+#[inline]
+pub(super) fn crossings(cone: &Cone, ray: &Ray) -> Option<[Crossing; 2]> {
+    let axis = cone.axis();
+    let (start, direction) = (difference(ray.origin, cone.ends[0]), ray.direction.as_dvec3());
+    let per_length = axis / axis.length_squared();
+    let (height, climb) = (start.dot(per_length), direction.dot(per_length));
+    let (p, q) = (start - height * axis, direction - climb * axis);
+    let r = f64::from(cone.radii[0]) + height * cone.widening();
+    let g = climb * cone.widening();
+    let room = (r * q - g * p).length_squared() - p.cross(q).length_squared();
+    // NaN has no root either.
+    if room.is_nan() || room < 0.0 {
+        return None;
+    }
+    let half = p.dot(q) - r * g;
+    let root = room.sqrt().copysign(half);
+    let sum = -(half + root);
+    let one = sum / (q.length_squared() - g * g);
+    let other = (p.length_squared() - r * r) / sum;
+    // The derivative of the left side is ∓2·root there: in, where it falls.
+    let out = root.signum() as f32;
+    let crossing = |t: f64, cosine_sign| Crossing { t, height: height + t * climb, cosine_sign };
+    Some([crossing(one, -out), crossing(other, out)])
+}

@@ -1,0 +1,25 @@
+//! Which way a round shape faces.
+
+use std::ops::Neg;
+
+/// Which side of a sphere or a cone is its front.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Facing {
+    /// Normals point away from the centre or the axis.
+    #[default]
+    Outward,
+    /// Normals point to the centre or the axis.
+    Inward,
+}
+
+impl Facing {
+    /// Of the front, what is given for the outside: a normal, or a cosine with
+    /// it.
+    #[inline]
+    pub(super) fn turn<T: Neg<Output = T>>(self, outward: T) -> T {
+        match self {
+            Self::Outward => outward,
+            Self::Inward => -outward,
+        }
+    }
+}

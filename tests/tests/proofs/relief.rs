@@ -1,0 +1,67 @@
+//! F12: relief on a glossy plate. It tilts the shading normal alone, so a program that
+//! walks from the light must carry the other cosines than one that walks from the
+//! camera; one that does not makes another picture.
+
+use std::f32::consts::TAU;
+use std::sync::Arc;
+use traylib_geometry::Vec3;
+use traylib_materials::{Bump, Layer, Maps, Material, Texture};
+use traylib_math::{Grid, Rgb};
+use traylib_scene::Scene;
+use traylib_tests::agreement::{Budget, Other, Subject, agree};
+use traylib_tests::ledger::settle;
+use traylib_tests::programs::Program::{BdptBalance, Combined, Particle, PureMc, Strict};
+use traylib_tests::scenes::{Stage, camera_of_size, floor, lambert, phong, rectangle};
+
+/// Height of the hills over a side of the plate: with four hills to a side the
+/// steepest slope is 2π·4·`HEIGHT`/2 = 1 along each axis.
+const HEIGHT: f32 = 1.0 / (4.0 * TAU / 2.0);
+
+/// Hills and hollows, four of each to a side: (1 + sin·sin)/2.
+fn hills() -> Bump {
+    const SIZE: usize = 64;
+    let wave = |i: usize| (4.0 * TAU * (i as f32 + 0.5) / SIZE as f32).sin();
+    let heights = (0..SIZE * SIZE).map(|i| 0.5 + 0.5 * wave(i % SIZE) * wave(i / SIZE));
+    let pixels = Grid::from_values(SIZE, SIZE, heights.map(Rgb::splat).collect()).unwrap();
+    let texture = Texture::new(pixels).unwrap();
+    Bump { layer: Layer::new(Arc::new(texture)), height: HEIGHT }
+}
+
+/// A plate of 2 × 2 m under a square lamp, on a floor that it throws light on.
+fn bumpy_plate() -> Scene {
+    let view = camera_of_size(Vec3::new(0.0, -2.6, 1.6), Vec3::new(0.0, 0.0, 0.3), 45.0, [48, 36]);
+    let maps = Maps { bump: Some(hills()), ..Maps::default() };
+    let relief = Material { maps: Some(Box::new(maps)), ..phong(0.4, 0.4, 20.0).into() };
+    let plate = rectangle(Vec3::new(-1.0, -1.0, 0.3), 2.0 * Vec3::X, 2.0 * Vec3::Y);
+    let lamp = rectangle(Vec3::new(-0.5, -0.2, 1.5), 0.8 * Vec3::Y, 0.8 * Vec3::X);
+    Stage::new(view)
+        .surface(floor(), lambert(0.5))
+        .surface(plate, relief)
+        .lamp(lamp, 5.0, lambert(0.3))
+        .build()
+}
+
+fn relief_agrees(looks: &[u32], promise: f64) {
+    let scene = bumpy_plate();
+    let other = |program, passes| Other { program, passes, promise };
+    let others = [
+        other(Combined, 4),
+        other(Strict, 4),
+        other(PureMc, 8),
+        other(BdptBalance, 1),
+        other(Particle, 4),
+    ];
+    let budget = Budget { tile: 12, looks: looks.to_vec() };
+    settle(&agree(&Subject { name: "relief", scene: &scene }, &others, &budget).findings);
+}
+
+#[test]
+fn relief_is_the_same_from_the_light_and_from_the_camera() {
+    relief_agrees(&[96], 0.04);
+}
+
+#[test]
+#[ignore = "at length: cargo xtask prove"]
+fn relief_is_the_same_at_length() {
+    relief_agrees(&[128, 512, 2048], 5e-3);
+}
