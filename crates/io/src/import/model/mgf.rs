@@ -10,7 +10,7 @@ use crate::import::tally::Tally;
 use crate::mgf::{self, Options, Shape, Surface};
 use crate::{Error, Warning};
 use std::path::{Path, PathBuf};
-use traylib_geometry::{self as geometry, Disk, Facing, Primitive, Sides, Sphere};
+use traylib_geometry::{self as geometry, Cone, Disk, Facing, Primitive, Sides, Sphere};
 use traylib_math::Vec3;
 use traylib_math::glam::DVec3;
 use traylib_scene::ObjectShape;
@@ -72,17 +72,27 @@ fn halves(shape: &Shape, look: &Look) -> &'static [Half] {
 
 /// The exact shape; `None` for those that are cut into triangles.
 fn primitive(shape: &Shape) -> Option<Result<Primitive, geometry::Error>> {
-    match *shape {
+    Some(match *shape {
         Shape::Sphere { centre, radius, inward } => {
-            let facing = if inward { Facing::Inward } else { Facing::Outward };
-            Some(Sphere::new(narrow(centre), radius as f32, facing).map(Primitive::Sphere))
+            Sphere::new(narrow(centre), radius as f32, facing(inward)).map(Primitive::Sphere)
         }
-        Shape::Ring { centre, normal, radii: [0.0, outer] } => {
-            let disk = Disk::new(narrow(centre), narrow(normal), outer as f32);
-            Some(disk.map(Primitive::Disk))
+        Shape::Cylinder { ends, radius, inward } => cone(ends, [radius; 2], inward),
+        Shape::Cone { ends, radii, inward } => cone(ends, radii, inward),
+        Shape::Ring { centre, normal, radii: [inner, outer] } => {
+            let [inner, outer] = [inner, outer].map(|radius| radius as f32);
+            Disk::ring(narrow(centre), narrow(normal), inner, outer).map(Primitive::Disk)
         }
-        _ => None,
-    }
+        Shape::Torus { .. } | Shape::Face { .. } | Shape::Prism { .. } => return None,
+    })
+}
+
+fn cone(ends: [DVec3; 2], radii: [f64; 2], inward: bool) -> Result<Primitive, geometry::Error> {
+    let radii = radii.map(|radius| radius as f32);
+    Cone::new(ends.map(narrow), radii, facing(inward)).map(Primitive::Cone)
+}
+
+fn facing(inward: bool) -> Facing {
+    if inward { Facing::Inward } else { Facing::Outward }
 }
 
 fn narrow(v: DVec3) -> Vec3 {
