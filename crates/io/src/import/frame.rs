@@ -1,13 +1,15 @@
 //! A camera for what has none.
 //!
-//! z is up. Where something is almost all around the middle, the camera stands
-//! inside, at the far end of the longest free way from the middle, and looks back
-//! across it. Else it stands outside, above one corner, and sees everything.
+//! Up is where the light comes from, y or z; both are customary in MGF, and z in
+//! 3DS. Where something is almost all around the middle, the camera stands
+//! inside, far along the way from the middle that is longest and has room to both
+//! sides, and looks back across it. Else it stands outside, above one corner, and sees everything.
 
 use super::model::ModelCamera;
 use super::thing::Thing;
 use std::f32::consts::{PI, TAU};
-use traylib_geometry::{Aabb, Bvh, Ray, SidedPrimitive, Vec3};
+use traylib_geometry::{Aabb, Bvh, Primitive, Ray, SidedPrimitive, Vec2, Vec3};
+use traylib_math::glam::DVec3;
 
 /// Of all directions from the middle, how many must meet something for it to be
 /// inside.
@@ -47,61 +49,84 @@ fn sound_range(mut values: Vec<f32>) -> [f32; 2] {
     [middle - 10.0 * extent, middle + 10.0 * extent]
 }
 
+/// Which of y and z is up: that along which lamps are nearer to the top of the
+/// box, and shine more downward. z where that does not tell.
+pub(super) fn up(things: &[Thing], bounds: &Aabb) -> Vec3 {
+    let (centre, half) = (bounds.centre(), 0.5 * bounds.extent());
+    let mut evidence = DVec3::ZERO;
+    for lamp in things.iter().filter(|thing| !thing.emission.is_black()) {
+        for primitive in lamp.primitives().map(|sided| sided.primitive) {
+            let site = primitive.sample_area(Vec2::splat(0.5));
+            let is_round = matches!(primitive, Primitive::Sphere(_) | Primitive::Cone(_));
+            let downward = if is_round { Vec3::ZERO } else { -site.normal };
+            let sign = (site.position - centre) / half + downward;
+            let power = primitive.area() * lamp.emission.luminance();
+            evidence += (sign * power).as_dvec3();
+        }
+    }
+    if evidence.y > evidence.z { Vec3::Y } else { Vec3::Z }
+}
+
 /// The camera, for a picture this much wider than high.
-pub(super) fn camera(things: &[Thing], bounds: &Aabb, aspect: f32) -> ModelCamera {
+pub(super) fn camera(things: &[Thing], bounds: &Aabb, up: Vec3, aspect: f32) -> ModelCamera {
     let primitives: Vec<SidedPrimitive> = things.iter().flat_map(Thing::primitives).collect();
-    let inside = Bvh::build(primitives).ok().and_then(|shapes| inside(&shapes, bounds));
-    inside.unwrap_or_else(|| outside(bounds, aspect))
+    let inside = Bvh::build(primitives).ok().and_then(|shapes| inside(&shapes, bounds, up));
+    inside.unwrap_or_else(|| outside(bounds, up, aspect))
 }
 
 /// A camera among what is all around; `None` if that is not so.
-fn inside(shapes: &Bvh<SidedPrimitive>, bounds: &Aabb) -> Option<ModelCamera> {
+fn inside(shapes: &Bvh<SidedPrimitive>, bounds: &Aabb, up: Vec3) -> Option<ModelCamera> {
     let centre = bounds.centre();
     let way = |direction| shapes.nearest(&Ray::new(centre, direction)).map(|hit| hit.t);
-    let met = (0..DIRECTIONS).filter(|&index| way(direction(index)).is_some()).count();
+    let met = (0..DIRECTIONS).filter(|&index| way(direction(index, up)).is_some()).count();
     if (met as f32) < ENCLOSED * DIRECTIONS as f32 {
         return None;
     }
-    let eye_height = bounds.min.z + EYE_HEIGHT * bounds.extent().z;
-    let middle = Vec3::new(centre.x, centre.y, eye_height);
-    let free = |direction| shapes.nearest(&Ray::new(middle, direction)).map_or(0.0, |hit| hit.t);
-    let ways = (0..WAYS).map(|index| horizontal(TAU * index as f32 / WAYS as f32));
-    let (length, direction) =
-        ways.map(|direction| (free(direction), direction)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let position = middle + direction * (NEAR_THE_END * length);
+    let middle = centre + up * ((EYE_HEIGHT - 0.5) * bounds.extent().dot(up));
+    let horizontal = |index: u32| horizontal(TAU * index as f32 / WAYS as f32, up);
+    let free =
+        |index: u32| shapes.nearest(&Ray::new(middle, horizontal(index))).map_or(0.0, |hit| hit.t);
+    let ways: Vec<f32> = (0..WAYS).map(free).collect();
+    let at = |index: u32| ways[(index % WAYS) as usize];
+    let room = |index: &u32| at(*index).min(at(index + 1)).min(at(index + WAYS - 1));
+    let best = (0..WAYS).max_by(|a, b| room(a).total_cmp(&room(b)))?;
+    let position = middle + horizontal(best) * (NEAR_THE_END * at(best));
     let is_view = position != middle && position.is_finite();
-    is_view.then_some(ModelCamera {
-        position,
-        target: middle,
-        up: Vec3::Z,
-        fov_degrees: FOV_INSIDE,
-    })
+    is_view.then_some(ModelCamera { position, target: middle, up, fov_degrees: FOV_INSIDE })
 }
 
 /// One of many directions, on a spiral from pole to pole.
-fn direction(index: u32) -> Vec3 {
-    let z = 1.0 - (2 * index + 1) as f32 / DIRECTIONS as f32;
+fn direction(index: u32, up: Vec3) -> Vec3 {
+    let height = 1.0 - (2 * index + 1) as f32 / DIRECTIONS as f32;
     let golden_angle = PI * (3.0 - 5.0_f32.sqrt());
-    let around = horizontal(golden_angle * index as f32);
-    around * (1.0 - z * z).sqrt() + Vec3::Z * z
+    let around = horizontal(golden_angle * index as f32, up);
+    around * (1.0 - height * height).sqrt() + up * height
 }
 
-fn horizontal(angle: f32) -> Vec3 {
-    Vec3::new(angle.cos(), angle.sin(), 0.0)
+/// Where x, y and z are, if z is up.
+fn upright(up: Vec3) -> [Vec3; 3] {
+    if up == Vec3::Y { [Vec3::Z, Vec3::X, Vec3::Y] } else { [Vec3::X, Vec3::Y, Vec3::Z] }
 }
 
-/// From above the corner of least x and y, so near that everything just fits.
-fn outside(bounds: &Aabb, aspect: f32) -> ModelCamera {
-    let towards = (Vec3::new(-1.0, -1.5, 0.0).normalize() * 0.866 + Vec3::Z * 0.5).normalize();
+fn horizontal(angle: f32, up: Vec3) -> Vec3 {
+    let [x, y, _] = upright(up);
+    x * angle.cos() + y * angle.sin()
+}
+
+/// From 30° above, a little off the corner, so near that everything just fits.
+fn outside(bounds: &Aabb, up: Vec3, aspect: f32) -> ModelCamera {
+    let [x, y, _] = upright(up);
+    let level = (x + 1.5 * y).normalize();
+    let towards = (up * 0.5 - level * 0.75_f32.sqrt()).normalize();
     let target = bounds.centre();
-    let distance = 1.05 * distance_to_see(bounds, towards, aspect);
+    let distance = 1.05 * distance_to_see(bounds, towards, up, aspect);
     let position = target + towards * if distance > 0.0 { distance } else { 1.0 };
-    ModelCamera { position, target, up: Vec3::Z, fov_degrees: FOV_OUTSIDE }
+    ModelCamera { position, target, up, fov_degrees: FOV_OUTSIDE }
 }
 
 /// How far from the middle, in the direction `towards`, all corners are in view.
-fn distance_to_see(bounds: &Aabb, towards: Vec3, aspect: f32) -> f32 {
-    let right = Vec3::Z.cross(towards).normalize();
+fn distance_to_see(bounds: &Aabb, towards: Vec3, up: Vec3, aspect: f32) -> f32 {
+    let right = up.cross(towards).normalize();
     let up = towards.cross(right);
     let wide = (0.5 * FOV_OUTSIDE).to_radians().tan();
     let half = 0.5 * bounds.extent();

@@ -43,7 +43,8 @@ pub(crate) fn import_whole(
     let aspect = width as f32 / height as f32;
     let camera = file.camera();
     let mut notes = Vec::new();
-    let view = camera.unwrap_or_else(|| frame::camera(&things, &bounds, aspect));
+    let up = if file.is_physical() { frame::up(&things, &bounds) } else { Vec3::Z };
+    let view = camera.unwrap_or_else(|| frame::camera(&things, &bounds, up, aspect));
     if camera.is_none() {
         notes.push(format!("no camera in the file, taken: {}", shown(&view, width, height)));
     }
