@@ -192,7 +192,8 @@ impl<'a> Work<'a> {
         plan.detail("techniques of bdpt");
         let camera = prepared.loaded.scene.camera();
         let rows = THUMBNAIL * camera.height() / camera.width();
-        let load = LoadOptions { resolution: Some((THUMBNAIL, rows.max(1))) };
+        let load =
+            LoadOptions { resolution: Some((THUMBNAIL, rows.max(1))), ..LoadOptions::default() };
         let small = load_scene_with(&prepared.asked, load)?;
         let passes = if self.options.quick { 64 } else { 512 };
         technique_pictures(&small.scene, passes).map_err(Failure::output)

@@ -42,7 +42,12 @@ pub fn prepare(asked: &str, options: &Options) -> Result<Prepared, Failure> {
         (None, None) => smaller(&load_scene(asked)?.scene, options.largest_width()),
     };
     let start = Instant::now();
-    let load = || load_scene_with(asked, LoadOptions { resolution: Some(resolution) });
+    let load = || {
+        load_scene_with(
+            asked,
+            LoadOptions { resolution: Some(resolution), ..LoadOptions::default() },
+        )
+    };
     let (loaded, bytes) = held_by(load);
     let loaded = loaded?;
     let load_seconds = start.elapsed().as_secs_f64();

@@ -47,6 +47,9 @@ pub(crate) fn announce(
     for warning in &loaded.warnings {
         say(format_args!("warning: {warning}"));
     }
+    for note in &loaded.notes {
+        say(format_args!("note: {note}"));
+    }
     if cfg!(debug_assertions) {
         say("warning: this is a debug build, many times slower; use cargo run --release");
     }

@@ -14,7 +14,7 @@ use traylib_scene::Camera;
 /// What to render and how much.
 #[derive(Args, Clone, Debug)]
 pub struct RenderOptions {
-    /// Scene file (.ron) or name of a built-in scene
+    /// Scene file (.ron, .3ds, .mgf) or name of a built-in scene
     #[arg(default_value = "cornell")]
     pub scene: String,
 
@@ -35,6 +35,10 @@ pub struct RenderOptions {
     /// Size of the picture in pixels [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = parse_resolution)]
     pub resolution: Option<(u32, u32)>,
+
+    /// Factor on light in 8-bit pictures [default: the scene's]
+    #[arg(long, value_name = "FACTOR", value_parser = parse_exposure)]
+    pub exposure: Option<f32>,
 
     /// Seed of the random numbers: same seed, same picture
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -64,7 +68,7 @@ pub struct RenderOptions {
 
     /// The folder that files included by an MGF file may come from
     /// [default: that of the first file]
-    #[arg(long, value_name = "DIR", requires = "stats")]
+    #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
 }
 
@@ -165,6 +169,11 @@ pub fn parse_resolution(text: &str) -> Result<(u32, u32), String> {
         })
 }
 
+fn parse_exposure(text: &str) -> Result<f32, &'static str> {
+    let positive = |exposure: &f32| *exposure > 0.0 && exposure.is_finite();
+    text.parse().ok().filter(positive).ok_or("wanted: a positive number")
+}
+
 fn parse_roulette(text: &str) -> Result<Roulette, String> {
     match text {
         "off" => Ok(Roulette::OFF),
@@ -184,6 +193,14 @@ mod tests {
         assert_eq!(parse_resolution("640x480"), Ok((640, 480)));
         for bad in ["640", "640x", "x480", "0x480", "640x-1", "1e3x2", "99999x1", "32768x32768"] {
             assert!(parse_resolution(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn exposures_are_positive_numbers() {
+        assert_eq!(parse_exposure("0.25"), Ok(0.25));
+        for bad in ["0", "-1", "inf", "NaN", "x"] {
+            assert!(parse_exposure(bad).is_err(), "{bad}");
         }
     }
 

@@ -30,6 +30,8 @@ pub struct Job<'a> {
     pub default_spp: Option<u32>,
     /// Whether a picture is wanted, or only what `finish` makes of it.
     pub wants_picture: bool,
+    /// Whether a model without light is lit from the camera.
+    pub headlight: bool,
     /// A folder for what `finish` writes.
     pub folder: Option<&'a Path>,
 }
@@ -41,7 +43,15 @@ impl<'a> Job<'a> {
         options: &'a RenderOptions,
         paths: Option<&'a PathOptions>,
     ) -> Self {
-        Self { program, options, paths, default_spp: None, wants_picture: true, folder: None }
+        Self {
+            program,
+            options,
+            paths,
+            default_spp: None,
+            wants_picture: true,
+            headlight: false,
+            folder: None,
+        }
     }
 }
 
@@ -94,8 +104,7 @@ fn try_run<I: Integrator>(
         return stats(options, file);
     }
     let limits = job.paths.map_or(Ok(Limits::default()), PathOptions::limits)?;
-    let load = LoadOptions { resolution: options.resolution };
-    let loaded = load_scene_with(&options.scene, load)?;
+    let loaded = load(job)?;
     let integrator = prepare(&loaded.scene, limits)?;
     if !options.quiet {
         announce(job.program, &loaded, &integrator, limits);
@@ -124,6 +133,17 @@ fn try_run<I: Integrator>(
         ))),
         _ => Ok(()),
     }
+}
+
+/// The scene as the command line wants it.
+fn load(job: &Job<'_>) -> Result<Loaded, Failure> {
+    let options = job.options;
+    let headlight = job.headlight || options.check;
+    let load =
+        LoadOptions { resolution: options.resolution, root: options.root.as_deref(), headlight };
+    let mut loaded = load_scene_with(&options.scene, load)?;
+    loaded.settings.exposure = options.exposure.unwrap_or(loaded.settings.exposure);
+    Ok(loaded)
 }
 
 fn outfiles(job: &Job<'_>) -> Vec<PathBuf> {

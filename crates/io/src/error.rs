@@ -28,12 +28,6 @@ pub enum Error {
         /// The system's reason.
         cause: std::io::Error,
     },
-    /// A mesh was given where a scene is wanted.
-    #[error(
-        "{0}: a 3DS file is a mesh without camera and lamps; \
-         write a scene file with an object of the shape Mesh(file: \"{0}\")"
-    )]
-    MeshAsScene(String),
     /// A 3DS file is none.
     #[error("{file}: {cause}")]
     Mesh {
@@ -51,11 +45,28 @@ pub enum Error {
     /// Several files that are not MGF.
     #[error("{}: only MGF files can be read together as one scene", .0.display())]
     SeveralFiles(PathBuf),
-    /// An MGF file was given where a scene is wanted.
-    #[error(
-        "{0}: MGF files are read and counted (--check --stats -), but not made into scenes yet"
-    )]
-    MgfAsScene(String),
+    /// A material of a file cannot be rendered.
+    #[error("{file}: material: {cause}")]
+    Material {
+        /// The file.
+        file: String,
+        /// Why.
+        cause: traylib_materials::Error,
+    },
+    /// A file's shapes make no scene.
+    #[error("{file}: {cause}")]
+    Model {
+        /// The file.
+        file: String,
+        /// Why.
+        cause: traylib_scene::Error,
+    },
+    /// Nothing in a 3DS or MGF file can be seen.
+    #[error("{0}: it has no face that can be drawn")]
+    NothingToSee(String),
+    /// A 3DS or MGF file has no light.
+    #[error("{}", unlit(.0))]
+    Unlit(String),
     /// A scene file makes no sense; every place where it does not, with the
     /// lines shown.
     #[error("{0}")]
@@ -98,6 +109,15 @@ pub enum Error {
     },
 }
 
+fn unlit(file: &str) -> String {
+    format!(
+        "{file}: nothing in it emits light\n  `trace` brings a light of its own; for the others \
+         write a scene file with a lamp, as\n  (\n      camera: (…),  \
+         // `trace` tells one that suits the file\n      objects: [(shape: Mesh(file: \"{file}\"))],\n      \
+         lights: [Point(position: (0, 0, 2), intensity: (10, 10, 10))],\n  )"
+    )
+}
+
 fn unknown_scene(name: &str, known: &[&str]) -> String {
     let guess = nearest(name, known.iter().copied())
         .map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
@@ -123,6 +143,13 @@ impl fmt::Display for Warning {
             write!(f, " ({} times)", self.count)?;
         }
         Ok(())
+    }
+}
+
+impl From<&crate::mgf::Warning> for Warning {
+    fn from(warning: &crate::mgf::Warning) -> Self {
+        let file = warning.place.to_string();
+        Self { file, what: warning.what(), count: warning.count }
     }
 }
 

@@ -4,22 +4,30 @@
 //! reported together.
 
 mod files;
+mod frame;
 mod material;
 mod mesh;
+mod model;
 mod object;
 mod place;
 mod placement;
 mod shape;
+mod tally;
+mod thing;
+mod whole;
 
 pub(crate) use files::{SceneFile, gather};
+pub(crate) use whole::import_whole;
 
 use crate::load::{LoadOptions, SceneSettings};
 use crate::report::{Problem, Report};
-use crate::ron_scene::Light;
 use crate::ron_scene::locate::{Path, Step};
+use crate::ron_scene::{Light, Shape};
 use crate::{Error, Warning};
 use material::Materials;
-use mesh::MeshFiles;
+use model::ModelFiles;
+use thing::{Thing, ThingMaterial};
+use traylib_materials::Material;
 use traylib_math::{Rgb, Vec3};
 use traylib_scene::{Camera, CameraSettings, Object, Scene, SceneBuilder};
 
@@ -28,6 +36,13 @@ pub(crate) struct Imported {
     pub(crate) scene: Scene,
     pub(crate) settings: SceneSettings,
     pub(crate) warnings: Vec<Warning>,
+    /// What was chosen because no file says it.
+    pub(crate) notes: Vec<String>,
+}
+
+/// Whether a file's name says that it brings shapes without being a scene file.
+pub(crate) fn is_model(path: &std::path::Path) -> bool {
+    model::is_model(path)
 }
 
 /// The most pixels a picture may have. Larger ones are taken for a slip: 2²⁸
@@ -36,26 +51,32 @@ pub const MAX_PIXELS: u64 = 1 << 28;
 
 /// Builds the scene of these files; the last one is the scene itself, the
 /// others are included.
-pub(crate) fn import(files: &[SceneFile], options: LoadOptions) -> Result<Imported, Error> {
+pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Imported, Error> {
     let mut problems = Vec::new();
     let Some(root) = files.last() else { return Err(Error::Scene(Report(problems))) };
     let camera = camera(root, options, &mut problems);
     let settings = settings(root, &mut problems);
     let materials = Materials::collect(files, &mut problems);
-    let mut meshes = MeshFiles::default();
-    let parts = object::collect(files, &materials, &mut meshes, &mut problems);
-    let points = point_lights(files, &mut problems);
-    check_for_light(files, &mut problems);
+    let mut models = ModelFiles::new(options.root);
+    let parts = object::collect(files, &materials, &mut models, &mut problems);
+    let mut points = point_lights(files, &mut problems);
+    points.extend(models.take_lights());
+    check_for_light(files, &parts, &points, &mut problems);
     match camera {
         Some(camera) if problems.is_empty() => {
-            let scene = build(root, camera, &materials, parts, points)?;
-            Ok(Imported { scene, settings, warnings: meshes.into_warnings() })
+            let scene =
+                build(root, camera, [materials.models(), models.materials()], parts, points)?;
+            Ok(Imported { scene, settings, warnings: models.into_warnings(), notes: Vec::new() })
         }
         _ => Err(Error::Scene(Report(problems))),
     }
 }
 
-fn camera(root: &SceneFile, options: LoadOptions, problems: &mut Vec<Problem>) -> Option<Camera> {
+fn camera(
+    root: &SceneFile,
+    options: LoadOptions<'_>,
+    problems: &mut Vec<Problem>,
+) -> Option<Camera> {
     let Some(camera) = &root.document.camera else {
         let help = "add for instance `camera: (position: (0, 1, 4), target: (0, 1, 0), fov: 40, \
                     resolution: (400, 300))`";
@@ -109,14 +130,23 @@ fn point_lights(files: &[SceneFile], problems: &mut Vec<Problem>) -> Vec<(Vec3, 
     points
 }
 
-/// Refuses a scene that would be black.
-fn check_for_light(files: &[SceneFile], problems: &mut Vec<Problem>) {
+/// Refuses a scene that would be black. What could not be brought in might have
+/// been its light.
+fn check_for_light(
+    files: &[SceneFile],
+    parts: &[object::Part],
+    points: &[(Vec3, Rgb)],
+    problems: &mut Vec<Problem>,
+) {
     let shines = |light: [f32; 3]| light != [0.0; 3];
     let lit = files.iter().any(|file| {
         let document = &file.document;
-        document.objects.iter().any(|object| object.emission.is_some_and(shines))
-            || document.lights.iter().any(|Light::Point(light)| shines(light.intensity))
+        document.objects.iter().any(|object| {
+            let unknown = matches!(object.shape, Shape::Mesh(_)) && !problems.is_empty();
+            object.emission.is_some_and(shines) || unknown
+        }) || document.lights.iter().any(|Light::Point(light)| shines(light.intensity))
     });
+    let lit = lit || !points.is_empty() || parts.iter().any(|p| !p.thing.emission.is_black());
     if let (false, Some(root)) = (lit, files.last()) {
         let problem = root.place(Path::default()).missing("nothing in the scene emits light");
         let help = "give an object `emission: (4, 4, 4)`, or add \
@@ -130,19 +160,20 @@ fn check_for_light(files: &[SceneFile], problems: &mut Vec<Problem>) {
 fn build(
     root: &SceneFile,
     camera: Camera,
-    materials: &Materials,
+    materials: [&[Material]; 2],
     parts: Vec<object::Part>,
     points: Vec<(Vec3, Rgb)>,
 ) -> Result<Scene, Error> {
     let mut builder = SceneBuilder::new(camera);
-    let ids: Vec<_> = materials.models().iter().map(|&m| builder.add_material(m)).collect();
+    let [named, own] = materials
+        .map(|some| some.iter().map(|m| builder.add_material(m.clone())).collect::<Vec<_>>());
     let mut problems = Vec::new();
-    for object::Part { place, shape, sides, material, emission } in parts {
-        let id = match material {
-            object::PartMaterial::Named(index) => ids[index],
-            object::PartMaterial::Own(model) => builder.add_material(model),
+    for object::Part { place, thing: Thing { shape, sides, material, emission } } in parts {
+        let material = match material {
+            ThingMaterial::Named(index) => named[index],
+            ThingMaterial::Own(index) => own[index],
         };
-        let object = Object { shape, sides, material: id, emission };
+        let object = Object { shape, sides, material, emission };
         place.note(builder.add_object(object), &mut problems);
     }
     let whole = root.place(Path::default());

@@ -18,9 +18,15 @@ pub struct SceneSettings {
 
 /// What the caller wants otherwise than the file says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct LoadOptions {
+pub struct LoadOptions<'a> {
     /// Width and height of the picture in pixels.
     pub resolution: Option<(u32, u32)>,
+    /// The folder that files included by MGF files may not leave; that of the
+    /// scene, if none is given.
+    pub root: Option<&'a Path>,
+    /// Whether a 3DS or MGF file without any light gets a point light at the
+    /// camera, with a warning. Else it is an error.
+    pub headlight: bool,
 }
 
 /// A scene and what came with it.
@@ -32,16 +38,21 @@ pub struct Loaded {
     pub settings: SceneSettings,
     /// What was skipped or repaired.
     pub warnings: Vec<Warning>,
+    /// What was chosen because the file does not say it, such as a camera for an
+    /// MGF file: each a line that ends in what to write into a scene file.
+    pub notes: Vec<String>,
     /// Its name: that of the built-in scene, or of the file without folder and
     /// ending.
     pub name: String,
 }
 
-/// Loads a scene file, or a built-in scene where no file has this name.
+/// Loads a scene in RON, 3DS or MGF, or a built-in scene where no file has this
+/// name.
 ///
 /// # Errors
-/// [`Error::UnknownScene`], [`Error::Read`], [`Error::MeshAsScene`], or
-/// [`Error::Scene`] with every place where the scene makes no sense.
+/// [`Error::UnknownScene`], [`Error::Read`], [`Error::Scene`] with every place
+/// where a scene file makes no sense; [`Error::Mesh`], [`Error::Mgf`],
+/// [`Error::NothingToSee`] and [`Error::Unlit`] of the other formats.
 pub fn load_scene(name_or_path: &str) -> Result<Loaded, Error> {
     load_scene_with(name_or_path, LoadOptions::default())
 }
@@ -50,23 +61,18 @@ pub fn load_scene(name_or_path: &str) -> Result<Loaded, Error> {
 ///
 /// # Errors
 /// As `load_scene`.
-pub fn load_scene_with(name_or_path: &str, options: LoadOptions) -> Result<Loaded, Error> {
+pub fn load_scene_with(name_or_path: &str, options: LoadOptions<'_>) -> Result<Loaded, Error> {
     let location = find(name_or_path)?;
-    let files = import::gather(&location)?;
-    let import::Imported { scene, settings, warnings } = import::import(&files, options)?;
-    Ok(Loaded { scene, settings, warnings, name: stem(name_or_path) })
+    let imported = match &location {
+        Location::Disk(path) if import::is_model(path) => import::import_whole(&location, options)?,
+        _ => import::import(&import::gather(&location)?, options)?,
+    };
+    let import::Imported { scene, settings, warnings, notes } = imported;
+    Ok(Loaded { scene, settings, warnings, notes, name: stem(name_or_path) })
 }
 
 fn find(name: &str) -> Result<Location, Error> {
-    let path = Path::new(name);
-    if path.is_file() {
-        let ends = |wanted| path.extension().is_some_and(|e| e.eq_ignore_ascii_case(wanted));
-        if ends("3ds") {
-            return Err(Error::MeshAsScene(name.to_string()));
-        }
-        if ends("mgf") {
-            return Err(Error::MgfAsScene(name.to_string()));
-        }
+    if Path::new(name).is_file() {
         return Ok(Location::Disk(PathBuf::from(name)));
     }
     if builtin_names().contains(&name) {

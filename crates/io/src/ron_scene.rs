@@ -53,6 +53,22 @@ pub struct Camera {
     pub resolution: (u32, u32),
 }
 
+impl fmt::Display for Camera {
+    /// As it stands in a file.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = |[x, y, z]: [f32; 3]| format!("({x}, {y}, {z})");
+        let (width, height) = self.resolution;
+        write!(
+            f,
+            "camera: (position: {}, target: {}, up: {}, fov: {}, resolution: ({width}, {height}))",
+            place(self.position),
+            place(self.target),
+            place(self.up),
+            self.fov,
+        )
+    }
+}
+
 fn y_axis() -> [f32; 3] {
     [0.0, 1.0, 0.0]
 }
@@ -224,7 +240,7 @@ pub struct Block {
 #[derive(Clone, Debug, PartialEq, Derive)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// A 3DS file, relative to the scene file.
+    /// A 3DS or MGF file, relative to the scene file.
     pub file: String,
     /// Metres a unit of the file.
     #[serde(default = "one")]
@@ -235,6 +251,15 @@ pub struct Mesh {
     /// Where the file's origin goes.
     #[serde(default)]
     pub translate: [f32; 3],
+    /// Materials of the scene for some of the file's, by their names there.
+    #[serde(default)]
+    pub materials: Named<String>,
+    /// Factor on what the file's materials emit: 1 for MGF, whose light has a
+    /// unit, 0 for 3DS.
+    pub glow: Option<f32>,
+    /// Factor on the lights of a 3DS file.
+    #[serde(default)]
+    pub lights: f32,
 }
 
 fn one() -> f32 {

@@ -38,6 +38,14 @@ impl Location {
         }
     }
 
+    /// The folder that a file on disk is in.
+    pub(crate) fn folder(&self) -> Option<&Path> {
+        match self {
+            Self::Disk(path) => path.parent(),
+            Self::BuiltIn(_) => None,
+        }
+    }
+
     /// The same for all names of one file.
     pub(crate) fn identity(&self) -> Self {
         match self {

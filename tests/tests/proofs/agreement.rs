@@ -7,7 +7,7 @@ use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::programs::Program::{self, BdptBalance, Combined, Particle, PureMc, Strict};
 
 fn agreement(name: &str, others: &[Other], budget: &Budget) -> Agreement {
-    let options = LoadOptions { resolution: Some((48, 36)) };
+    let options = LoadOptions { resolution: Some((48, 36)), ..LoadOptions::default() };
     let scene = load_scene_with(name, options).unwrap().scene;
     agree(&Subject { name, scene: &scene }, others, budget)
 }

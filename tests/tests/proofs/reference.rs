@@ -50,7 +50,7 @@ fn block_means(pass: &Grid<[f64; 3]>) -> Vec<[f64; 3]> {
 
 /// One number a pass for each block and band.
 fn passes(scene: &str, program: Program, side: u32, spp: u32) -> Vec<Vec<[f64; 3]>> {
-    let options = LoadOptions { resolution: Some((side, side)) };
+    let options = LoadOptions { resolution: Some((side, side)), ..LoadOptions::default() };
     let loaded = load_scene_with(scene, options).unwrap();
     let integrator = program.integrator(MAX_DEPTH);
     let settings = Settings { spp, seed: 2026, threads: 0 };

@@ -15,7 +15,8 @@ struct Options {
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    let job = Job { default_spp: Some(1), ..Job::new("trace", &options.render, None) };
+    let job =
+        Job { default_spp: Some(1), headlight: true, ..Job::new("trace", &options.render, None) };
     let jitter = options.render.time_limit.is_some() || options.render.spp.unwrap_or(1) > 1;
     run(&job, |_, _| Ok(Trace { jitter }), |_| Ok(()))
 }

@@ -9,7 +9,7 @@ use traylib_math::{Grid, Rgb};
 
 #[test]
 fn weighted_techniques_add_up_to_the_picture() {
-    let options = LoadOptions { resolution: Some((24, 18)) };
+    let options = LoadOptions { resolution: Some((24, 18)), ..LoadOptions::default() };
     for scene in ["cornell", "pyramid"] {
         let scene = load_scene_with(scene, options).unwrap().scene;
         let bdpt = Bdpt { report: Report::Techniques, ..Bdpt::default() };

@@ -12,7 +12,7 @@ use traylib_math::Rgb;
 
 /// The named materials of all files.
 pub(super) struct Materials {
-    models: Vec<SurfaceModel>,
+    models: Vec<traylib_materials::Material>,
     /// `None` is a material that has an error of its own.
     by_name: HashMap<String, Option<usize>>,
     /// In file order, for messages.
@@ -47,7 +47,7 @@ impl Materials {
         }
         let index = match surface_model(material) {
             Ok(model) => {
-                self.models.push(model);
+                self.models.push(model.into());
                 Some(self.models.len() - 1)
             }
             Err(error) => {
@@ -60,7 +60,7 @@ impl Materials {
     }
 
     /// The models, by the numbers that [`find`](Self::find) gives.
-    pub(super) fn models(&self) -> &[SurfaceModel] {
+    pub(super) fn models(&self) -> &[traylib_materials::Material] {
         &self.models
     }
 

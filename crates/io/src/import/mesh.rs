@@ -1,195 +1,124 @@
-//! Meshes from 3DS files.
+//! Objects whose shape comes from a file.
 
-mod skipped;
-
+use super::files::SceneFile;
+use super::frame;
+use super::material::Materials;
+use super::model::{Half, Look, ModelFile, ModelFiles, ModelLight, NumberedFile};
+use super::place::Place;
 use super::placement::Placement;
-use crate::Warning;
-use crate::source::Location;
-use crate::three_ds::{self, smoothing::corner_normals};
-use std::collections::{BTreeMap, HashMap};
-use std::rc::Rc;
-use traylib_geometry::{self as geometry, Sides};
-use traylib_materials::{self as materials, Lambert, Phong, SurfaceModel};
-use traylib_math::{Rgb, Vec3};
+use super::tally::Tally;
+use super::thing::{Thing, ThingMaterial};
+use crate::report::Problem;
+use crate::ron_scene::locate::Step;
+use crate::ron_scene::{self, Mesh, Object};
+use crate::suggest::{nearest, quoted_list};
+use std::collections::BTreeMap;
+use traylib_geometry::Sides;
+use traylib_math::Rgb;
 
-/// The files read so far: each is read, and warned about, once.
-#[derive(Default)]
-pub(super) struct MeshFiles {
-    files: Vec<(Location, Rc<MeshFile>)>,
-    warnings: Vec<Warning>,
+/// Brings in one object of this kind.
+pub(super) struct MeshImporter<'a> {
+    pub(super) file: &'a SceneFile,
+    pub(super) object: &'a Object,
+    pub(super) mesh: &'a Mesh,
+    /// Of the object.
+    pub(super) place: &'a Place,
+    pub(super) materials: &'a Materials,
+    pub(super) problems: &'a mut Vec<Problem>,
 }
 
-impl MeshFiles {
-    /// A file; why it cannot be used, else.
-    pub(super) fn load(&mut self, location: &Location) -> Result<Rc<MeshFile>, String> {
-        if let Some((_, file)) = self.files.iter().find(|(known, _)| known == location) {
-            return Ok(Rc::clone(file));
+impl MeshImporter<'_> {
+    /// The file's things as the object wants them: `named` is the number of its
+    /// material, if it has one.
+    pub(super) fn things(&mut self, named: Option<usize>, models: &mut ModelFiles) -> Vec<Thing> {
+        let shape = self.place.field("shape");
+        let placement = Placement::new(self.mesh)
+            .map_err(|(field, message)| self.problems.push(shape.field(field).problem(message)));
+        let glow = self.factor("glow", self.mesh.glow);
+        let lights = self.factor("lights", Some(self.mesh.lights)).unwrap_or(0.0);
+        let location = self.file.location.beside(&self.mesh.file);
+        let model = models.load(&location, &self.file.location);
+        let model = shape.field("file").note(model, self.problems);
+        let (Ok(placement), Some(model)) = (placement, model) else { return Vec::new() };
+        let replaced = self.replaced(&model.file.looks);
+        let mut tally = Tally::default();
+        let parts = shape.note(model.file.parts(&placement, &mut tally), self.problems);
+        models.warn(&location, tally);
+        let glow = glow.unwrap_or(if model.file.is_physical() { 1.0 } else { 0.0 });
+        let mut things = Vec::new();
+        for part in parts.unwrap_or_default() {
+            let (half, number, look) = (part.half, part.look, &model.file.looks[part.look]);
+            if half == Half::Back && self.object.sides == Some(ron_scene::Sides::Front) {
+                continue;
+            }
+            let mut thing = Thing::of_model(part, look, model.first, glow);
+            let named = named.or_else(|| replaced.get(&number).copied());
+            self.change(&mut thing, half, named);
+            things.push(thing);
         }
-        let describe = |cause: String| format!("{location} cannot be used: {cause}");
-        let bytes = location.read().map_err(|e| describe(e.to_string()))?;
-        let document = three_ds::decode(&bytes).map_err(|e| describe(e.to_string()))?;
-        if document.meshes.iter().all(|mesh| mesh.faces.is_empty()) {
-            return Err(describe("it has no mesh with a face that can be drawn".to_string()));
-        }
-        let (file, warnings) = MeshFile::new(document).map_err(|e| describe(e.to_string()))?;
-        let named = |(what, count)| Warning { file: location.to_string(), what, count };
-        self.warnings.extend(warnings.into_iter().map(named));
-        self.files.push((location.clone(), Rc::new(file)));
-        Ok(Rc::clone(&self.files[self.files.len() - 1].1))
+        models.add_lights(placed_lights(&model, &placement, lights, &things));
+        things
     }
 
-    pub(super) fn into_warnings(self) -> Vec<Warning> {
-        self.warnings
-    }
-}
-
-/// A file with what does not depend on where its meshes go.
-pub(super) struct MeshFile {
-    meshes: Vec<three_ds::Mesh>,
-    /// For each mesh, the unit normals of its faces' corners.
-    normals: Vec<Option<Vec<[Vec3; 3]>>>,
-    /// For each material and, last, for faces without one.
-    looks: Vec<(SurfaceModel, Sides)>,
-}
-
-impl MeshFile {
-    /// Also what there is to warn of, with counts.
-    fn new(document: three_ds::Document) -> Result<(Self, Vec<(String, u32)>), materials::Error> {
-        let skipped = skipped::skipped(&document);
-        let three_ds::Document { meshes, materials, mut warnings, .. } = document;
-        let normals = meshes.iter().map(|mesh| corner_normals(mesh, &mut warnings)).collect();
-        let mut scaled = 0;
-        let fallback = three_ds::Material::default();
-        let mut looks = Vec::new();
-        for material in materials.iter().chain([&fallback]) {
-            let (model, was_scaled) = surface_model(material)?;
-            scaled += u32::from(was_scaled);
-            let sides = if material.two_sided { Sides::Both } else { Sides::Front };
-            looks.push((model, sides));
+    /// What the object says goes before what the file says.
+    fn change(&self, thing: &mut Thing, half: Half, named: Option<usize>) {
+        if let Some(number) = named {
+            thing.material = ThingMaterial::Named(number);
         }
-        let mut messages: Vec<(String, u32)> =
-            warnings.iter().map(|(kind, count)| (kind.to_string(), count)).collect();
-        messages.extend(skipped);
-        if scaled > 0 {
-            messages.push(("material reflecting more than arrives, scaled down".into(), scaled));
+        if let Some(emission) = self.object.emission {
+            thing.emission = Rgb::from(emission);
         }
-        Ok((Self { meshes, normals, looks }, messages))
+        if half == Half::Whole {
+            let without = named.map(|_| Sides::Both);
+            let sides = self.object.sides.map(Sides::from).or(without);
+            thing.sides = sides.unwrap_or(thing.sides);
+        }
     }
 
-    /// The file's meshes where they go, split by material.
-    pub(super) fn parts(
-        &self,
-        placement: &Placement,
-    ) -> Result<Vec<(geometry::Mesh, SurfaceModel, Sides)>, geometry::Error> {
-        let mut parts = Vec::new();
-        for (mesh, normals) in self.meshes.iter().zip(&self.normals) {
-            for (look, faces) in self.faces_by_look(mesh) {
-                let mut welder = Welder::new(mesh, normals.as_deref(), placement);
-                let triangles = faces.into_iter().map(|face| welder.triangle(face)).collect();
-                let (model, sides) = self.looks[look];
-                parts.push((welder.finish(triangles)?, model, sides));
+    fn factor(&mut self, field: &'static str, factor: Option<f32>) -> Option<f32> {
+        if factor.is_some_and(|factor| !(factor >= 0.0 && factor.is_finite())) {
+            let place = self.place.field("shape").field(field);
+            self.problems.push(place.problem("the factor must be finite and not negative"));
+        }
+        factor
+    }
+
+    /// The numbers of the scene's materials for those of the file.
+    fn replaced(&mut self, looks: &[Look]) -> BTreeMap<usize, usize> {
+        let mut replaced = BTreeMap::new();
+        let place = self.place.field("shape").field("materials");
+        for (index, (of_file, of_scene)) in self.mesh.materials.0.iter().enumerate() {
+            let value = place.then(Step::Value(index));
+            let number = self.materials.find(of_scene, &value, self.problems);
+            let mut found = false;
+            for (look, _) in looks.iter().enumerate().filter(|(_, look)| look.name == *of_file) {
+                found = true;
+                replaced.extend(number.map(|number| (look, number)));
+            }
+            if !found {
+                self.problems.push(no_such_material(&place.then(Step::Key(index)), of_file, looks));
             }
         }
-        Ok(parts)
-    }
-
-    fn faces_by_look(&self, mesh: &three_ds::Mesh) -> BTreeMap<usize, Vec<usize>> {
-        let without = self.looks.len() - 1;
-        let mut looks: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for (index, face) in mesh.faces.iter().enumerate() {
-            looks.entry(face.material.unwrap_or(without)).or_default().push(index);
-        }
-        looks
+        replaced
     }
 }
 
-/// Collects the vertices of some faces. A vertex with several normals becomes
-/// several.
-struct Welder<'a> {
-    mesh: &'a three_ds::Mesh,
-    corner_normals: Option<&'a [[Vec3; 3]]>,
-    placement: &'a Placement,
-    numbers: HashMap<(u16, Option<[u32; 3]>), u32>,
-    positions: Vec<Vec3>,
-    normals: Vec<Vec3>,
-    uvs: Vec<geometry::Vec2>,
+fn no_such_material(place: &Place, name: &str, looks: &[Look]) -> Problem {
+    let names = || looks.iter().map(|look| look.name.as_str()).filter(|name| !name.is_empty());
+    let label = nearest(name, names()).map(|near| format!("did you mean `{near}`?"));
+    let title = format!("the file has no material named `{name}`");
+    let problem = place.labelled(title, label.unwrap_or_default());
+    problem.with_help(format!("its materials are {}", quoted_list(names())))
 }
 
-impl<'a> Welder<'a> {
-    fn new(
-        mesh: &'a three_ds::Mesh,
-        corner_normals: Option<&'a [[Vec3; 3]]>,
-        placement: &'a Placement,
-    ) -> Self {
-        Self {
-            mesh,
-            corner_normals,
-            placement,
-            numbers: HashMap::new(),
-            positions: Vec::new(),
-            normals: Vec::new(),
-            uvs: Vec::new(),
-        }
-    }
-
-    fn triangle(&mut self, face: usize) -> [u32; 3] {
-        let corners = self.mesh.faces[face].corners;
-        let normals = self.corner_normals.map(|normals| normals[face]);
-        [0, 1, 2].map(|place| self.vertex(corners[place], normals.map(|n| n[place])))
-    }
-
-    fn vertex(&mut self, vertex: u16, normal: Option<Vec3>) -> u32 {
-        let key = (vertex, normal.map(|n| n.to_array().map(f32::to_bits)));
-        if let Some(&number) = self.numbers.get(&key) {
-            return number;
-        }
-        let number = self.positions.len() as u32;
-        let index = usize::from(vertex);
-        self.positions.push(self.placement.point(self.mesh.vertices[index]));
-        self.normals.extend(normal.map(|n| self.placement.direction(n)));
-        self.uvs.extend(self.mesh.uvs.get(index));
-        self.numbers.insert(key, number);
-        number
-    }
-
-    fn finish(self, triangles: Vec<[u32; 3]>) -> Result<geometry::Mesh, geometry::Error> {
-        let mut mesh = geometry::Mesh::new(self.positions, triangles)?;
-        if !self.normals.is_empty() {
-            mesh = mesh.with_normals(self.normals)?;
-        }
-        if !self.uvs.is_empty() {
-            mesh = mesh.with_uvs(self.uvs)?;
-        }
-        Ok(mesh)
-    }
+/// The file's lights, if any are wanted.
+fn placed_lights(
+    model: &NumberedFile,
+    placement: &Placement,
+    factor: f32,
+    things: &[Thing],
+) -> Vec<ModelLight> {
+    let dimmed = |light: ModelLight| ModelLight { intensity: light.intensity * factor, ..light };
+    let of = |file: &ModelFile| file.lights(placement, frame::bounds(things).centre());
+    if factor > 0.0 { of(&model.file).into_iter().map(dimmed).collect() } else { Vec::new() }
 }
-
-/// The model nearest to a 3DS material, and whether it had to be scaled down.
-///
-/// Colours are taken as coded by the sRGB curve. kd = d, ks = s·k (metal: d·k)
-/// and n = 2^(10·g), for diffuse d, specular s, strength k and glossiness g:
-/// the exponent as in the viewer of lib3ds. Where kd + ks exceeds one both are
-/// divided by the largest band of the sum.
-fn surface_model(material: &three_ds::Material) -> Result<(SurfaceModel, bool), materials::Error> {
-    let diffuse = linear(material.diffuse);
-    let tint = match material.shading {
-        three_ds::Shading::Metal => diffuse,
-        _ => linear(material.specular),
-    };
-    let specular = tint * material.shininess_strength;
-    if specular.is_black() {
-        return Ok((SurfaceModel::Lambert(Lambert::new(diffuse)?), false));
-    }
-    let sum = (diffuse + specular).max_band();
-    let divisor = sum.max(1.0);
-    let exponent = (10.0 * material.shininess).exp2();
-    let model = Phong::new(diffuse / divisor, specular / divisor, exponent)?;
-    Ok((SurfaceModel::Phong(model), sum > 1.0))
-}
-
-fn linear(coded: Rgb) -> Rgb {
-    Rgb::from(coded.to_array().map(crate::srgb::decode))
-}
-
-#[cfg(test)]
-mod tests;

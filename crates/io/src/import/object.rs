@@ -2,15 +2,15 @@
 
 use super::files::SceneFile;
 use super::material::Materials;
-use super::mesh::MeshFiles;
+use super::mesh::MeshImporter;
+use super::model::ModelFiles;
 use super::place::Place;
-use super::placement::Placement;
 use super::shape;
+use super::thing::{Thing, ThingMaterial};
 use crate::report::Problem;
 use crate::ron_scene::locate::{Path, Step};
 use crate::ron_scene::{self, Shape};
 use traylib_geometry::Sides;
-use traylib_materials::SurfaceModel;
 use traylib_math::Rgb;
 use traylib_scene::ObjectShape;
 
@@ -18,26 +18,14 @@ use traylib_scene::ObjectShape;
 /// material of its file.
 pub(super) struct Part {
     pub(super) place: Place,
-    pub(super) shape: ObjectShape,
-    pub(super) sides: Sides,
-    pub(super) material: PartMaterial,
-    pub(super) emission: Rgb,
-}
-
-/// What a part is made of.
-#[derive(Clone, Copy)]
-pub(super) enum PartMaterial {
-    /// The number of a named material.
-    Named(usize),
-    /// A material of the mesh's own file.
-    Own(SurfaceModel),
+    pub(super) thing: Thing,
 }
 
 /// All parts of all objects that make sense.
 pub(super) fn collect(
     files: &[SceneFile],
     materials: &Materials,
-    meshes: &mut MeshFiles,
+    models: &mut ModelFiles,
     problems: &mut Vec<Problem>,
 ) -> Vec<Part> {
     let mut parts = Vec::new();
@@ -45,7 +33,7 @@ pub(super) fn collect(
         for (index, object) in file.document.objects.iter().enumerate() {
             let place = file.place(Path::of("objects").then(Step::Index(index)));
             let mut importer = Importer { file, object, place, problems };
-            importer.add(materials, meshes, &mut parts);
+            importer.add(materials, models, &mut parts);
         }
     }
     parts
@@ -60,63 +48,38 @@ struct Importer<'a> {
 }
 
 impl Importer<'_> {
-    fn add(&mut self, materials: &Materials, meshes: &mut MeshFiles, parts: &mut Vec<Part>) {
-        let emission = self.object.emission.map_or(Rgb::BLACK, Rgb::from);
-        self.place.field("emission").check_light("emission", emission, self.problems);
+    fn add(&mut self, materials: &Materials, models: &mut ModelFiles, parts: &mut Vec<Part>) {
+        let emission = self.object.emission.map(Rgb::from);
+        let to_check = emission.unwrap_or(Rgb::BLACK);
+        self.place.field("emission").check_light("emission", to_check, self.problems);
         let named = self.object.material.as_ref().map(|name| {
             let place = self.place.field("material");
-            materials.find(name, &place, self.problems).map(PartMaterial::Named)
+            materials.find(name, &place, self.problems)
         });
-        let shapes = match &self.object.shape {
-            Shape::Mesh(mesh) => self.mesh(mesh, meshes),
-            shape => self.primitives(shape),
+        // A material that was not found has been reported already.
+        let things = match (&self.object.shape, named) {
+            (_, Some(None)) => Vec::new(),
+            (Shape::Mesh(mesh), named) => {
+                let (file, object, place) = (self.file, self.object, &self.place);
+                MeshImporter { file, object, mesh, place, materials, problems: self.problems }
+                    .things(named.flatten(), models)
+            }
+            (shape, named) => self.primitives(shape, named.flatten(), to_check),
         };
-        for (shape, own) in shapes {
-            // A material that was not found has been reported already.
-            let material = match named {
-                Some(found) => found,
-                None => own.map(|(model, _)| PartMaterial::Own(model)),
-            };
-            let sides = self.sides(own.map(|(_, sides)| sides));
-            let place = self.place.clone();
-            parts.extend(material.map(|material| Part { place, shape, sides, material, emission }));
-        }
+        let place = &self.place;
+        parts.extend(things.into_iter().map(|thing| Part { place: place.clone(), thing }));
     }
 
-    /// What the object says; else what the file of the mesh says of a material
-    /// of its own; else both.
-    fn sides(&self, own: Option<Sides>) -> Sides {
-        match self.object.sides {
-            Some(ron_scene::Sides::Both) => Sides::Both,
-            Some(ron_scene::Sides::Front) => Sides::Front,
-            None if self.object.material.is_some() => Sides::Both,
-            None => own.unwrap_or(Sides::Both),
-        }
-    }
-
-    fn primitives(&mut self, shape: &Shape) -> Vec<(ObjectShape, Option<(SurfaceModel, Sides)>)> {
-        if self.object.material.is_none() {
-            let problem = self.place.problem("the object has no material");
-            self.problems.push(problem.with_help("only a Mesh may do without `material`"));
-        }
+    fn primitives(&mut self, shape: &Shape, named: Option<usize>, emission: Rgb) -> Vec<Thing> {
         let primitives = shape::primitives(shape);
         let found = self.place.field("shape").note(primitives, self.problems).unwrap_or_default();
-        found.into_iter().map(|primitive| (ObjectShape::Primitive(primitive), None)).collect()
-    }
-
-    fn mesh(
-        &mut self,
-        mesh: &ron_scene::Mesh,
-        meshes: &mut MeshFiles,
-    ) -> Vec<(ObjectShape, Option<(SurfaceModel, Sides)>)> {
-        let shape = self.place.field("shape");
-        let placement = Placement::new(mesh)
-            .map_err(|(field, message)| self.problems.push(shape.field(field).problem(message)));
-        let location = self.file.location.beside(&mesh.file);
-        let file = shape.field("file").note(meshes.load(&location), self.problems);
-        let (Ok(placement), Some(file)) = (placement, file) else { return Vec::new() };
-        let parts = shape.note(file.parts(&placement), self.problems).unwrap_or_default();
-        let part = |(mesh, model, sides)| (ObjectShape::Mesh(mesh), Some((model, sides)));
-        parts.into_iter().map(part).collect()
+        let Some(material) = named.map(ThingMaterial::Named) else {
+            let problem = self.place.problem("the object has no material");
+            self.problems.push(problem.with_help("only a Mesh may do without `material`"));
+            return Vec::new();
+        };
+        let sides = self.object.sides.map_or(Sides::Both, Sides::from);
+        let shapes = found.into_iter().map(ObjectShape::Primitive);
+        shapes.map(|shape| Thing { shape, sides, material, emission }).collect()
     }
 }

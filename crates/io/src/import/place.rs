@@ -1,7 +1,7 @@
 //! Places in scene files that errors can name.
 
 use crate::report::{Problem, SourceText};
-use crate::ron_scene::locate::{Path, locate};
+use crate::ron_scene::locate::{Path, Step, locate};
 use std::fmt::Display;
 use std::sync::Arc;
 use traylib_math::Rgb;
@@ -16,6 +16,10 @@ pub(super) struct Place {
 impl Place {
     pub(super) fn field(&self, name: &'static str) -> Self {
         Self { source: Arc::clone(&self.source), path: self.path.field(name) }
+    }
+
+    pub(super) fn then(&self, step: Step) -> Self {
+        Self { source: Arc::clone(&self.source), path: self.path.then(step) }
     }
 
     /// Something is wrong with this value. Where it cannot be found in the

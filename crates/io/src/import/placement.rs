@@ -2,7 +2,7 @@
 
 use crate::ron_scene;
 use traylib_math::Vec3;
-use traylib_math::glam::Mat3;
+use traylib_math::glam::{DVec3, Mat3};
 
 /// Scale, then turn, then move.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +13,10 @@ pub(super) struct Placement {
 }
 
 impl Placement {
+    /// Leaves everything where it is.
+    pub(super) const NONE: Self =
+        Self { scale: 1.0, rotation: Mat3::IDENTITY, translation: Vec3::ZERO };
+
     /// The placement a scene file describes; the field that makes no sense and
     /// what is wrong with it, else.
     pub(super) fn new(mesh: &ron_scene::Mesh) -> Result<Self, (&'static str, &'static str)> {
@@ -31,6 +35,22 @@ impl Placement {
 
     pub(super) fn point(&self, point: Vec3) -> Vec3 {
         self.rotation * (point * self.scale) + self.translation
+    }
+
+    /// Where a point of double precision goes.
+    pub(super) fn wide_point(&self, point: DVec3) -> DVec3 {
+        let turned = self.rotation.as_dmat3() * (point * f64::from(self.scale));
+        turned + self.translation.as_dvec3()
+    }
+
+    /// Metres a unit.
+    pub(super) fn scale(&self) -> f64 {
+        f64::from(self.scale)
+    }
+
+    /// A direction of double precision, of length one.
+    pub(super) fn wide_direction(&self, direction: DVec3) -> DVec3 {
+        (self.rotation.as_dmat3() * direction).normalize_or_zero()
     }
 
     /// A unit direction stays one.

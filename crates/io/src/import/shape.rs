@@ -1,6 +1,6 @@
 //! Shapes: from documents to primitives.
 
-use crate::ron_scene::{Block, Facing, Shape};
+use crate::ron_scene::{self, Block, Facing, Shape};
 use traylib_geometry::{self as geometry, Disk, Primitive, Quad, Sphere, Triangle};
 use traylib_math::Vec3;
 
@@ -29,6 +29,15 @@ fn facing(facing: Facing) -> geometry::Facing {
     match facing {
         Facing::Outward => geometry::Facing::Outward,
         Facing::Inward => geometry::Facing::Inward,
+    }
+}
+
+impl From<ron_scene::Sides> for geometry::Sides {
+    fn from(sides: ron_scene::Sides) -> Self {
+        match sides {
+            ron_scene::Sides::Both => Self::Both,
+            ron_scene::Sides::Front => Self::Front,
+        }
     }
 }
 

@@ -42,29 +42,35 @@ pub struct Warning {
     pub count: u32,
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { place, subject, .. } = self;
-        write!(f, "{place}: ")?;
+impl Warning {
+    /// What was met, without where and how often.
+    pub fn what(&self) -> String {
+        let subject = &self.subject;
         match self.kind {
-            WarningKind::UnknownEntity => write!(f, "unknown entity `{subject}` skipped"),
+            WarningKind::UnknownEntity => format!("unknown entity `{subject}` skipped"),
             WarningKind::CommentWithoutBlank => {
-                write!(f, "`{subject}` taken for a comment (a blank belongs after its #)")
+                format!("`{subject}` taken for a comment (a blank belongs after its #)")
             }
             WarningKind::LuminaireSkipped => {
-                write!(f, "luminaire `{subject}` skipped with its light (ies is not read)")
+                format!("luminaire `{subject}` skipped with its light (ies is not read)")
             }
-            WarningKind::TransformLeftOpen => f.write_str("xf left open, closed at the file's end"),
-            WarningKind::ObjectLeftOpen => f.write_str("o left open, closed at the file's end"),
+            WarningKind::TransformLeftOpen => "xf left open, closed at the file's end".into(),
+            WarningKind::ObjectLeftOpen => "o left open, closed at the file's end".into(),
             WarningKind::ScattersTooMuch => {
-                write!(f, "material `{subject}` with rd + td + rs + ts over 1, scaled down")
+                format!("material `{subject}` with rd + td + rs + ts over 1, scaled down")
             }
             WarningKind::ColourWithoutLuminance => {
-                write!(f, "material `{subject}` with a colour of no luminance, black")
+                format!("material `{subject}` with a colour of no luminance, black")
             }
-            WarningKind::NoArea => write!(f, "surface `{subject}` dropped: it has no area"),
-            WarningKind::NotFinite => write!(f, "surface `{subject}` dropped: it is too large"),
-        }?;
+            WarningKind::NoArea => format!("surface `{subject}` dropped: it has no area"),
+            WarningKind::NotFinite => format!("surface `{subject}` dropped: it is too large"),
+        }
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.what())?;
         if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }
     }
 }

@@ -1,0 +1,218 @@
+//! Files that bring shapes with materials of their own: 3DS and MGF.
+
+mod mgf;
+mod three_ds;
+
+use super::placement::Placement;
+use super::tally::Tally;
+use crate::source::Location;
+use crate::{Error, Warning};
+use std::path::Path;
+use std::rc::Rc;
+use traylib_geometry::{self as geometry, Sides};
+use traylib_materials::Material;
+use traylib_math::{Rgb, Vec3};
+use traylib_scene::ObjectShape;
+
+/// A material of a file.
+#[derive(Clone, Debug)]
+pub(super) struct Look {
+    /// As the file calls it; may be empty, or that of others too.
+    pub(super) name: String,
+    pub(super) material: Material,
+    pub(super) sides: Sides,
+    /// Radiance that it emits by itself. 3D Studio's has no unit.
+    pub(super) emission: Rgb,
+}
+
+/// Something with one material.
+#[derive(Debug)]
+pub(super) struct ModelPart {
+    pub(super) shape: ObjectShape,
+    /// Index into the file's looks.
+    pub(super) look: usize,
+    pub(super) half: Half,
+}
+
+/// Which part of a surface this is. Surfaces emit from their fronts only, so that
+/// one which emits from both sides becomes two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Half {
+    /// All of it.
+    Whole,
+    /// Its front, the back apart.
+    Front,
+    /// Its back, turned round.
+    Back,
+}
+
+/// A light that is not a shape.
+#[derive(Clone, Debug)]
+pub(super) struct ModelLight {
+    pub(super) position: Vec3,
+    pub(super) intensity: Rgb,
+}
+
+/// Where the picture is taken from, according to a file.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ModelCamera {
+    pub(super) position: Vec3,
+    pub(super) target: Vec3,
+    pub(super) up: Vec3,
+    pub(super) fov_degrees: f32,
+}
+
+/// A file with what does not depend on where it goes.
+pub(super) struct ModelFile {
+    pub(super) looks: Vec<Look>,
+    content: Content,
+}
+
+enum Content {
+    Mgf(Vec<crate::mgf::Surface>),
+    ThreeDs(three_ds::Content),
+}
+
+/// Whether a file's name says that it is one of these.
+pub(super) fn is_model(path: &Path) -> bool {
+    is_mgf(path) || has_ending(path, "3ds")
+}
+
+fn is_mgf(path: &Path) -> bool {
+    has_ending(path, "mgf")
+}
+
+fn has_ending(path: &Path, wanted: &str) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
+}
+
+impl ModelFile {
+    /// Reads a file, MGF by its name, else 3DS; with what there is to warn of.
+    /// Included files of MGF may not leave the folder `root`.
+    ///
+    /// # Errors
+    /// It cannot be read or makes no sense.
+    pub(super) fn read(
+        location: &Location,
+        root: Option<&Path>,
+    ) -> Result<(Self, Vec<Warning>), Error> {
+        let mut tally = Tally::default();
+        let (file, mut warnings) = match location {
+            Location::Disk(path) if is_mgf(path) => mgf::read(path, root, &mut tally)?,
+            _ => (three_ds::read(location, &mut tally)?, Vec::new()),
+        };
+        warnings.extend(tally.into_warnings(&location.to_string()));
+        Ok((file, warnings))
+    }
+
+    /// The file's shapes where they go.
+    pub(super) fn parts(
+        &self,
+        placement: &Placement,
+        tally: &mut Tally,
+    ) -> Result<Vec<ModelPart>, geometry::Error> {
+        match &self.content {
+            Content::Mgf(surfaces) => mgf::parts(surfaces, &self.looks, placement, tally),
+            Content::ThreeDs(content) => content.parts(placement),
+        }
+    }
+
+    /// Its lights, as bright as 3D Studio shows them around `middle`.
+    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<ModelLight> {
+        match &self.content {
+            Content::Mgf(_) => Vec::new(),
+            Content::ThreeDs(content) => content.lights(placement, middle),
+        }
+    }
+
+    /// Its first camera.
+    pub(super) fn camera(&self) -> Option<ModelCamera> {
+        match &self.content {
+            Content::Mgf(_) => None,
+            Content::ThreeDs(content) => content.camera(),
+        }
+    }
+
+    /// Whether what it emits has a unit.
+    pub(super) fn is_physical(&self) -> bool {
+        matches!(self.content, Content::Mgf(_))
+    }
+}
+
+/// The files read so far: each is read, and warned about, once.
+pub(super) struct ModelFiles<'a> {
+    /// Where included files may come from, if the caller says.
+    root: Option<&'a Path>,
+    files: Vec<(Location, Rc<NumberedFile>)>,
+    materials: Vec<Material>,
+    lights: Vec<ModelLight>,
+    warnings: Vec<Warning>,
+}
+
+/// A file whose materials have numbers.
+pub(super) struct NumberedFile {
+    pub(super) file: ModelFile,
+    /// The number of its first look.
+    pub(super) first: usize,
+}
+
+impl<'a> ModelFiles<'a> {
+    pub(super) fn new(root: Option<&'a Path>) -> Self {
+        let (files, materials) = (Vec::new(), Vec::new());
+        Self { root, files, materials, lights: Vec::new(), warnings: Vec::new() }
+    }
+
+    /// A file, which may include others from its own folder and that of the scene
+    /// file; why it cannot be used, else.
+    pub(super) fn load(
+        &mut self,
+        location: &Location,
+        scene: &Location,
+    ) -> Result<Rc<NumberedFile>, String> {
+        if let Some((_, file)) = self.files.iter().find(|(known, _)| known == location) {
+            return Ok(Rc::clone(file));
+        }
+        let root = self.root.or_else(|| scene.folder());
+        let (file, warnings) = ModelFile::read(location, root).map_err(|error| {
+            let cause = match error {
+                Error::Read { cause, .. } => cause.to_string(),
+                Error::Mesh { cause, .. } => cause.to_string(),
+                other => other.to_string(),
+            };
+            format!("{location} cannot be used: {cause}")
+        })?;
+        self.warnings.extend(warnings);
+        let first = self.materials.len();
+        self.materials.extend(file.looks.iter().map(|look| look.material.clone()));
+        let file = Rc::new(NumberedFile { file, first });
+        self.files.push((location.clone(), Rc::clone(&file)));
+        Ok(file)
+    }
+
+    /// Takes note of what was met while shapes were made.
+    pub(super) fn warn(&mut self, location: &Location, tally: Tally) {
+        self.warnings.extend(tally.into_warnings(&location.to_string()));
+    }
+
+    /// Adds lights that a scene wants from a file.
+    pub(super) fn add_lights(&mut self, lights: impl IntoIterator<Item = ModelLight>) {
+        self.lights.extend(lights);
+    }
+
+    /// Position and intensity of the lights wanted so far.
+    pub(super) fn take_lights(&mut self) -> impl Iterator<Item = (Vec3, Rgb)> {
+        self.lights.drain(..).map(|light| (light.position, light.intensity))
+    }
+
+    /// The materials of all files, by number.
+    pub(super) fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+
+    pub(super) fn into_warnings(self) -> Vec<Warning> {
+        self.warnings
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,100 @@
+//! Shapes and materials of MGF files.
+
+mod material;
+mod place;
+mod triangles;
+
+use super::{Content, Half, Look, ModelFile, ModelPart};
+use crate::import::placement::Placement;
+use crate::import::tally::Tally;
+use crate::mgf::{self, Options, Shape, Surface};
+use crate::{Error, Warning};
+use std::path::{Path, PathBuf};
+use traylib_geometry::{self as geometry, Cone, Disk, Facing, Primitive, Sides, Sphere};
+use traylib_math::Vec3;
+use traylib_math::glam::DVec3;
+use traylib_scene::ObjectShape;
+use triangles::Triangles;
+
+pub(super) fn read(
+    path: &Path,
+    root: Option<&Path>,
+    tally: &mut Tally,
+) -> Result<(ModelFile, Vec<Warning>), Error> {
+    let options = Options { root: root.map(PathBuf::from), ..Options::default() };
+    let document = mgf::decode(&[path.to_path_buf()], &options)?;
+    let look = |material| material::look(material, tally);
+    let looks = document.materials.iter().map(look).collect::<Result<_, _>>();
+    let looks =
+        looks.map_err(|cause| Error::Material { file: path.display().to_string(), cause })?;
+    let warnings = document.warnings.iter().map(Warning::from).collect();
+    Ok((ModelFile { looks, content: Content::Mgf(document.surfaces) }, warnings))
+}
+
+/// Round shapes one by one, then for each material what is flat.
+pub(super) fn parts(
+    surfaces: &[Surface],
+    looks: &[Look],
+    placement: &Placement,
+    tally: &mut Tally,
+) -> Result<Vec<ModelPart>, geometry::Error> {
+    let mut parts = Vec::new();
+    let mut triangles = Triangles::default();
+    for surface in surfaces {
+        let look = surface.material;
+        let shape = place::placed(&surface.shape, placement);
+        for &half in halves(&shape, &looks[look]) {
+            let turned = (half == Half::Back).then(|| place::turned(&shape));
+            let shape = turned.as_ref().unwrap_or(&shape);
+            match primitive(shape) {
+                Some(Ok(primitive)) => {
+                    let shape = ObjectShape::Primitive(primitive);
+                    parts.push(ModelPart { shape, look, half });
+                }
+                Some(Err(_)) => tally.add("surface dropped: single precision cannot hold it"),
+                None => triangles.add(shape, look, half),
+            }
+        }
+    }
+    triangles.finish(&mut parts)?;
+    Ok(parts)
+}
+
+/// Both sides of a lamp emit if both are there to be seen.
+fn halves(shape: &Shape, look: &Look) -> &'static [Half] {
+    let closed = matches!(shape, Shape::Sphere { .. } | Shape::Torus { .. } | Shape::Prism { .. });
+    if closed || look.emission.is_black() || look.sides == Sides::Front {
+        &[Half::Whole]
+    } else {
+        &[Half::Front, Half::Back]
+    }
+}
+
+/// The exact shape; `None` for those that are cut into triangles.
+fn primitive(shape: &Shape) -> Option<Result<Primitive, geometry::Error>> {
+    Some(match *shape {
+        Shape::Sphere { centre, radius, inward } => {
+            Sphere::new(narrow(centre), radius as f32, facing(inward)).map(Primitive::Sphere)
+        }
+        Shape::Cylinder { ends, radius, inward } => cone(ends, [radius; 2], inward),
+        Shape::Cone { ends, radii, inward } => cone(ends, radii, inward),
+        Shape::Ring { centre, normal, radii: [inner, outer] } => {
+            let [inner, outer] = [inner, outer].map(|radius| radius as f32);
+            Disk::ring(narrow(centre), narrow(normal), inner, outer).map(Primitive::Disk)
+        }
+        Shape::Torus { .. } | Shape::Face { .. } | Shape::Prism { .. } => return None,
+    })
+}
+
+fn cone(ends: [DVec3; 2], radii: [f64; 2], inward: bool) -> Result<Primitive, geometry::Error> {
+    let radii = radii.map(|radius| radius as f32);
+    Cone::new(ends.map(narrow), radii, facing(inward)).map(Primitive::Cone)
+}
+
+fn facing(inward: bool) -> Facing {
+    if inward { Facing::Inward } else { Facing::Outward }
+}
+
+fn narrow(v: DVec3) -> Vec3 {
+    v.as_vec3()
+}

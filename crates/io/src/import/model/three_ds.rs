@@ -1,0 +1,116 @@
+//! Meshes, materials, lights and cameras of 3DS files.
+
+mod light;
+mod material;
+mod skipped;
+mod welder;
+
+use super::{Half, Look, ModelCamera, ModelFile, ModelLight, ModelPart};
+use crate::Error;
+use crate::import::placement::Placement;
+use crate::import::tally::Tally;
+use crate::source::Location;
+use crate::three_ds::smoothing::corner_normals;
+use crate::three_ds::{self, Document, Mesh, pose};
+use std::collections::BTreeMap;
+use traylib_geometry as geometry;
+use traylib_math::Vec3;
+use traylib_scene::ObjectShape;
+use welder::Welder;
+
+/// What does not depend on where the file goes.
+pub(super) struct Content {
+    meshes: Vec<Mesh>,
+    /// For each mesh, the unit normals of its faces' corners.
+    normals: Vec<Option<Vec<[Vec3; 3]>>>,
+    lights: Vec<three_ds::Light>,
+    camera: Option<ModelCamera>,
+    /// The look of faces without a material.
+    plain: usize,
+}
+
+pub(super) fn read(location: &Location, tally: &mut Tally) -> Result<ModelFile, Error> {
+    let file = location.to_string();
+    let bytes =
+        location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?.into_owned();
+    let document =
+        three_ds::decode(&bytes).map_err(|cause| Error::Mesh { file: file.clone(), cause })?;
+    if document.meshes.iter().all(|mesh| mesh.faces.is_empty()) {
+        return Err(Error::NothingToSee(file));
+    }
+    model(document, tally).map_err(|cause| Error::Material { file, cause })
+}
+
+fn model(document: Document, tally: &mut Tally) -> Result<ModelFile, traylib_materials::Error> {
+    let plain = three_ds::Material::default();
+    let materials = document.materials.iter().chain([&plain]);
+    let looks: Vec<Look> =
+        materials.map(|material| material::look(material, tally)).collect::<Result<_, _>>()?;
+    let content = Content::new(document, looks.len() - 1, tally);
+    Ok(ModelFile { looks, content: super::Content::ThreeDs(content) })
+}
+
+impl Content {
+    fn new(document: Document, plain: usize, tally: &mut Tally) -> Self {
+        let skipped = skipped::skipped(&document);
+        let meshes = meshes(&document);
+        let camera = document.cameras.iter().find_map(camera);
+        let mut warnings = document.warnings;
+        let normals = meshes.iter().map(|mesh| corner_normals(mesh, &mut warnings)).collect();
+        for (kind, count) in warnings.iter() {
+            tally.add_many(kind.to_string(), count);
+        }
+        for (what, count) in skipped {
+            tally.add_many(what, count);
+        }
+        Self { meshes, normals, lights: document.lights, camera, plain }
+    }
+
+    /// The file's meshes where they go, split by material.
+    pub(super) fn parts(&self, placement: &Placement) -> Result<Vec<ModelPart>, geometry::Error> {
+        let mut parts = Vec::new();
+        for (mesh, normals) in self.meshes.iter().zip(&self.normals) {
+            for (look, faces) in self.faces_by_look(mesh) {
+                let mut welder = Welder::new(mesh, normals.as_deref(), placement);
+                let triangles = faces.into_iter().map(|face| welder.triangle(face)).collect();
+                let shape = ObjectShape::Mesh(welder.finish(triangles)?);
+                parts.push(ModelPart { shape, look, half: Half::Whole });
+            }
+        }
+        Ok(parts)
+    }
+
+    fn faces_by_look(&self, mesh: &Mesh) -> BTreeMap<usize, Vec<usize>> {
+        let mut looks: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (index, face) in mesh.faces.iter().enumerate() {
+            looks.entry(face.material.unwrap_or(self.plain)).or_default().push(index);
+        }
+        looks
+    }
+
+    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<ModelLight> {
+        self.lights.iter().filter_map(|light| light::light(light, placement, middle)).collect()
+    }
+
+    pub(super) fn camera(&self) -> Option<ModelCamera> {
+        self.camera
+    }
+}
+
+/// The meshes as stored, and once more for each further place of them.
+fn meshes(document: &Document) -> Vec<Mesh> {
+    let placed = |placed: pose::Placed| {
+        let mesh = &document.meshes[placed.mesh];
+        let stays = placed.place == three_ds::Affine::IDENTITY;
+        if stays { mesh.clone() } else { mesh.placed(&placed.place) }
+    };
+    pose::stored_with_instances(document).into_iter().map(placed).collect()
+}
+
+fn camera(camera: &three_ds::Camera) -> Option<ModelCamera> {
+    let (position, target, up) = (camera.position, camera.target, camera.up()?);
+    Some(ModelCamera { position, target, up, fov_degrees: camera.fov_degrees() })
+}
+
+#[cfg(test)]
+mod tests;

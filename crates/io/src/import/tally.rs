@@ -1,0 +1,66 @@
+//! What was skipped or repaired in a file, each kind once with a count.
+
+use crate::Warning;
+use std::collections::HashMap;
+
+/// Kinds in the order in which they were met.
+#[derive(Debug, Default)]
+pub(super) struct Tally {
+    kinds: Vec<(String, u32)>,
+    places: HashMap<String, usize>,
+}
+
+impl Tally {
+    /// More kinds than these are not told apart.
+    const MOST: usize = 1000;
+
+    pub(super) fn add(&mut self, what: impl Into<String>) {
+        self.add_many(what, 1);
+    }
+
+    pub(super) fn add_many(&mut self, what: impl Into<String>, times: u32) {
+        if times == 0 {
+            return;
+        }
+        let mut what = what.into();
+        if self.kinds.len() >= Self::MOST && !self.places.contains_key(&what) {
+            what = "…".to_string();
+        }
+        let next = self.kinds.len();
+        let place = *self.places.entry(what.clone()).or_insert(next);
+        if place == next {
+            self.kinds.push((what, 0));
+        }
+        self.kinds[place].1 = self.kinds[place].1.saturating_add(times);
+    }
+
+    /// As warnings about a file.
+    pub(super) fn into_warnings(self, file: &str) -> impl Iterator<Item = Warning> {
+        let named = move |(what, count)| Warning { file: file.to_string(), what, count };
+        self.kinds.into_iter().map(named)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_keep_their_order_and_are_counted() {
+        let mut tally = Tally::default();
+        tally.add("b");
+        tally.add("a");
+        tally.add_many("b", 2);
+        tally.add_many("c", 0);
+        let shown: Vec<String> = tally.into_warnings("x").map(|w| w.to_string()).collect();
+        assert_eq!(shown, ["x: b (3 times)", "x: a"]);
+    }
+
+    #[test]
+    fn very_many_kinds_become_one() {
+        let mut tally = Tally::default();
+        (0..3000).for_each(|i| tally.add(i.to_string()));
+        let warnings: Vec<Warning> = tally.into_warnings("x").collect();
+        assert_eq!((warnings.len(), warnings[1000].count), (1001, 2000));
+    }
+}

@@ -1,0 +1,131 @@
+//! A 3DS or MGF file as a whole scene.
+
+use super::Imported;
+use super::frame;
+use super::model::{ModelCamera, ModelFile, ModelLight};
+use super::placement::Placement;
+use super::tally::Tally;
+use super::thing::{Thing, ThingMaterial};
+use crate::Error;
+use crate::load::{LoadOptions, SceneSettings};
+use crate::ron_scene;
+use crate::source::Location;
+use std::f32::consts::PI;
+use traylib_geometry::{Aabb, Vec3};
+use traylib_math::Rgb;
+use traylib_scene::{self as scene, Camera, CameraSettings, Light, Object, Scene, SceneBuilder};
+
+/// Width and height of a picture that nobody has named.
+const RESOLUTION: (u32, u32) = (400, 300);
+/// What a grey surface in a room of grey walls shall look like.
+const MIDDLE_GREY: f32 = 0.25;
+
+/// Builds the scene of a file, with a camera if it has none.
+pub(crate) fn import_whole(
+    location: &Location,
+    options: LoadOptions<'_>,
+) -> Result<Imported, Error> {
+    let (file, mut warnings) = ModelFile::read(location, options.root)?;
+    let mut tally = Tally::default();
+    let name = location.to_string();
+    let failed = |cause| Error::Model { file: name.clone(), cause };
+    let parts = file.parts(&Placement::NONE, &mut tally).map_err(|e| failed(e.into()))?;
+    let things: Vec<Thing> = parts
+        .into_iter()
+        .map(|part| (&file.looks[part.look], part))
+        .map(|(look, part)| Thing::of_model(part, look, 0, 1.0))
+        .collect();
+    let bounds = frame::bounds(&things);
+    if bounds.is_empty() {
+        return Err(Error::NothingToSee(name));
+    }
+    let (width, height) = options.resolution.unwrap_or(RESOLUTION);
+    let aspect = width as f32 / height as f32;
+    let camera = file.camera();
+    let mut notes = Vec::new();
+    let up = if file.is_physical() { frame::up(&things, &bounds) } else { Vec3::Z };
+    let view = camera.unwrap_or_else(|| frame::camera(&things, &bounds, up, aspect));
+    if camera.is_none() {
+        notes.push(format!("no camera in the file, taken: {}", shown(&view, width, height)));
+    }
+    let settings = CameraSettings {
+        position: view.position,
+        target: view.target,
+        up: view.up,
+        fov_degrees: view.fov_degrees,
+        width,
+        height,
+    };
+    let camera = Camera::new(settings).map_err(failed)?;
+    let mut lights = file.lights(&Placement::NONE, bounds.centre());
+    if lights.is_empty() && things.iter().all(|thing| thing.emission.is_black()) {
+        if !options.headlight {
+            return Err(Error::Unlit(name));
+        }
+        tally.add("nothing in it emits light, lit by a point light at the camera");
+        lights.push(headlight(&view, bounds.centre()));
+    }
+    let scene = build(camera, &file, things, lights, &mut tally).map_err(failed)?;
+    let exposure = if file.is_physical() { exposure(&scene, &bounds) } else { 1.0 };
+    if exposure != 1.0 {
+        notes.push(format!("exposure of 8-bit pictures: {exposure}"));
+    }
+    warnings.extend(tally.into_warnings(&name));
+    Ok(Imported { scene, settings: SceneSettings { spp: 64, exposure }, warnings, notes })
+}
+
+fn shown(view: &ModelCamera, width: u32, height: u32) -> String {
+    let camera = ron_scene::Camera {
+        position: view.position.into(),
+        target: view.target.into(),
+        up: view.up.into(),
+        fov: view.fov_degrees,
+        resolution: (width, height),
+    };
+    camera.to_string()
+}
+
+/// As bright as 3D Studio's lights: a diffuse surface in the middle shows its
+/// colour.
+fn headlight(view: &ModelCamera, middle: Vec3) -> ModelLight {
+    let intensity = Rgb::splat(PI * view.position.distance_squared(middle));
+    ModelLight { position: view.position, intensity }
+}
+
+fn build(
+    camera: Camera,
+    file: &ModelFile,
+    things: Vec<Thing>,
+    lights: Vec<ModelLight>,
+    tally: &mut Tally,
+) -> Result<Scene, scene::Error> {
+    let mut builder = SceneBuilder::new(camera);
+    let materials = file.looks.iter().map(|look| look.material.clone());
+    let ids: Vec<_> = materials.map(|material| builder.add_material(material)).collect();
+    for Thing { shape, sides, material, emission } in things {
+        let (ThingMaterial::Own(number) | ThingMaterial::Named(number)) = material;
+        let object = Object { shape, sides, material: ids[number], emission };
+        match builder.add_object(object) {
+            Err(scene::Error::EmptyMesh) => tally.add("mesh dropped: it has no area"),
+            other => other?,
+        }
+    }
+    for ModelLight { position, intensity } in lights {
+        builder.add_point_light(position, intensity)?;
+    }
+    builder.build()
+}
+
+/// The factor that shows a room of this size as middle grey.
+///
+/// The power Φ of all lamps, spread over the walls of area A, leaves the radiance
+/// Φ/(πA) if these reflect half of what arrives.
+fn exposure(scene: &Scene, bounds: &Aabb) -> f32 {
+    let power: f64 =
+        scene.lights().iter().map(Light::power).map(|p| f64::from(p.luminance())).sum();
+    let radiance = power / f64::from(PI * bounds.surface_area());
+    let exposure = f64::from(MIDDLE_GREY) / radiance;
+    let digits = 10_f64.powi(1 - exposure.log10().floor() as i32);
+    let rounded = ((exposure * digits).round() / digits) as f32;
+    if rounded > 0.0 && rounded.is_finite() { rounded } else { 1.0 }
+}
