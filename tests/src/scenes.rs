@@ -7,7 +7,7 @@ use std::fmt::Debug;
 use traylib_geometry::{Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere, Triangle};
 use traylib_materials::{Lambert, MaxPhong, Mirror, Phong, SurfaceModel};
 use traylib_math::{Rgb, Vec3};
-use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder};
+use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder, SpotCone};
 
 /// A scene under construction, grey throughout.
 #[derive(Debug)]
@@ -48,6 +48,13 @@ impl Stage {
     #[must_use]
     pub fn point(mut self, position: Vec3, intensity: f32) -> Self {
         sound(self.0.add_point_light(position, Rgb::splat(intensity)));
+        self
+    }
+
+    /// Adds a point light that shines into a cone.
+    #[must_use]
+    pub fn spot_light(mut self, position: Vec3, intensity: f32, cone: SpotCone) -> Self {
+        sound(self.0.add_spot_light(position, Rgb::splat(intensity), cone));
         self
     }
 

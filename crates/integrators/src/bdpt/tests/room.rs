@@ -3,7 +3,9 @@
 use traylib_geometry::{Facing, Primitive, Quad, Sides, Sphere};
 use traylib_materials::{Lambert, MaxPhong, Mirror, Phong, SurfaceModel};
 use traylib_math::{Rgb, Vec3};
-use traylib_scene::{Camera, CameraSettings, MaterialId, Object, ObjectShape, Scene, SceneBuilder};
+use traylib_scene::{
+    Camera, CameraSettings, MaterialId, Object, ObjectShape, Scene, SceneBuilder, SpotCone,
+};
 
 fn wall(corner: Vec3, edge_u: Vec3, edge_v: Vec3) -> Primitive {
     Primitive::Quad(Quad::new(corner, edge_u, edge_v).unwrap())
@@ -28,7 +30,7 @@ fn materials(builder: &mut SceneBuilder) -> [MaterialId; 4] {
 }
 
 /// A room 2 × 2 × 2 m: a floor that is half a mirror, a pure mirror, a glossy
-/// and a metal ball, a spherical lamp, a small quad lamp and a point lamp.
+/// and a metal ball, a spherical lamp, a small quad lamp, a point lamp and a spot light.
 pub(crate) fn room() -> Scene {
     let settings = CameraSettings {
         position: Vec3::new(0.0, 0.1, 0.9),
@@ -63,5 +65,7 @@ pub(crate) fn room() -> Scene {
         builder.add_object(Object { shape, sides: Sides::Both, material, emission }).unwrap();
     }
     builder.add_point_light(Vec3::new(-0.6, 0.5, 0.3), Rgb::splat(2.0)).unwrap();
+    let cone = SpotCone { axis: Vec3::new(0.6, -0.8, 0.0), cos_full: 0.9, cos_dark: 0.6 };
+    builder.add_spot_light(Vec3::new(-0.7, 0.8, -0.6), Rgb::splat(8.0), cone).unwrap();
     builder.build().unwrap()
 }
