@@ -9,7 +9,7 @@ use traylib_materials::{
     Dielectric, Lambert, Material, MaxPhong, Mirror, Phong, Sheet, SurfaceModel,
 };
 use traylib_math::{Rgb, Vec3};
-use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder};
+use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder, SpotCone};
 
 /// A scene under construction, grey throughout.
 #[derive(Debug)]
@@ -50,6 +50,13 @@ impl Stage {
     #[must_use]
     pub fn point(mut self, position: Vec3, intensity: f32) -> Self {
         sound(self.0.add_point_light(position, Rgb::splat(intensity)));
+        self
+    }
+
+    /// Adds a point light that shines into a cone.
+    #[must_use]
+    pub fn spot_light(mut self, position: Vec3, intensity: f32, cone: SpotCone) -> Self {
+        sound(self.0.add_spot_light(position, Rgb::splat(intensity), cone));
         self
     }
 

@@ -8,6 +8,8 @@ use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Wa
 /// A way from a lamp to a vertex that carries light, if nothing stands in it.
 pub(crate) struct LightSample {
     pub(crate) id: LightId,
+    /// The chance with which this lamp was drawn for the vertex.
+    chance: f32,
     pub(crate) x0: LightPoint,
     /// Unit direction from the vertex to the lamp.
     pub(crate) wi: Vec3,
@@ -38,6 +40,7 @@ pub(crate) fn sample_light(
     let forgotten = planted(Defect::LightChoiceForgotten);
     let probability = if forgotten { 1.0 } else { choice.probability };
     sample.radiance *= 1.0 / (probability * pdf.0);
+    sample.chance = choice.probability;
     Some(sample)
 }
 
@@ -69,6 +72,7 @@ fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<Li
         scattering.f * x0.emitted * (cosine * solid_angle_per_area(falloff, distance_squared));
     (!radiance.is_black()).then_some(LightSample {
         id,
+        chance: 1.0,
         x0,
         wi,
         distance_squared,
@@ -93,9 +97,10 @@ impl LightSample {
         self.scattering.pdf.to_area(conversion).0
     }
 
-    /// The densities of the lamp's point for the vertex at `x1`.
+    /// The densities of the lamp's point for the vertex at `x1`, which it was drawn
+    /// for.
     pub(crate) fn densities(&self, scene: &Scene, x1: Vec3) -> LightDensities {
-        scene.light_densities(self.id, &self.x0, x1, -self.wi)
+        scene.chosen_light_densities(self.id, self.chance, &self.x0, x1, -self.wi)
     }
 }
 

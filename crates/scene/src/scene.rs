@@ -209,9 +209,23 @@ impl Scene {
         x1: Vec3,
         direction: Vec3,
     ) -> LightDensities {
+        let chosen_for_x1 = self.light_tree.probability(id.0, x1);
+        self.chosen_light_densities(id, chosen_for_x1, x0, x1, direction)
+    }
+
+    /// The same, where the chance is known with which
+    /// [`choose_light_for`](Self::choose_light_for) chooses this lamp for `x1`.
+    pub fn chosen_light_densities(
+        &self,
+        id: LightId,
+        chosen_for_x1: f32,
+        x0: &LightPoint,
+        x1: Vec3,
+        direction: Vec3,
+    ) -> LightDensities {
         let light = self.light(id);
         let emission = self.light_by_power.probability(id.0 as usize) * light.emission_pdf().0;
-        let toward = self.light_tree.probability(id.0, x1) * light.toward_pdf(x1, x0).0;
+        let toward = chosen_for_x1 * light.toward_pdf(x1, x0).0;
         LightDensities {
             emission,
             direction: x0.direction_pdf(direction),

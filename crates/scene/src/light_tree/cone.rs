@@ -24,6 +24,13 @@ pub(super) enum Reach {
 }
 
 impl Reach {
+    pub(super) fn cosine(self) -> f32 {
+        match self {
+            Self::Nowhere => 1.0,
+            Self::Hemisphere => 0.0,
+        }
+    }
+
     fn radians(self) -> f64 {
         match self {
             Self::Nowhere => 0.0,

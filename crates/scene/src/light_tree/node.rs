@@ -1,7 +1,8 @@
 //! What a point is told of a cluster of lamps.
 
 use super::cluster::Cluster;
-use super::cone::Reach;
+use super::cone::{Cone, Reach};
+use std::f64::consts::PI;
 use traylib_math::Vec3;
 
 /// Room for rounding, in cosines and relative to lengths: some ten operations, each
@@ -11,16 +12,28 @@ const SLACK: f32 = 1.0 / (1 << 20) as f32;
 /// A cluster in the form that choices need, in single precision.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
-    /// Of a ball around all lamps.
+    /// Of a box around all lamps.
     centre: Vec3,
-    radius_squared: f32,
+    /// From the centre of the box to a corner.
+    corner: Vec3,
+    /// How long that is.
+    radius: f32,
     axis: Vec3,
-    spread: Angle,
-    /// Cosine of how far off their direction the lamps shine.
-    cos_reach: f32,
+    aim: Aim,
     /// Of all lamps together, over that of the scene's strongest.
     pub(super) intensity: f32,
     pub(super) link: Link,
+}
+
+/// A [`Cone`](super::cone::Cone) around the axis, by what it takes to ask it.
+#[derive(Clone, Copy, Debug)]
+enum Aim {
+    /// Some lamp shines into any direction.
+    Everywhere,
+    /// All lamps are flat and face along the axis.
+    OneWay,
+    /// Lamps have directions within an angle of the axis.
+    Around(Angle, Reach),
 }
 
 /// What is below a node.
@@ -32,7 +45,7 @@ pub(super) enum Link {
     Lamp(u32),
 }
 
-/// An angle from 0 to π by its cosine and sine, which need no unit vectors' arc
+/// An angle from 0 to π by its cosine and sine times some length, which need no arc
 /// functions to be subtracted.
 #[derive(Clone, Copy, Debug)]
 struct Angle {
@@ -41,15 +54,23 @@ struct Angle {
 }
 
 impl Angle {
-    /// The difference, or zero if that is negative.
+    /// The difference, times the product of both lengths; `None` if it is negative.
     #[inline]
-    fn less(self, other: Self) -> Self {
-        if self.cos >= other.cos {
-            return Self { cos: 1.0, sin: 0.0 };
-        }
-        Self {
-            cos: self.cos * other.cos + self.sin * other.sin,
-            sin: self.sin * other.cos - self.cos * other.sin,
+    fn less(self, other: Self) -> Option<Self> {
+        let sin = self.sin * other.cos - self.cos * other.sin;
+        (sin >= 0.0).then_some(Self { cos: self.cos * other.cos + self.sin * other.sin, sin })
+    }
+}
+
+impl Aim {
+    fn new(cone: &Cone) -> Self {
+        let (sin, cos) = cone.spread.sin_cos();
+        if cone.spread >= PI {
+            Self::Everywhere
+        } else if cone.spread == 0.0 && cone.reach == Reach::Hemisphere {
+            Self::OneWay
+        } else {
+            Self::Around(Angle { cos: cos as f32, sin: sin as f32 }, cone.reach)
         }
     }
 }
@@ -59,52 +80,95 @@ impl Node {
         let Cluster { bounds, cone, intensity } = cluster;
         let centre = bounds.centre();
         let corner = (bounds.max - centre).max(centre - bounds.min);
-        let (sin, cos) = cone.spread.sin_cos();
         Self {
             centre,
-            radius_squared: corner.length_squared() * (1.0 + SLACK),
+            corner,
+            radius: corner.length() * (1.0 + SLACK),
             axis: cone.axis.as_vec3(),
-            spread: Angle { cos: cos as f32, sin: sin as f32 },
-            cos_reach: match cone.reach {
-                Reach::Nowhere => 1.0,
-                Reach::Hemisphere => 0.0,
-            },
+            aim: Aim::new(cone),
             intensity: *intensity as f32,
             link,
         }
     }
 
-    /// Intensity over distance squared, as if all lamps were at the centre, times a
-    /// bound on their cosines toward `x1`; zero only if none of them shines there.
-    /// No distance counts as less than the radius, within which every direction
-    /// is possible.
+    /// Intensity over the distance of the centre squared, times a bound on the
+    /// lamps' cosines toward `x1`; zero only if none of them shines there. No
+    /// distance counts as less than the radius: so much light lamps that are spread
+    /// evenly give a point among them.
     #[inline]
     pub(super) fn importance(&self, x1: Vec3) -> f32 {
         let offset = x1 - self.centre;
         let distance_squared = offset.length_squared();
-        if distance_squared <= self.radius_squared {
-            return self.intensity / self.radius_squared;
-        }
-        let cosine = self.greatest_cosine(offset, distance_squared);
-        if cosine <= self.cos_reach {
+        let cosine = match self.aim {
+            Aim::Everywhere => 1.0,
+            Aim::OneWay => self.cosine_of_box(offset, self.most_along(offset)),
+            Aim::Around(spread, reach) => {
+                self.cosine_around(offset, distance_squared, spread, reach)
+            }
+        };
+        self.intensity * cosine / distance_squared.max(self.radius * self.radius)
+    }
+
+    /// The furthest that a point lies before any lamp, along the axis.
+    #[inline]
+    fn most_along(&self, offset: Vec3) -> f32 {
+        let room = SLACK * (offset.abs() + self.corner).element_sum();
+        self.axis.dot(offset) + self.axis.abs().dot(self.corner) + room
+    }
+
+    /// A bound on cosines toward a point that lies so far before any lamp: over the
+    /// least distance of the box.
+    #[inline]
+    fn cosine_of_box(&self, offset: Vec3, before: f32) -> f32 {
+        if before <= 0.0 {
             return 0.0;
         }
-        self.intensity * cosine.min(1.0) / distance_squared
+        let outside = (offset.abs() - self.corner).max(Vec3::ZERO);
+        (before / outside.length()).min(1.0)
+    }
+
+    /// The lesser of two bounds. That of the ball holds for all lamps; that of the
+    /// box says more of lamps that shine nearly one way, as those of a ceiling do.
+    #[inline]
+    fn cosine_around(
+        &self,
+        offset: Vec3,
+        distance_squared: f32,
+        spread: Angle,
+        reach: Reach,
+    ) -> f32 {
+        // Not from the cosine, which says little of an angle near 0 or π.
+        let across = self.axis.cross(offset).length();
+        let from_axis = Angle { cos: self.axis.dot(offset), sin: across };
+        let of_ball = self.cosine_of_ball(from_axis, distance_squared, spread, reach);
+        if reach == Reach::Nowhere || spread.cos < 0.0 {
+            return of_ball;
+        }
+        let before = self.most_along(offset) * spread.cos + (across + self.radius) * spread.sin;
+        of_ball.min(self.cosine_of_box(offset, before))
     }
 
     /// Cosine of the least angle between the direction of a lamp and that from it
-    /// to a point outside the ball: θ to the axis from the centre, less the spread
-    /// of the lamps' directions, less the angle at which the point sees the ball.
+    /// to a point: θ to the axis from the centre, less the spread of the lamps'
+    /// directions, less the angle at which the point sees the ball. Within the ball
+    /// it sees it everywhere.
     #[inline]
-    fn greatest_cosine(&self, offset: Vec3, distance_squared: f32) -> f32 {
-        let per_length = 1.0 / distance_squared.sqrt();
-        let from_axis = Angle {
-            cos: self.axis.dot(offset) * per_length,
-            // Not from the cosine, which says little of an angle near 0 or π.
-            sin: self.axis.cross(offset).length() * per_length,
+    fn cosine_of_ball(
+        &self,
+        from_axis: Angle,
+        distance_squared: f32,
+        spread: Angle,
+        reach: Reach,
+    ) -> f32 {
+        let tangent_squared = distance_squared - self.radius * self.radius;
+        if tangent_squared <= 0.0 {
+            return 1.0;
+        }
+        let ball = Angle { cos: tangent_squared.sqrt(), sin: self.radius };
+        let Some(angle) = from_axis.less(spread).and_then(|angle| angle.less(ball)) else {
+            return 1.0;
         };
-        let sin_squared = self.radius_squared / distance_squared;
-        let ball = Angle { cos: (1.0 - sin_squared).sqrt(), sin: sin_squared.sqrt() };
-        from_axis.less(self.spread).less(ball).cos + SLACK
+        let cosine = angle.cos / distance_squared + SLACK;
+        if cosine <= reach.cosine() { 0.0 } else { cosine.min(1.0) }
     }
 }
