@@ -62,7 +62,7 @@ pub struct LightDensities {
 }
 
 /// More surfaces than this in a row let nothing through. Rounding could otherwise
-/// hold a ray for ever where sheets meet.
+/// hold a ray for ever where panes meet.
 pub const MOST_PASSAGES: u32 = 1000;
 
 impl Scene {
@@ -137,16 +137,16 @@ impl Scene {
     /// [`SurfaceSite::segment_to`](traylib_geometry::SurfaceSite::segment_to)
     /// or its like: it has no slack of its own.
     pub fn transmittance(&self, segment: &Ray) -> Rgb {
-        if !self.shapes.any_hit(segment) {
-            Rgb::WHITE
-        } else if self.see_through {
-            self.transmittance_of_sheets(segment)
-        } else {
+        if self.see_through {
+            self.transmittance_of_panes(segment)
+        } else if self.shapes.any_hit(segment) {
             Rgb::BLACK
+        } else {
+            Rgb::WHITE
         }
     }
 
-    fn transmittance_of_sheets(&self, segment: &Ray) -> Rgb {
+    fn transmittance_of_panes(&self, segment: &Ray) -> Rgb {
         let end = segment.at(segment.t_max);
         let (mut passed, mut rest) = (Rgb::WHITE, *segment);
         for _ in 0..MOST_PASSAGES {
