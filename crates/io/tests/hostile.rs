@@ -5,6 +5,7 @@
 //! `TRAYLIB_DATA=DIR cargo test --release -p traylib-io --test hostile -- --ignored real
 //! --nocapture`; `TRAYLIB_SECONDS` bounds the time for each.
 #![allow(clippy::print_stdout, reason = "says what was tried")]
+#![allow(clippy::unwrap_used, reason = "a test may fail so, in its helpers too")]
 
 #[path = "../src/texture/tests/made.rs"]
 mod made;

@@ -3,6 +3,7 @@
 //! Each is read in a process of its own, in release mode:
 //! `cargo test --release -p traylib-io --test worst -- --ignored --nocapture`.
 #![allow(clippy::print_stdout, reason = "figures for whoever changes a bound")]
+#![allow(clippy::unwrap_used, reason = "a test may fail so, in its helpers too")]
 
 #[path = "worst/cases.rs"]
 mod cases;
@@ -48,7 +49,7 @@ fn measured(file: &Path) -> (f64, u64, String) {
     let output = inner.output().unwrap();
     let said = String::from_utf8_lossy(&output.stdout);
     let line = said.lines().find_map(|line| line.split_once("measured ")).map(|(_, rest)| rest);
-    let mut parts = line.unwrap_or_else(|| panic!("{file:?}: {said}")).splitn(3, ' ');
+    let mut parts = line.unwrap_or_else(|| panic!("{}: {said}", file.display())).splitn(3, ' ');
     let mut next = || parts.next().unwrap_or_default().to_string();
     (next().parse().unwrap(), next().parse().unwrap(), next())
 }

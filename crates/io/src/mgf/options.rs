@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 /// Bounds on what files may ask for. With the defaults the worst files that are known
 /// take less than a second and 256 MiB; a tree of 365,352 cones and spheres takes
-/// three quarters of each at most.
+/// five sixths of each at most.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
     /// The folder that includes may not leave, symbolic links followed; the
@@ -28,7 +28,7 @@ pub struct Options {
     /// Length of all different files together in bytes; 32 MiB.
     pub max_bytes: u64,
     /// Work, in bytes of text that are read, every repetition by an array or an
-    /// include anew; 3 · 2²⁶. A line counts as some bytes more, and so does each of its
+    /// include anew; 5 · 2²⁵. A line counts as some bytes more, and so does each of its
     /// words; what takes longer than its text says counts as what it takes.
     pub max_work: u64,
     /// Bytes kept in memory: text, names, surfaces, their vertices and materials;
@@ -47,7 +47,7 @@ impl Default for Options {
             max_cutting: 1 << 26,
             max_line: 1 << 20,
             max_bytes: 32 << 20,
-            max_work: 3 << 26,
+            max_work: 5 << 25,
             max_memory: 160 << 20,
         }
     }

@@ -63,7 +63,7 @@ const NAME_COST: u64 = 8;
 const LONG_WORD: usize = 19;
 const LONG_WORD_COST: u64 = 32;
 const MATERIAL_COST: u64 = 64;
-const WARNING_COST: u64 = 64;
+const WARNING_COST: u64 = 128;
 
 /// Memory of a vector of vertices beside these.
 const LOOP: usize = 48;

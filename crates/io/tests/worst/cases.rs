@@ -67,7 +67,7 @@ pub(crate) const ALL: [Case; 37] = [
         repeated(at, &format!("{}{}", "xf -mx\n".repeat(1000), "xf\n".repeat(1000)));
     }),
     ("arrays of nothing", |at| {
-        repeated(at, &"xf -a 2 -a 2 -a 2 -a 2 -a 2 -a 2 -a 2 -a 2\nxf\n".repeat(99))
+        repeated(at, &"xf -a 2 -a 2 -a 2 -a 2 -a 2 -a 2 -a 2 -a 2\nxf\n".repeat(99));
     }),
     ("includes", includes),
     ("names of one file", |at| {

@@ -9,6 +9,7 @@ use crate::mgf::{Cause, WarningKind};
 /// Work beside reading, in bytes of text; of a copy for each part of its arguments.
 const COPY_COST: u64 = 128;
 const INCLUDE_COST: u64 = 128;
+const OBJECT_COST: u64 = 16;
 /// A word among the arguments of a transform.
 const ARGUMENT_COST: u64 = 8;
 /// A transform to repeat, by doubling up to 64 times.
@@ -22,6 +23,7 @@ fn cost(arguments: &[&str]) -> u64 {
 
 impl Reader<'_> {
     pub(super) fn object(&mut self, words: &[&str]) -> Result<(), Cause> {
+        self.work.take(OBJECT_COST)?;
         let Some(call) = self.calls.last_mut() else { return Ok(()) };
         match words {
             [] => call.objects = call.objects.checked_sub(1).ok_or(Cause::Unmatched)?,

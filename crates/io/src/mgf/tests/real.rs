@@ -44,7 +44,7 @@ fn every_scene_has_the_surfaces_that_radiance_finds() {
 
 /// The defaults leave real scenes room.
 #[test]
-fn no_scene_needs_more_than_three_quarters_of_a_bound() {
+fn no_scene_needs_more_than_five_sixths_of_a_bound() {
     let Some((folder, expected)) = data() else { return };
     let most = options(&folder);
     let less = Options {
@@ -55,7 +55,7 @@ fn no_scene_needs_more_than_three_quarters_of_a_bound() {
         max_cutting: most.max_cutting / 2,
         max_line: most.max_line / 2,
         max_bytes: most.max_bytes / 2,
-        max_work: most.max_work / 4 * 3,
+        max_work: most.max_work / 6 * 5,
         max_memory: most.max_memory / 2,
         root: most.root,
     };
