@@ -33,7 +33,7 @@ fn a4_cut_sphere_by_all_programs() {
 #[test]
 fn a6_standing_rectangle() {
     all_hold(&standing(1.0, 1.0, 1.0), 61, &[(Strict, 80)]);
-    all_hold(&standing(2.0, 1.0, 0.5), 62, &[(BdptPower, 160)]);
+    all_hold(&standing(2.0, 1.0, 0.5), 62, &[(BdptPower, 192)]);
 }
 
 /// Lamps of several triangles, which are drawn by how large and how near they are.

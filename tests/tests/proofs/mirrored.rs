@@ -85,7 +85,7 @@ fn all_blocks(picture: &Picture, program: Program, rendered: &Passes, truth: &[f
 
 #[test]
 fn c1_mirrored_lamp() {
-    settle(&compare(&mirrored_lamp(WIDE_MIRROR), BdptPower, 150, 201, 0.015));
+    settle(&compare(&mirrored_lamp(WIDE_MIRROR), BdptPower, 192, 201, 0.015));
 }
 
 #[test]
