@@ -13,6 +13,7 @@ mod place;
 mod placement;
 mod shape;
 mod tally;
+mod textures;
 mod thing;
 mod whole;
 
@@ -66,7 +67,9 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
         Some(camera) if problems.is_empty() => {
             let scene =
                 build(root, camera, [materials.models(), models.materials()], parts, points)?;
-            Ok(Imported { scene, settings, warnings: models.into_warnings(), notes: Vec::new() })
+            let mut warnings = materials.into_warnings();
+            warnings.extend(models.into_warnings());
+            Ok(Imported { scene, settings, warnings, notes: Vec::new() })
         }
         _ => Err(Error::Scene(Report(problems))),
     }

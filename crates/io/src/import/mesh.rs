@@ -32,7 +32,8 @@ impl MeshImporter<'_> {
     /// material, if it has one.
     pub(super) fn things(&mut self, named: Option<usize>, models: &mut ModelFiles) -> Vec<Thing> {
         let shape = self.place.field("shape");
-        let placement = Placement::new(self.mesh)
+        let Mesh { scale, rotate, translate, .. } = *self.mesh;
+        let placement = Placement::new(scale, rotate, translate)
             .map_err(|(field, message)| self.problems.push(shape.field(field).problem(message)));
         let glow = self.factor("glow", self.mesh.glow);
         let lights = self.factor("lights", Some(self.mesh.lights)).unwrap_or(0.0);
@@ -43,6 +44,7 @@ impl MeshImporter<'_> {
         let replaced = self.replaced(&model.file.looks);
         let mut tally = Tally::default();
         let parts = shape.note(model.file.parts(&placement, &mut tally), self.problems);
+        self.note_unused(&model.file, &mut tally);
         models.warn(&location, tally);
         let glow = glow.unwrap_or(if model.file.is_physical() { 1.0 } else { 0.0 });
         let mut things = Vec::new();
@@ -58,6 +60,17 @@ impl MeshImporter<'_> {
         }
         models.add_lights(placed_lights(&model, &placement, lights, &things));
         things
+    }
+
+    /// What could shine if the object wanted it.
+    fn note_unused(&self, file: &ModelFile, tally: &mut Tally) {
+        let (lights, glows) = file.unused_light();
+        if lights > 0 && self.mesh.lights == 0.0 {
+            tally.add_many("light not taken (`lights: 1` takes it)", lights as u32);
+        }
+        if glows && self.mesh.glow.is_none() {
+            tally.add("self-illumination not taken (`glow: 1` takes it)");
+        }
     }
 
     /// What the object says goes before what the file says.

@@ -99,7 +99,7 @@ impl ModelFile {
         let mut tally = Tally::default();
         let (file, mut warnings) = match location {
             Location::Disk(path) if is_mgf(path) => mgf::read(path, root, &mut tally)?,
-            _ => (three_ds::read(location, &mut tally)?, Vec::new()),
+            _ => three_ds::read(location, &mut tally)?,
         };
         warnings.extend(tally.into_warnings(&location.to_string()));
         Ok((file, warnings))
@@ -122,6 +122,16 @@ impl ModelFile {
         match &self.content {
             Content::Mgf(_) => Vec::new(),
             Content::ThreeDs(content) => content.lights(placement, middle),
+        }
+    }
+
+    /// How many lights it has, and whether a material shines by itself without a
+    /// unit.
+    pub(super) fn unused_light(&self) -> (usize, bool) {
+        let glows = self.looks.iter().any(|look| !look.emission.is_black());
+        match &self.content {
+            Content::Mgf(_) => (0, false),
+            Content::ThreeDs(content) => (content.light_count(), glows),
         }
     }
 
