@@ -4,12 +4,12 @@
 //! mistake in a test.
 
 use std::fmt::Debug;
-use traylib_geometry::{Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere, Triangle};
+use traylib_geometry::{Cone, Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere, Triangle};
 use traylib_materials::{
     Dielectric, Lambert, Material, MaxPhong, Mirror, Phong, Sheet, SurfaceModel,
 };
 use traylib_math::{Rgb, Vec3};
-use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder};
+use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder, SpotCone};
 
 /// A scene under construction, grey throughout.
 #[derive(Debug)]
@@ -50,6 +50,13 @@ impl Stage {
     #[must_use]
     pub fn point(mut self, position: Vec3, intensity: f32) -> Self {
         sound(self.0.add_point_light(position, Rgb::splat(intensity)));
+        self
+    }
+
+    /// Adds a point light that shines into a cone.
+    #[must_use]
+    pub fn spot_light(mut self, position: Vec3, intensity: f32, cone: SpotCone) -> Self {
+        sound(self.0.add_spot_light(position, Rgb::splat(intensity), cone));
         self
     }
 
@@ -131,6 +138,11 @@ pub fn triangle([a, b, c]: [Vec3; 3]) -> Primitive {
 /// A ball.
 pub fn ball(centre: Vec3, radius: f32) -> Primitive {
     Primitive::Sphere(sound(Sphere::new(centre, radius, Facing::Outward)))
+}
+
+/// An open tube that narrows or widens, its front outside.
+pub fn tube(ends: [Vec3; 2], radii: [f32; 2]) -> Primitive {
+    Primitive::Cone(sound(Cone::new(ends, radii, Facing::Outward)))
 }
 
 /// A hollow ball, its front inside.

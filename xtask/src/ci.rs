@@ -53,15 +53,17 @@ fn picture() -> Result<()> {
 fn compare() -> Result<()> {
     let folder = Scratch::new()?;
     let path = folder.0.to_str().context("the folder for temporary files has no UTF-8 name")?;
-    let program = ["run", "--release", "--package", "traylib-compare"];
+    let program = ["run", "--package", "traylib-compare"];
     let arguments = ["--bin", "compare-integrators", "--", "--quick", "--out", path];
     cargo(&[&program[..], &arguments].concat())?;
     let page = ["test", "--workspace", "--test", "browser", "the_page"];
     finish(workspace::cargo(&page).env("TRAYLIB_COMPARISON", path))
 }
 
+/// As the tests have built it: a release would take longer to build than all that
+/// is rendered here saves.
 fn bdpt(arguments: &[&str]) -> Result<()> {
-    let start = ["run", "--release", "--bin", "bdpt", "--"];
+    let start = ["run", "--bin", "bdpt", "--"];
     cargo(&[&start, arguments].concat())
 }
 

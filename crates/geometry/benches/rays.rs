@@ -1,11 +1,11 @@
-//! Rays a second: a box with balls (14 primitives) and a mesh of 20 000
-//! triangles, each beside asking all shapes where that is feasible.
+//! Rays a second: a box with balls (14 primitives, beside asking all of them), a
+//! hundred columns beside a hundred balls, and a mesh of 20 000 triangles.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::f32::consts::TAU;
 use std::hint::black_box;
 use traylib_geometry::{
-    Bvh, Facing, Mesh, Primitive, Quad, Ray, Shape, SidedPrimitive, Sides, Sphere, Vec3,
+    Bvh, Cone, Facing, Mesh, Primitive, Quad, Ray, Shape, SidedPrimitive, Sides, Sphere, Vec3,
 };
 use traylib_math::{Purpose, Sampler, warp};
 
@@ -33,6 +33,22 @@ fn box_with_balls() -> Vec<SidedPrimitive> {
     };
     let primitives = walls.into_iter().chain((0..6).map(ball)).flatten();
     primitives.map(|primitive| SidedPrimitive { primitive, sides: Sides::Both }).collect()
+}
+
+/// A shape at each of ten by ten places.
+fn hundred(shape: impl Fn(Vec3) -> Option<Primitive>) -> Bvh<Primitive> {
+    let place = |i: u8| 0.05 + 0.1 * Vec3::new(f32::from(i % 10), 0.0, f32::from(i / 10));
+    Bvh::build((0..100).map(place).filter_map(shape).collect()).expect("sound shapes")
+}
+
+/// A column that grows thinner toward its top.
+fn column(place: Vec3) -> Option<Primitive> {
+    let ends = [place, place + 0.9 * Vec3::Y];
+    Cone::new(ends, [0.02, 0.015], Facing::Outward).map(Primitive::Cone).ok()
+}
+
+fn ball(place: Vec3) -> Option<Primitive> {
+    Sphere::new(place, 0.04, Facing::Outward).map(Primitive::Sphere).ok()
 }
 
 /// A ball of 100 × 100 cells in waves.
@@ -112,6 +128,8 @@ fn bench(criterion: &mut Criterion) {
     ask_all(criterion, &shapes);
     let bvh = Bvh::build(shapes).expect("sound shapes");
     measure(criterion, "box with balls", black_box(&bvh));
+    measure(criterion, "hundred columns", black_box(&hundred(column)));
+    measure(criterion, "hundred balls", black_box(&hundred(ball)));
     measure(criterion, "20k triangles", black_box(&wavy_ball()));
 }
 

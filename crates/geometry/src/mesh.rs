@@ -168,7 +168,7 @@ mod tests {
             let [ab, ac] = [uvs[1] - uvs[0], uvs[2] - uvs[0]];
             let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
             let mesh = mesh.with_uvs(uvs.to_vec()).unwrap();
-            let (along_u, along_v) = mesh.tangents(0).unwrap();
+            let [along_u, along_v] = mesh.tangents(0).unwrap();
             for (step, end) in [(ab, corners[1]), (ac, corners[2])] {
                 let (u, v) = (step.x * along_u, step.y * along_v);
                 // Some six roundings of either part.
@@ -183,7 +183,7 @@ mod tests {
         assert_eq!(triangle().tangents(0), None);
         let with = |uvs: [Vec2; 3]| triangle().with_uvs(uvs.to_vec()).unwrap();
         let stretched = with([Vec2::ONE, Vec2::new(3.0, 1.0), Vec2::new(1.0, 0.5)]);
-        assert_eq!(stretched.tangents(0), Some((0.5 * Vec3::X, -2.0 * Vec3::Y)));
+        assert_eq!(stretched.tangents(0), Some([0.5 * Vec3::X, -2.0 * Vec3::Y]));
         assert_eq!(stretched.tangents(1), None);
         assert_eq!(stretched.tangents(2), None);
         assert_eq!(with([Vec2::ZERO, Vec2::ONE, 0.1 * Vec2::ONE]).tangents(0), None);

@@ -21,11 +21,11 @@ pub enum BlindSpot {
     Interreflection,
     /// Light of area lamps on other surfaces.
     AreaLights,
-    /// Light of point lamps that a mirror throws onto other surfaces.
+    /// Light of point lamps that a mirror or glass throws onto other surfaces.
     PointLightCaustics,
-    /// The same, seen in a mirror.
+    /// The same, seen by way of a mirror or glass.
     PointLightCausticsInMirrors,
-    /// All that is seen in a mirror.
+    /// All that is seen in a mirror or through solid glass.
     SeenInMirrors,
 }
 
@@ -56,12 +56,12 @@ impl fmt::Display for BlindSpot {
             Self::Interreflection => "light reflected more than once, mirror images included",
             Self::AreaLights => "the light that area lamps throw on other surfaces",
             Self::PointLightCaustics => {
-                "light of point lamps that a mirror throws onto other surfaces"
+                "light of point lamps that a mirror or glass throws onto other surfaces"
             }
             Self::PointLightCausticsInMirrors => {
-                "light of point lamps that a mirror throws onto surfaces seen in a mirror"
+                "light of point lamps that a mirror or glass throws onto surfaces seen by way of one"
             }
-            Self::SeenInMirrors => "everything seen in a mirror",
+            Self::SeenInMirrors => "everything seen in a mirror or through solid glass",
         })
     }
 }

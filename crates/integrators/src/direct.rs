@@ -8,6 +8,8 @@ use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Wa
 /// A way from a lamp to a vertex that carries light, if nothing stands in it.
 pub(crate) struct LightSample {
     pub(crate) id: LightId,
+    /// The chance with which this lamp was drawn for the vertex.
+    chance: f32,
     pub(crate) x0: LightPoint,
     /// Unit direction from the vertex to the lamp.
     pub(crate) wi: Vec3,
@@ -28,7 +30,7 @@ pub(crate) fn sample_light(
     if !point.model.has_smooth_part() {
         return None;
     }
-    let choice = scene.choose_light(numbers.light_pick);
+    let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
     let (x0, pdf) = choice.light.sample_toward(point.site.position, numbers.light_point);
     // At the rim of a sphere rounding can turn the point away from here.
     if pdf.0 <= 0.0 {
@@ -38,6 +40,7 @@ pub(crate) fn sample_light(
     let forgotten = planted(Defect::LightChoiceForgotten);
     let probability = if forgotten { 1.0 } else { choice.probability };
     sample.radiance *= 1.0 / (probability * pdf.0);
+    sample.chance = choice.probability;
     Some(sample)
 }
 
@@ -59,16 +62,17 @@ fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<Li
     let offset = x0.site.position - point.site.position;
     let distance_squared = offset.length_squared();
     let wi = offset.try_normalize()?;
-    let cos_0 = x0.cosine(-wi);
-    if cos_0 <= 0.0 {
+    let falloff = x0.falloff(-wi);
+    if falloff <= 0.0 {
         return None;
     }
     let scattering = point.evaluate(wo, wi);
     let cosine = point.cosine(Walk::FromCamera, wo, wi);
     let radiance =
-        scattering.f * x0.emitted * (cosine * solid_angle_per_area(cos_0, distance_squared));
+        scattering.f * x0.emitted * (cosine * solid_angle_per_area(falloff, distance_squared));
     (!radiance.is_black()).then_some(LightSample {
         id,
+        chance: 1.0,
         x0,
         wi,
         distance_squared,
@@ -93,9 +97,10 @@ impl LightSample {
         self.scattering.pdf.to_area(conversion).0
     }
 
-    /// The densities of the lamp's point for the vertex at `x1`.
+    /// The densities of the lamp's point for the vertex at `x1`, which it was drawn
+    /// for.
     pub(crate) fn densities(&self, scene: &Scene, x1: Vec3) -> LightDensities {
-        scene.light_densities(self.id, &self.x0, x1, -self.wi)
+        scene.chosen_light_densities(self.id, self.chance, &self.x0, x1, -self.wi)
     }
 }
 

@@ -13,7 +13,7 @@ pub(crate) struct Emitted {
     /// The random numbers of x₁.
     pub(crate) numbers: VertexNumbers,
     /// Le·cos₀/(F₀·p), with the densities of start and direction, and what the
-    /// edge passed.
+    /// edge passed; of a point light its intensity in place of Le·cos₀.
     pub(crate) throughput: Rgb,
     pub(crate) densities: LightDensities,
 }
@@ -31,13 +31,13 @@ pub(crate) fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emi
     let x1_position = x1.site.position;
     let densities = tracer.scene.light_densities(choice.id, &x0, x1_position, direction);
     let density = densities.emission * densities.direction.0;
-    let cosine = x0.cosine(direction);
-    (cosine > 0.0).then(|| Emitted {
+    let falloff = x0.falloff(direction);
+    (falloff > 0.0).then(|| Emitted {
         x0,
         direction,
         x1,
         numbers,
-        throughput: x0.emitted * passed * (cosine / density),
+        throughput: x0.emitted * passed * (falloff / density),
         densities,
     })
 }

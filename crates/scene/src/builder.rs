@@ -1,8 +1,9 @@
 //! From parts to a scene.
 
 use crate::light::check_emission;
+use crate::light_tree::LightTree;
 use crate::scene::{LightId, Surface};
-use crate::{Camera, Error, Light, PointLight, Scene};
+use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
 use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides};
 use traylib_materials::Material;
 use traylib_math::{DiscreteDistribution, Rgb, Vec3};
@@ -115,12 +116,31 @@ impl SceneBuilder {
     /// [`Error::Position`] or [`Error::Emission`] for values that are not finite
     /// or negative.
     pub fn add_point_light(&mut self, position: Vec3, intensity: Rgb) -> Result<(), Error> {
-        if !position.is_finite() {
-            return Err(Error::Position(position.to_array()));
+        self.add_point(PointLight { position, intensity, cone: None })
+    }
+
+    /// Adds a point light that shines into a cone, of this intensity in W/sr where
+    /// it is full.
+    ///
+    /// # Errors
+    /// Those of [`add_point_light`](Self::add_point_light) and [`SpotCone::new`].
+    pub fn add_spot_light(
+        &mut self,
+        position: Vec3,
+        intensity: Rgb,
+        cone: SpotCone,
+    ) -> Result<(), Error> {
+        let cone = Some(SpotCone::new(cone.axis, cone.cos_full, cone.cos_dark)?);
+        self.add_point(PointLight { position, intensity, cone })
+    }
+
+    fn add_point(&mut self, light: PointLight) -> Result<(), Error> {
+        if !light.position.is_finite() {
+            return Err(Error::Position(light.position.to_array()));
         }
-        check_emission("intensity", intensity)?;
-        if !intensity.is_black() {
-            self.lights.push(Light::Point(PointLight { position, intensity }));
+        check_emission("intensity", light.intensity)?;
+        if !light.intensity.is_black() {
+            self.lights.push(Light::Point(light));
         }
         Ok(())
     }
@@ -133,6 +153,7 @@ impl SceneBuilder {
     pub fn build(self) -> Result<Scene, Error> {
         let powers: Vec<f32> = self.lights.iter().map(|l| l.power().luminance()).collect();
         let light_by_power = DiscreteDistribution::new(&powers).ok_or(Error::Dark)?;
+        let light_tree = LightTree::new(&self.lights);
         let shapes = Bvh::build(self.shapes)?;
         let see_through = self.materials.iter().any(Material::is_see_through);
         Ok(Scene {
@@ -144,6 +165,7 @@ impl SceneBuilder {
             meshes: self.meshes,
             lights: self.lights,
             light_by_power,
+            light_tree,
         })
     }
 }

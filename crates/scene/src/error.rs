@@ -18,6 +18,9 @@ pub enum Error {
     /// A position is not finite.
     #[error("position {0:?} must be finite")]
     Position([f32; 3]),
+    /// A spot light's cone makes no sense.
+    #[error("spot light: {0}")]
+    Spot(&'static str),
     /// A shape that cannot be built or stored.
     #[error(transparent)]
     Geometry(#[from] traylib_geometry::Error),

@@ -1,5 +1,9 @@
 //! Things that emit light.
 
+mod spot;
+
+pub use spot::SpotCone;
+
 use crate::Error;
 use std::f32::consts::{FRAC_1_PI, PI};
 use traylib_geometry::{Primitive, Ray, SurfaceSite};
@@ -16,7 +20,8 @@ pub enum Light {
         /// What it emits.
         radiance: Rgb,
     },
-    /// A point that emits the same intensity (W/sr) into every direction.
+    /// A point that emits the same intensity (W/sr) into every direction, or into
+    /// those of a cone.
     Point(PointLight),
 }
 
@@ -25,8 +30,10 @@ pub enum Light {
 pub struct PointLight {
     /// Where it is.
     pub position: Vec3,
-    /// W/sr.
+    /// W/sr; of a spot light, where it is full.
     pub intensity: Rgb,
+    /// Where a spot light shines; `None` for every direction alike.
+    pub cone: Option<SpotCone>,
 }
 
 /// A point on a lamp: the first vertex x₀ of a light path.
@@ -38,6 +45,8 @@ pub struct LightPoint {
     pub emitted: Rgb,
     /// Whether the lamp is a point.
     pub is_point: bool,
+    /// Where it shines if it is a spot light.
+    pub cone: Option<SpotCone>,
 }
 
 /// A start of a light path.
@@ -50,20 +59,31 @@ pub struct Emission {
 }
 
 impl LightPoint {
-    /// The cosine that emission in the unit `direction` carries: that to the
-    /// front normal, zero behind it; one for a point light.
+    /// A point of a surface that emits this radiance.
+    pub(crate) fn on_surface(site: SurfaceSite, radiance: Rgb) -> Self {
+        Self { site, emitted: radiance, is_point: false, cone: None }
+    }
+
+    /// The cosine of the unit `direction` to the front normal, zero behind it; one
+    /// for a point light. It converts measures; light takes
+    /// [`falloff`](Self::falloff).
     pub fn cosine(&self, direction: Vec3) -> f32 {
         if self.is_point { 1.0 } else { self.site.normal.dot(direction).max(0.0) }
     }
 
+    /// What [`emitted`](Self::emitted) is multiplied with toward the unit
+    /// `direction`: the cosine to the front normal, a spot light's falloff, or one.
+    pub fn falloff(&self, direction: Vec3) -> f32 {
+        self.cone.map_or_else(|| self.cosine(direction), |cone| cone.falloff(direction))
+    }
+
     /// Density of [`Light::sample_emission`] choosing `direction` here.
     pub fn direction_pdf(&self, direction: Vec3) -> SolidAnglePdf {
-        let pdf = if self.is_point {
-            0.25 * FRAC_1_PI
-        } else {
-            warp::cosine_hemisphere_pdf(self.cosine(direction))
-        };
-        SolidAnglePdf(pdf)
+        match self.cone {
+            Some(cone) => cone.pdf(direction),
+            None if self.is_point => SolidAnglePdf(0.25 * FRAC_1_PI),
+            None => SolidAnglePdf(warp::cosine_hemisphere_pdf(self.cosine(direction))),
+        }
     }
 
     /// The segment to this point from one on a surface.
@@ -86,7 +106,20 @@ impl Light {
     pub fn power(&self) -> Rgb {
         match self {
             Self::Area { primitive, radiance } => *radiance * (PI * primitive.area()),
-            Self::Point(light) => light.intensity * (4.0 * PI),
+            Self::Point(light) => light.intensity * light.solid_angle(),
+        }
+    }
+
+    /// The greatest intensity into any direction, as luminance in W/sr.
+    pub(crate) fn intensity(&self) -> f64 {
+        match self {
+            Self::Area { primitive, radiance } => {
+                // A convex body's mean shadow is a quarter of its surface, and
+                // all shadows of a ball are alike.
+                let shadow = if matches!(primitive, Primitive::Sphere(_)) { 0.25 } else { 1.0 };
+                f64::from(radiance.luminance()) * f64::from(primitive.area()) * shadow
+            }
+            Self::Point(light) => f64::from(light.intensity.luminance()),
         }
     }
 
@@ -100,11 +133,11 @@ impl Light {
         match self {
             Self::Area { primitive, radiance } => {
                 let site = primitive.sample_area(u_point);
-                let point = LightPoint { site, emitted: *radiance, is_point: false };
-                Emission { point, direction: warp::cosine_hemisphere(site.normal, u_direction) }
+                let direction = warp::cosine_hemisphere(site.normal, u_direction);
+                Emission { point: LightPoint::on_surface(site, *radiance), direction }
             }
             Self::Point(light) => {
-                Emission { point: light.point(), direction: warp::uniform_sphere(u_direction) }
+                Emission { point: light.point(), direction: light.sample_direction(u_direction) }
             }
         }
     }
@@ -124,7 +157,7 @@ impl Light {
         match self {
             Self::Area { primitive, radiance } => {
                 let (site, pdf) = primitive.sample_toward(from, u);
-                (LightPoint { site, emitted: *radiance, is_point: false }, pdf)
+                (LightPoint::on_surface(site, *radiance), pdf)
             }
             Self::Point(light) => (light.point(), AreaPdf(1.0)),
         }
@@ -145,7 +178,16 @@ impl Light {
 impl PointLight {
     fn point(&self) -> LightPoint {
         let site = SurfaceSite { position: self.position, error: Vec3::ZERO, normal: Vec3::ZERO };
-        LightPoint { site, emitted: self.intensity, is_point: true }
+        LightPoint { site, emitted: self.intensity, is_point: true, cone: self.cone }
+    }
+
+    fn sample_direction(&self, u: Vec2) -> Vec3 {
+        self.cone.map_or_else(|| warp::uniform_sphere(u), |cone| cone.sample(u))
+    }
+
+    /// Power over intensity, in steradians.
+    fn solid_angle(&self) -> f32 {
+        self.cone.map_or(4.0 * PI, |cone| cone.solid_angle())
     }
 }
 

@@ -1,5 +1,6 @@
 //! The finished scene and the questions a renderer asks of it.
 
+use crate::light_tree::LightTree;
 use crate::{Camera, Light, LightPoint, SurfacePoint};
 use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, SidedPrimitive};
 use traylib_materials::{Material, Shading, Site};
@@ -31,6 +32,7 @@ pub struct Scene {
     pub(crate) meshes: Vec<Mesh>,
     pub(crate) lights: Vec<Light>,
     pub(crate) light_by_power: DiscreteDistribution,
+    pub(crate) light_tree: LightTree,
 }
 
 /// A lamp that was drawn.
@@ -45,7 +47,8 @@ pub struct LightChoice<'scene> {
 }
 
 /// The densities of one point on a lamp as the first vertex x₀ of a path, each
-/// with the chance to choose the lamp.
+/// with the chance to choose the lamp: by power to emit, by power and nearness for
+/// light sampling.
 ///
 /// Area densities are per m²; those of a point light are plain probabilities.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +62,7 @@ pub struct LightDensities {
 }
 
 /// More surfaces than this in a row let nothing through. Rounding could otherwise
-/// hold a ray for ever where sheets meet.
+/// hold a ray for ever where panes meet.
 pub const MOST_PASSAGES: u32 = 1000;
 
 impl Scene {
@@ -134,16 +137,16 @@ impl Scene {
     /// [`SurfaceSite::segment_to`](traylib_geometry::SurfaceSite::segment_to)
     /// or its like: it has no slack of its own.
     pub fn transmittance(&self, segment: &Ray) -> Rgb {
-        if !self.shapes.any_hit(segment) {
-            Rgb::WHITE
-        } else if self.see_through {
-            self.transmittance_of_sheets(segment)
-        } else {
+        if self.see_through {
+            self.transmittance_of_panes(segment)
+        } else if self.shapes.any_hit(segment) {
             Rgb::BLACK
+        } else {
+            Rgb::WHITE
         }
     }
 
-    fn transmittance_of_sheets(&self, segment: &Ray) -> Rgb {
+    fn transmittance_of_panes(&self, segment: &Ray) -> Rgb {
         let end = segment.at(segment.t_max);
         let (mut passed, mut rest) = (Rgb::WHITE, *segment);
         for _ in 0..MOST_PASSAGES {
@@ -157,10 +160,18 @@ impl Scene {
         Rgb::BLACK
     }
 
-    /// A lamp, drawn in proportion to its power.
+    /// A lamp to start a light path, drawn in proportion to its power.
     pub fn choose_light(&self, u: f32) -> LightChoice<'_> {
         let (index, probability) = self.light_by_power.choose(u);
         LightChoice { id: LightId(index as u32), light: &self.lights[index], probability }
+    }
+
+    /// A lamp to light a surface at `x1`: rather one that is strong, near and
+    /// shines there, whatever stands between. A lamp that could light `x1` has a
+    /// chance.
+    pub fn choose_light_for(&self, x1: Vec3, u: f32) -> LightChoice<'_> {
+        let (index, probability) = self.light_tree.choose(x1, u);
+        LightChoice { id: LightId(index), light: &self.lights[index as usize], probability }
     }
 
     /// The names of all lamps.
@@ -178,8 +189,7 @@ impl Scene {
         let id = point.light?;
         match self.light(id) {
             Light::Area { radiance, .. } if point.is_front() => {
-                let site = point.site;
-                Some((id, LightPoint { site, emitted: *radiance, is_point: false }))
+                Some((id, LightPoint::on_surface(point.site, *radiance)))
             }
             _ => None,
         }
@@ -199,10 +209,23 @@ impl Scene {
         x1: Vec3,
         direction: Vec3,
     ) -> LightDensities {
+        let chosen_for_x1 = self.light_tree.probability(id.0, x1);
+        self.chosen_light_densities(id, chosen_for_x1, x0, x1, direction)
+    }
+
+    /// The same, where the chance is known with which
+    /// [`choose_light_for`](Self::choose_light_for) chooses this lamp for `x1`.
+    pub fn chosen_light_densities(
+        &self,
+        id: LightId,
+        chosen_for_x1: f32,
+        x0: &LightPoint,
+        x1: Vec3,
+        direction: Vec3,
+    ) -> LightDensities {
         let light = self.light(id);
-        let choice = self.light_by_power.probability(id.0 as usize);
-        let emission = choice * light.emission_pdf().0;
-        let toward = choice * light.toward_pdf(x1, x0).0;
+        let emission = self.light_by_power.probability(id.0 as usize) * light.emission_pdf().0;
+        let toward = chosen_for_x1 * light.toward_pdf(x1, x0).0;
         LightDensities {
             emission,
             direction: x0.direction_pdf(direction),

@@ -24,6 +24,8 @@ enum Kind {
     /// The part of a sphere around the axis in which the cosine of the angle to
     /// it is at least one less this.
     Cap(f64),
+    /// Around the axis, with these radii at its start and end.
+    Cone([f64; 2]),
 }
 
 impl Chart {
@@ -43,6 +45,13 @@ impl Chart {
                 let [_, u, v] = frame(DVec3::from(disk.normal()));
                 let radius = f64::from(disk.radius());
                 Self::flat(DVec3::from(disk.centre()), [u * radius, v * radius], Kind::Disk)
+            }
+            Primitive::Cone(cone) => {
+                let [start, end] = cone.ends().map(DVec3::from);
+                let [_, u, v] = frame(end - start);
+                let normal_sign = if cone.facing() == Facing::Outward { 1.0 } else { -1.0 };
+                let kind = Kind::Cone(cone.radii().map(f64::from));
+                Self { origin: start, axes: [end - start, u, v], normal_sign, kind }
             }
             Primitive::Sphere(sphere) => {
                 let (centre, radius) = (DVec3::from(sphere.centre()), f64::from(sphere.radius()));
@@ -73,6 +82,7 @@ impl Chart {
             Kind::Triangle => 0.5 * parallelogram,
             Kind::Disk => PI * parallelogram,
             Kind::Cap(extent) => TAU * extent * parallelogram,
+            Kind::Cone([r, s]) => PI * (r + s) * self.axes[0].length().hypot(s - r),
         }
     }
 
@@ -89,8 +99,18 @@ impl Chart {
                 let lack = at[0] * extent;
                 up * (1.0 - lack) + (u * cos + v * sin) * (lack * (2.0 - lack)).sqrt()
             }
+            Kind::Cone([r, s]) => {
+                // Area grows with the square of the radius, or along the axis.
+                let radius = (r * r + at[0] * (s * s - r * r)).sqrt();
+                let along = if r == s { at[0] } else { (radius - r) / (s - r) };
+                up * along + (u * cos + v * sin) * radius
+            }
         };
-        let normal = if let Kind::Cap(_) = self.kind { from_origin } else { up };
+        let normal = match self.kind {
+            Kind::Cap(_) => from_origin,
+            Kind::Cone([r, s]) => u * cos + v * sin - up * ((s - r) / up.length_squared()),
+            _ => up,
+        };
         (self.origin + from_origin, normal.normalize() * self.normal_sign)
     }
 
@@ -114,6 +134,13 @@ impl Chart {
                 let lack = 0.5 * (from_origin.normalize() - up.normalize()).length().powi(2);
                 [lack / extent, turn(from_origin.dot(u), from_origin.dot(v))]
             }
+            Kind::Cone([r, s]) => {
+                let along = from_origin.dot(up) / up.length_squared();
+                let radius = r + along * (s - r);
+                let share =
+                    if r == s { along } else { (radius * radius - r * r) / (s * s - r * r) };
+                [share, turn(from_origin.dot(u), from_origin.dot(v))]
+            }
         }
     }
 }
@@ -128,7 +155,7 @@ fn in_plane(vector: DVec3, u: DVec3, v: DVec3) -> At {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::{ball, disk_facing_down, hollow_ball, rectangle};
+    use crate::scenes::{ball, disk_facing_down, hollow_ball, rectangle, tube};
     use traylib_geometry::Triangle;
 
     /// There and back, and small squares have their share of the area.
@@ -144,6 +171,8 @@ mod tests {
             disk_facing_down(centre, 0.7),
             ball(centre, 0.3),
             hollow_ball(centre, 2.0),
+            tube([centre, b], [0.3, 0.3]),
+            tube([centre, c], [0.5, 0.1]),
         ] {
             let chart = Chart::seen_from(&shape, Vec3::new(0.2, 0.1, 1.0));
             for i in 0..100 {
@@ -164,7 +193,8 @@ mod tests {
 
     #[test]
     fn whole_shapes_have_their_own_area() {
-        for shape in [disk_facing_down(Vec3::Z, 0.7), hollow_ball(Vec3::Z, 2.0)] {
+        let cone = tube([Vec3::ZERO, Vec3::ONE], [0.2, 0.5]);
+        for shape in [disk_facing_down(Vec3::Z, 0.7), hollow_ball(Vec3::Z, 2.0), cone] {
             let area = Chart::seen_from(&shape, Vec3::ZERO).area();
             assert!((area / f64::from(shape.area()) - 1.0).abs() < 1e-6, "{shape:?}");
         }

@@ -107,7 +107,7 @@ fn programs_say_what_they_cannot_see() {
         let notes = run.err.lines().filter(|line| line.starts_with("note: "));
         notes.map(str::to_owned).collect::<Vec<_>>()
     };
-    let caustics = "light of point lamps that a mirror throws onto other surfaces";
+    let caustics = "light of point lamps that a mirror or glass throws onto other surfaces";
     let puremc = notes("puremc", "caustic.ron");
     assert!(puremc.contains(&format!("note: puremc cannot produce {caustics}")), "{puremc:?}");
     let trace = notes("trace", "cornell");

@@ -43,10 +43,11 @@ fn three_lamps() -> Scene {
 fn densities_are_those_of_the_draws() {
     let scene = three_lamps();
     let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+    let power: f32 = scene.lights().iter().map(|light| light.power().g).sum();
     let mut drawn = [0; 3];
     for _ in 0..20_000 {
         let x1 = 2.5 * warp::uniform_sphere(sampler.next_2d()) + Vec3::new(0.0, 0.0, 4.0);
-        let choice = scene.choose_light(sampler.next_1d());
+        let choice = scene.choose_light_for(x1, sampler.next_1d());
         let (x0, pdf) = choice.light.sample_toward(x1, sampler.next_2d());
         let direction = (x1 - x0.site.position).normalize();
         let densities = scene.light_densities(choice.id, &x0, x1, direction);
@@ -56,7 +57,8 @@ fn densities_are_those_of_the_draws() {
             Light::Area { primitive, .. } => primitive.area(),
             Light::Point(_) => 1.0,
         };
-        assert!(close(densities.emission, choice.probability / area), "{x0:?} {densities:?}");
+        let by_power = choice.light.power().g / power;
+        assert!(close(densities.emission, by_power / area), "{x0:?} {densities:?}");
         assert_eq!(densities.direction, x0.direction_pdf(direction));
         drawn[choice.id.0 as usize] += 1;
     }

@@ -13,7 +13,7 @@ use traylib_tests::laws::frame::frame;
 use traylib_tests::laws::grid::{Counts, even, probabilities};
 use traylib_tests::laws::verdict::{within, worse};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::scenes::{ball, disk_facing_down, hollow_ball, rectangle};
+use traylib_tests::scenes::{ball, disk_facing_down, hollow_ball, rectangle, tube};
 
 /// A lamp and where it is seen from.
 struct View {
@@ -33,6 +33,8 @@ fn views() -> Vec<View> {
     vec![
         view("quad", rectangle(centre, at(0.5, 0.2, 0.0), at(-0.3, 0.4, 0.1)), Vec3::ZERO),
         view("triangle", triangle, Vec3::ZERO),
+        view("tube", tube([centre, at(1.0, 0.1, 2.0)], [0.3, 0.3]), Vec3::ZERO),
+        view("cone", tube([centre, at(1.0, 0.1, 2.0)], [0.5, 0.1]), Vec3::ZERO),
         view("disk", disk_facing_down(centre, 0.6), at(0.5, 0.0, 1.1)),
         view("ball from far", ball(centre, 0.5), outside(500.0)),
         view("ball", ball(centre, 0.5), outside(1.3)),
@@ -167,7 +169,7 @@ fn emission_laws(samples: u64) {
         };
         (view.name, Light::Area { primitive: view.shape, radiance }, PI * area * 3.0)
     });
-    let point = PointLight { position: Vec3::ONE, intensity: Rgb::splat(2.0) };
+    let point = PointLight { position: Vec3::ONE, intensity: Rgb::splat(2.0), cone: None };
     let point = ("point light", Light::Point(point), 8.0 * PI);
     let findings = lamps.chain([point]).flat_map(|(name, light, power)| {
         let mut findings = emission_findings(name, &light, samples);

@@ -38,7 +38,7 @@ impl Crossing {
 pub(super) fn crossings(cone: &Cone, ray: &Ray) -> Option<[Crossing; 2]> {
     let axis = cone.axis();
     let (start, direction) = (difference(ray.origin, cone.ends[0]), ray.direction.as_dvec3());
-    let per_length = axis / axis.length_squared();
+    let per_length = axis * axis.length_squared().recip();
     let (height, climb) = (start.dot(per_length), direction.dot(per_length));
     let (p, q) = (start - height * axis, direction - climb * axis);
     let r = f64::from(cone.radii[0]) + height * cone.widening();

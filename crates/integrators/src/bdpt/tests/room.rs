@@ -5,7 +5,9 @@ use traylib_materials::{
     Dielectric, Lambert, Material, MaxPhong, Mirror, Phong, Sheet, SurfaceModel,
 };
 use traylib_math::{Rgb, Vec3};
-use traylib_scene::{Camera, CameraSettings, MaterialId, Object, ObjectShape, Scene, SceneBuilder};
+use traylib_scene::{
+    Camera, CameraSettings, MaterialId, Object, ObjectShape, Scene, SceneBuilder, SpotCone,
+};
 
 fn wall(corner: Vec3, edge_u: Vec3, edge_v: Vec3) -> Primitive {
     Primitive::Quad(Quad::new(corner, edge_u, edge_v).unwrap())
@@ -44,8 +46,8 @@ fn transparent(builder: &mut SceneBuilder) -> [MaterialId; 3] {
 }
 
 /// A room 2 × 2 × 2 m: a floor that is half a mirror, a pure mirror, a glossy
-/// and a metal ball, three kinds of glass, a spherical lamp, a small quad lamp
-/// and a point lamp.
+/// and a metal ball, three kinds of glass, a spherical lamp, a small quad lamp, a
+/// point lamp and a spot light.
 pub(crate) fn room() -> Scene {
     let settings = CameraSettings {
         position: Vec3::new(0.0, 0.1, 0.9),
@@ -84,5 +86,7 @@ pub(crate) fn room() -> Scene {
         builder.add_object(Object { shape, sides: Sides::Both, material, emission }).unwrap();
     }
     builder.add_point_light(Vec3::new(-0.6, 0.5, 0.3), Rgb::splat(2.0)).unwrap();
+    let cone = SpotCone { axis: Vec3::new(0.6, -0.8, 0.0), cos_full: 0.9, cos_dark: 0.6 };
+    builder.add_spot_light(Vec3::new(-0.7, 0.8, -0.6), Rgb::splat(8.0), cone).unwrap();
     builder.build().unwrap()
 }

@@ -18,7 +18,8 @@ fn beyond(cone: &Cone, ray: &Ray, t: f64) -> f64 {
     (from_end - height * axis).length() - radius
 }
 
-/// The times at which the ray is between the ends; `None` if never.
+/// The times at which the ray is between the ends; `None` if never, and for a ray
+/// exactly across the axis, which none is by chance.
 fn between_ends(cone: &Cone, ray: &Ray) -> Option<(f64, f64)> {
     let axis = cone.axis();
     let speed = ray.direction.as_dvec3().dot(axis);

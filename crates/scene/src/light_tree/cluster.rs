@@ -1,0 +1,55 @@
+//! What is known of one lamp or of many.
+
+use super::cone::Cone;
+use crate::{Light, PointLight};
+use traylib_geometry::{Aabb, Primitive};
+use traylib_math::Vec2;
+
+/// Where lamps are, where they shine, and how strong they are together.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cluster {
+    pub(super) bounds: Aabb,
+    pub(super) cone: Cone,
+    /// Sum of the greatest intensities, over that of the scene's strongest lamp.
+    pub(super) intensity: f64,
+}
+
+impl Cluster {
+    /// One lamp of this share.
+    pub(super) fn of(light: &Light, intensity: f64) -> Self {
+        let (bounds, cone) = match light {
+            Light::Area { primitive, .. } => (primitive.bounds(), emission_of(primitive)),
+            Light::Point(PointLight { position, cone, .. }) => {
+                let cone = cone.map_or(Cone::SPHERE, |c| Cone::filled(c.axis, c.cos_dark));
+                (Aabb::around([*position]), cone)
+            }
+        };
+        Self { bounds, cone, intensity }
+    }
+
+    /// All lamps of both.
+    #[must_use]
+    pub(super) fn join(self, other: Self) -> Self {
+        Self {
+            bounds: self.bounds.union(other.bounds),
+            cone: self.cone.join(other.cone),
+            intensity: self.intensity + other.intensity,
+        }
+    }
+
+    /// How poorly the cluster stands for its lamps: the stronger, the further
+    /// apart, the less of one mind, the worse. The square of the diagonal takes the
+    /// place of the surface, which vanishes for lamps in a row.
+    pub(super) fn cost(&self) -> f64 {
+        let diagonal_squared = self.bounds.extent().as_dvec3().length_squared();
+        self.intensity * diagonal_squared * self.cone.measure()
+    }
+}
+
+/// Where a surface shines: a sphere everywhere, all else before its front.
+fn emission_of(primitive: &Primitive) -> Cone {
+    match primitive {
+        Primitive::Sphere(_) => Cone::SPHERE,
+        flat => Cone::around_normal(flat.sample_area(Vec2::splat(0.5)).normal),
+    }
+}

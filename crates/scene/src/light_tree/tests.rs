@@ -1,0 +1,212 @@
+//! Choices among lamps of all kinds: what they sum to, how often each comes, and
+//! that no lamp that shines at a point is left out.
+
+use super::*;
+use crate::{Emission, LightPoint, PointLight, SpotCone};
+use traylib_geometry::{Disk, Facing, Primitive, Quad, Sphere, Triangle};
+use traylib_math::{Purpose, Rgb, Sampler, Vec2, warp};
+
+/// Each level rounds a chance, made of a sum and a quotient, and a product.
+const ROUNDING: f64 = 64.0 * 3.0 * f32::EPSILON as f64 / 2.0;
+
+fn sampler(index: u64) -> Sampler {
+    Sampler::new(21, Purpose::Test, 0, index)
+}
+
+/// A point of the cube |x|, |y|, |z| ≤ `half`.
+fn point(sampler: &mut Sampler, half: f32) -> Vec3 {
+    let (xy, z) = (sampler.next_2d(), sampler.next_1d());
+    (2.0 * xy.extend(z) - 1.0) * half
+}
+
+/// A lamp of any kind, up to a metre wide, in a room of 20 m: all lengths times
+/// `scale`, a power of two, and radiances the same.
+fn lamp(sampler: &mut Sampler, kind: usize, scale: f32) -> Light {
+    let at = point(sampler, 10.0) * scale;
+    let [u, v] = [(); 2].map(|()| warp::uniform_sphere(sampler.next_2d()));
+    let size = sampler.next_1d() * scale;
+    let bright = Rgb::splat(10.0 * sampler.next_1d() + 0.01);
+    let facing = if kind.is_multiple_of(2) { Facing::Outward } else { Facing::Inward };
+    let primitive = match kind % 7 {
+        0 | 1 => Primitive::Sphere(Sphere::new(at, size, facing).unwrap()),
+        2 => Primitive::Quad(Quad::new(at, u * size, v * size).unwrap()),
+        3 => Primitive::Disk(Disk::new(at, u, size).unwrap()),
+        4 => Primitive::Triangle(Triangle::new(at, at + u * size, at + v * size).unwrap()),
+        _ => {
+            let intensity = bright * (scale * scale);
+            let cone = (kind % 7 == 5).then(|| {
+                let [a, b] = sampler.next_2d().to_array().map(|x| 2.0 * x - 1.0);
+                SpotCone::new(v, a.max(b), a.min(b)).unwrap()
+            });
+            return Light::Point(PointLight { position: at, intensity, cone });
+        }
+    };
+    Light::Area { primitive, radiance: bright }
+}
+
+fn lamps(count: usize, seed: u64, scale: f32) -> Vec<Light> {
+    let mut sampler = sampler(seed);
+    (0..count).map(|kind| lamp(&mut sampler, kind, scale)).collect()
+}
+
+fn probabilities(tree: &LightTree, x1: Vec3) -> Vec<f32> {
+    (0..tree.paths.len() as u32).map(|lamp| tree.probability(lamp, x1)).collect()
+}
+
+/// Lamps that a tree has trouble with.
+fn awkward() -> Vec<Vec<Light>> {
+    let point =
+        |position: Vec3| Light::Point(PointLight { position, intensity: Rgb::WHITE, cone: None });
+    let row = |step: f32| (0..300_u16).map(|i| point(Vec3::X * step * f32::from(i))).collect();
+    // Every plane leaves one lamp on a side, in which the levels run out.
+    let steep = (0..120_u8).map(|i| point(Vec3::Y * f32::from(i) - Vec3::X * 2_f32.powi(i.into())));
+    let huge = |i: u8| point(Vec3::splat(1e38) * (f32::from(i) - 4.0));
+    vec![row(0.0), row(1.0), row(1e-30), steep.collect(), (0..9).map(huge).collect()]
+}
+
+#[test]
+fn chances_sum_to_one() {
+    let many = [1, 2, 3, 10, 700].map(|count| lamps(count, count as u64, 1.0));
+    let mut sampler = sampler(0);
+    for lights in many.into_iter().chain(awkward()) {
+        let tree = LightTree::new(&lights);
+        assert_eq!(tree.nodes.len(), 2 * lights.len() - 1);
+        for size in [1e-3, 1.0, 12.0, 1e4, 1e30] {
+            let x1 = point(&mut sampler, size);
+            let sum: f64 = probabilities(&tree, x1).into_iter().map(f64::from).sum();
+            assert!((sum - 1.0).abs() < ROUNDING, "{} lamps, {x1}: {sum}", lights.len());
+        }
+    }
+}
+
+/// u runs through 2¹⁸ even steps, of which each lamp owns an interval; rounding
+/// moves its two ends by less than a step.
+#[test]
+fn lamps_come_as_often_as_they_say() {
+    const STEPS: u32 = 1 << 18;
+    for count in [1, 2, 5, 300] {
+        let tree = LightTree::new(&lamps(count, 7, 1.0));
+        let x1 = point(&mut sampler(8), 10.0);
+        let mut found = vec![0_u32; count];
+        for step in 0..STEPS {
+            let (lamp, probability) = tree.choose(x1, (step as f32 + 0.5) / STEPS as f32);
+            assert_eq!(probability.to_bits(), tree.probability(lamp, x1).to_bits());
+            found[lamp as usize] += 1;
+        }
+        for (lamp, (found, probability)) in found.iter().zip(probabilities(&tree, x1)).enumerate() {
+            let known = f64::from(probability) * f64::from(STEPS);
+            assert!((f64::from(*found) - known).abs() < 2.0, "{lamp}: {found}, not {known}");
+        }
+    }
+}
+
+#[test]
+fn a_single_lamp_is_certain() {
+    for kind in 0..7 {
+        let tree = LightTree::new(&[lamp(&mut sampler(9), kind, 1.0)]);
+        for u in [0.0, 0.3, BELOW_ONE] {
+            assert_eq!(tree.choose(Vec3::ONE, u), (0, 1.0));
+        }
+        assert_eq!(tree.probability(0, Vec3::NAN), 1.0);
+    }
+}
+
+/// Where a point of this lamp may be seen from: anywhere, or hardly off its plane.
+fn place(sampler: &mut Sampler, from: &LightPoint) -> Vec3 {
+    let away = point(sampler, 10.0);
+    let normal = from.site.normal;
+    let grazing = away - normal * normal.dot(away) * (1.0 - 1e-5 * sampler.next_1d());
+    let far = 100_f32.powf(4.0 * sampler.next_1d() - 2.0);
+    from.site.position + far * if sampler.next_1d() < 0.5 { away } else { grazing }
+}
+
+/// A chance of zero would lose light.
+#[test]
+fn a_lamp_that_shines_at_a_point_has_a_chance() {
+    let mut shining = 0;
+    for seed in 0..40 {
+        let lights = lamps(140, 100 + seed, 1.0);
+        let tree = LightTree::new(&lights);
+        let mut sampler = sampler(200 + seed);
+        for (id, light) in (0..).zip(&lights) {
+            for _ in 0..20 {
+                let Emission { point, .. } = light.sample_emission(sampler.next_2d(), Vec2::ZERO);
+                let x1 = place(&mut sampler, &point);
+                let direction = (x1 - point.site.position).normalize();
+                if point.falloff(direction) > 0.0 {
+                    shining += 1;
+                    assert!(tree.probability(id, x1) > 0.0, "{light:?} at {x1}");
+                }
+            }
+        }
+    }
+    assert!(shining > 40_000, "{shining}");
+}
+
+/// Lamps that face away have none, if any other can do better.
+#[test]
+fn a_lamp_that_shines_elsewhere_is_left_out() {
+    let disk = |at: Vec3, normal| Light::Area {
+        primitive: Primitive::Disk(Disk::new(at, normal, 0.1).unwrap()),
+        radiance: Rgb::WHITE,
+    };
+    let spot = |axis| {
+        let cone = Some(SpotCone::new(axis, 0.9, 0.8).unwrap());
+        Light::Point(PointLight { position: Vec3::Z, intensity: Rgb::WHITE, cone })
+    };
+    let [down, up] = [Vec3::NEG_Z, Vec3::Z];
+    let lights = [disk(Vec3::Z, down), disk(Vec3::Z, up), spot(Vec3::X), spot(down)];
+    let found = probabilities(&LightTree::new(&lights), Vec3::ZERO);
+    assert!(found[0] > 0.0 && found[3] > 0.0, "{found:?}");
+    assert_eq!(found[1..3], [0.0; 2]);
+}
+
+/// The nearer of two equal lamps comes more often, by the square of the distances.
+#[test]
+fn nearness_counts_with_the_square() {
+    let point = |x| {
+        let position = Vec3::X * x;
+        Light::Point(PointLight { position, intensity: Rgb::WHITE, cone: None })
+    };
+    let tree = LightTree::new(&[point(-1.0), point(3.0)]);
+    let found = probabilities(&tree, Vec3::ZERO);
+    assert!((found[0] - 0.9).abs() < 2.0 * f32::EPSILON, "{found:?}");
+}
+
+#[test]
+fn scale_leaves_every_bit() {
+    let [small, plain, large] = [-14, 0, 20].map(|power| {
+        let scale = 2_f32.powi(power);
+        let tree = LightTree::new(&lamps(300, 11, scale));
+        let mut sampler = sampler(12);
+        let mut choices = Vec::new();
+        for _ in 0..2000 {
+            let x1 = point(&mut sampler, 12.0) * scale;
+            let (lamp, probability) = tree.choose(x1, sampler.next_1d());
+            choices.push((lamp, probability.to_bits()));
+        }
+        (tree.paths, choices)
+    });
+    assert!(small == plain && plain == large);
+}
+
+/// As many lamps as a city has; each of a hundred choices is a way of some twenty
+/// levels.
+#[test]
+fn a_hundred_thousand_lamps() {
+    let lights = lamps(100_000, 13, 1.0);
+    let tree = LightTree::new(&lights);
+    let mut sampler = sampler(14);
+    for _ in 0..100 {
+        let x1 = point(&mut sampler, 10.0);
+        let (lamp, probability) = tree.choose(x1, sampler.next_1d());
+        let mut levels = 0;
+        let path = tree.paths[lamp as usize];
+        let again = tree.descend(x1, |level, _| {
+            levels = level + 1;
+            path >> level & 1 == 1
+        });
+        assert_eq!(again, (lamp, probability));
+        assert!((10..40).contains(&levels), "{levels}");
+    }
+}
