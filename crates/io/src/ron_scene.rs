@@ -220,6 +220,26 @@ fn one() -> f32 {
 pub enum Light {
     /// A point that shines evenly in all directions.
     Point(PointLight),
+    /// A point that shines into a cone.
+    Spot(SpotLight),
+}
+
+impl Light {
+    /// Where it is.
+    pub fn position(&self) -> [f32; 3] {
+        match self {
+            Self::Point(light) => light.position,
+            Self::Spot(light) => light.position,
+        }
+    }
+
+    /// Radiant intensity where it is full, W/sr.
+    pub fn intensity(&self) -> [f32; 3] {
+        match self {
+            Self::Point(light) => light.intensity,
+            Self::Spot(light) => light.intensity,
+        }
+    }
 }
 
 /// A point that shines evenly in all directions.
@@ -230,6 +250,23 @@ pub struct PointLight {
     pub position: [f32; 3],
     /// Radiant intensity, W/sr.
     pub intensity: [f32; 3],
+}
+
+/// A point that shines into a cone.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields, rename = "Spot")]
+pub struct SpotLight {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// A point in the middle of its light.
+    pub target: [f32; 3],
+    /// Radiant intensity where it is full, W/sr.
+    pub intensity: [f32; 3],
+    /// Whole angle of the cone of full light, in degrees.
+    pub full: f32,
+    /// Whole angle of the cone beyond which there is none; that of full light, if
+    /// none is given.
+    pub dark: Option<f32>,
 }
 
 /// A map from names that keeps the order of the file, and names that occur

@@ -3,7 +3,7 @@
 use super::files::SceneFile;
 use super::frame;
 use super::material::Materials;
-use super::model::{Half, Look, ModelFile, ModelFiles, ModelLight, NumberedFile};
+use super::model::{Half, Look, ModelFile, ModelFiles, NumberedFile};
 use super::place::Place;
 use super::placement::Placement;
 use super::tally::Tally;
@@ -15,6 +15,7 @@ use crate::suggest::{nearest, quoted_list};
 use std::collections::BTreeMap;
 use traylib_geometry::Sides;
 use traylib_math::Rgb;
+use traylib_scene::PointLight;
 
 /// Brings in one object of this kind.
 pub(super) struct MeshImporter<'a> {
@@ -130,8 +131,8 @@ fn placed_lights(
     placement: &Placement,
     factor: f32,
     things: &[Thing],
-) -> Vec<ModelLight> {
-    let dimmed = |light: ModelLight| ModelLight { intensity: light.intensity * factor, ..light };
+) -> Vec<PointLight> {
+    let dimmed = |light: PointLight| PointLight { intensity: light.intensity * factor, ..light };
     let of = |file: &ModelFile| file.lights(placement, frame::bounds(things).centre());
     if factor > 0.0 { of(&model.file).into_iter().map(dimmed).collect() } else { Vec::new() }
 }

@@ -12,7 +12,7 @@ use std::rc::Rc;
 use traylib_geometry::{self as geometry, Sides};
 use traylib_materials::Material;
 use traylib_math::{Rgb, Vec3};
-use traylib_scene::ObjectShape;
+use traylib_scene::{ObjectShape, PointLight};
 
 /// A material of a file.
 #[derive(Clone, Debug)]
@@ -44,13 +44,6 @@ pub(super) enum Half {
     Front,
     /// Its back, turned round.
     Back,
-}
-
-/// A light that is not a shape.
-#[derive(Clone, Debug)]
-pub(super) struct ModelLight {
-    pub(super) position: Vec3,
-    pub(super) intensity: Rgb,
 }
 
 /// Where the picture is taken from, according to a file.
@@ -118,7 +111,7 @@ impl ModelFile {
     }
 
     /// Its lights, as bright as 3D Studio shows them around `middle`.
-    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<ModelLight> {
+    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<PointLight> {
         match &self.content {
             Content::Mgf(_) => Vec::new(),
             Content::ThreeDs(content) => content.lights(placement, middle),
@@ -155,7 +148,7 @@ pub(super) struct ModelFiles<'a> {
     root: Option<&'a Path>,
     files: Vec<(Location, Rc<NumberedFile>)>,
     materials: Vec<Material>,
-    lights: Vec<ModelLight>,
+    lights: Vec<PointLight>,
     warnings: Vec<Warning>,
 }
 
@@ -205,13 +198,13 @@ impl<'a> ModelFiles<'a> {
     }
 
     /// Adds lights that a scene wants from a file.
-    pub(super) fn add_lights(&mut self, lights: impl IntoIterator<Item = ModelLight>) {
+    pub(super) fn add_lights(&mut self, lights: impl IntoIterator<Item = PointLight>) {
         self.lights.extend(lights);
     }
 
-    /// Position and intensity of the lights wanted so far.
-    pub(super) fn take_lights(&mut self) -> impl Iterator<Item = (Vec3, Rgb)> {
-        self.lights.drain(..).map(|light| (light.position, light.intensity))
+    /// The lights wanted so far.
+    pub(super) fn take_lights(&mut self) -> impl Iterator<Item = PointLight> {
+        self.lights.drain(..)
     }
 
     /// The materials of all files, by number.

@@ -2,7 +2,8 @@
 
 use super::Imported;
 use super::frame;
-use super::model::{ModelCamera, ModelFile, ModelLight};
+use super::lights::add_light;
+use super::model::{ModelCamera, ModelFile};
 use super::placement::Placement;
 use super::tally::Tally;
 use super::thing::{Thing, ThingMaterial};
@@ -13,7 +14,9 @@ use crate::source::Location;
 use std::f32::consts::PI;
 use traylib_geometry::{Aabb, Vec3};
 use traylib_math::Rgb;
-use traylib_scene::{self as scene, Camera, CameraSettings, Light, Object, Scene, SceneBuilder};
+use traylib_scene::{
+    self as scene, Camera, CameraSettings, Light, Object, PointLight, Scene, SceneBuilder,
+};
 
 /// Width and height of a picture that nobody has named.
 const RESOLUTION: (u32, u32) = (400, 300);
@@ -87,16 +90,16 @@ fn shown(view: &ModelCamera, width: u32, height: u32) -> String {
 
 /// As bright as 3D Studio's lights: a diffuse surface in the middle shows its
 /// colour.
-fn headlight(view: &ModelCamera, middle: Vec3) -> ModelLight {
+fn headlight(view: &ModelCamera, middle: Vec3) -> PointLight {
     let intensity = Rgb::splat(PI * view.position.distance_squared(middle));
-    ModelLight { position: view.position, intensity }
+    PointLight { position: view.position, intensity, cone: None }
 }
 
 fn build(
     camera: Camera,
     file: &ModelFile,
     things: Vec<Thing>,
-    lights: Vec<ModelLight>,
+    lights: Vec<PointLight>,
     tally: &mut Tally,
 ) -> Result<Scene, scene::Error> {
     let mut builder = SceneBuilder::new(camera);
@@ -110,8 +113,8 @@ fn build(
             other => other?,
         }
     }
-    for ModelLight { position, intensity } in lights {
-        builder.add_point_light(position, intensity)?;
+    for light in lights {
+        add_light(&mut builder, light)?;
     }
     builder.build()
 }

@@ -7,7 +7,7 @@ mod material;
 mod skipped;
 mod welder;
 
-use super::{Half, Look, ModelCamera, ModelFile, ModelLight, ModelPart};
+use super::{Half, Look, ModelCamera, ModelFile, ModelPart};
 use crate::import::placement::Placement;
 use crate::import::tally::Tally;
 use crate::import::textures::Textures;
@@ -20,7 +20,7 @@ use maps::MapImporter;
 use std::collections::BTreeMap;
 use traylib_geometry as geometry;
 use traylib_math::Vec3;
-use traylib_scene::ObjectShape;
+use traylib_scene::{ObjectShape, PointLight};
 use welder::Welder;
 
 /// What does not depend on where the file goes.
@@ -105,7 +105,7 @@ impl Content {
         looks
     }
 
-    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<ModelLight> {
+    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<PointLight> {
         self.lights.iter().filter_map(|light| light::light(light, placement, middle)).collect()
     }
 

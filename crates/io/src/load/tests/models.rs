@@ -142,6 +142,66 @@ fn materials_that_a_file_has_not_are_refused_with_those_it_has() {
     }
 }
 
+#[test]
+fn materials_with_pictures_and_glass_are_understood() {
+    let picture = include_bytes!("../../../../../scenes/textures/waves.png");
+    let text = lit(r#"materials: {
+        "a": Textured(base: Phong(diffuse: (0.5, 0.5, 0.5), specular: (0, 0, 0), exponent: 9),
+            diffuse: "p.png", specular: (file: "p.png", tiling: Once, strength: 0.5),
+            opacity: "p.png", bump: (file: "p.png", height: 0.1, scale: (2, 3), tiling: Mirror)),
+        "b": Sheet(transmission: (diffuse: (0.5, 0.5, 0.5))),
+        "c": Glass(index: 1.5), "d": Pane(reflectance: (0.5, 0, 0), through: (0.5, 1, 1)) },"#);
+    let loaded = load_text("pictures", &text, &[("p.png", picture)]).unwrap();
+    let maps = loaded.scene.materials()[0].maps.as_ref().unwrap();
+    let specular = maps.specular.as_ref().unwrap();
+    assert_eq!((specular.tiling, specular.strength), (traylib_materials::Tiling::Once, 0.5));
+    assert_eq!(maps.bump.as_ref().unwrap().height, 0.1);
+    assert_eq!(loaded.scene.materials()[3].through, Rgb::new(0.5, 1.0, 1.0));
+    let faulty = text
+        .replace("p.png", "q.png")
+        .replace("index: 1.5", "index: 1")
+        .replace("0.5, 1, 1)", "0.6, 1, 1)")
+        .replace("strength: 0.5", "strength: 2");
+    let shown = report("faulty", &faulty, &[]);
+    for part in [
+        "q.png: cannot be read",
+        "the strength must be from 0 to 1",
+        "index 1 must lie between 0.1 and 10 and not be 1",
+        "`reflectance` and `through` must be from 0 to 1, also their sum",
+    ] {
+        assert!(shown.contains(part), "missing: {part}\nin:\n{shown}");
+    }
+    let unknown = report("unknown", &text.replace("tiling: Once", "tilling: Once"), &[]);
+    assert!(unknown.contains("did you mean `tiling`?"), "{unknown}");
+    let glassy = text.replace(
+        "base: Phong(diffuse: (0.5, 0.5, 0.5), specular: (0, 0, 0), exponent: 9)",
+        "base: Glass(index: 2)",
+    );
+    let shown = report("glassy", &glassy, &[("p.png", picture)]);
+    assert!(shown.contains("a picture for `diffuse` wants a Lambert or Phong base"), "{shown}");
+}
+
+#[test]
+fn spot_lights_have_cones_that_make_sense() {
+    let spot = |angles: &str| {
+        lit("").replace(
+            "Point(position: (0, 9, 0), intensity: (1, 1, 1))",
+            &format!(
+                "Spot(position: (0, 2, 0), target: (0, 0, 0), intensity: (1, 1, 1), {angles})"
+            ),
+        )
+    };
+    let loaded = load_text("spot", &spot("full: 60, dark: 90"), &[]).unwrap();
+    let [Light::Point(light)] = loaded.scene.lights() else { panic!() };
+    let cone = light.cone.unwrap();
+    assert_eq!(cone.axis, traylib_math::Vec3::NEG_Y);
+    assert!((cone.cos_full - 0.75_f32.sqrt()).abs() < 1e-6, "{cone:?}");
+    for angles in ["full: 60, dark: 30", "full: 0", "full: 400", "full: NaN"] {
+        let shown = report("cone", &spot(angles), &[]);
+        assert!(shown.contains("the angles must obey"), "{shown}");
+    }
+}
+
 /// A folder of real files, or why there is none.
 fn data() -> Option<PathBuf> {
     let folder = std::env::var_os("TRAYLIB_DATA").map(PathBuf::from);
