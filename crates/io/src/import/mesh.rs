@@ -54,7 +54,7 @@ impl MeshImporter<'_> {
             if half == Half::Back && self.object.sides == Some(ron_scene::Sides::Front) {
                 continue;
             }
-            let mut thing = Thing::of_model(part, look, model.first, glow);
+            let mut thing = Thing::of_model(look, part, model.first, glow);
             let named = named.or_else(|| replaced.get(&number).copied());
             self.change(&mut thing, half, named);
             things.push(thing);

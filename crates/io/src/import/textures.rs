@@ -1,5 +1,6 @@
 //! Pictures on surfaces: read once for each way in which they are used.
 
+use super::model::has_ending;
 use crate::source::Location;
 use crate::texture::{self, TextureLimits, load_texture, texture_from_bytes};
 use crate::{Warning, srgb};
@@ -94,8 +95,11 @@ impl Textures {
 
 /// Whether a file's numbers are light itself.
 fn is_linear(file: &Location) -> bool {
-    let name = file.to_string().to_ascii_lowercase();
-    name.ends_with(".exr") || name.ends_with(".hdr")
+    let path = match file {
+        Location::Disk(path) => path.as_path(),
+        Location::BuiltIn(name) => Path::new(name),
+    };
+    has_ending(path, "exr") || has_ending(path, "hdr")
 }
 
 fn pixels(picture: &texture::Texture, usage: Usage, is_coded: bool) -> Grid<Rgb> {
