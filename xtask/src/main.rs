@@ -19,8 +19,8 @@ The project's own tasks.
 Usage: cargo xtask TASK [ARGUMENTS]
 
   check-data DIR
-           what the readers make of the files in DIR/3ds and DIR/mgf against
-           DIR/3ds/expected.json and DIR/mgf/expected.json
+           what the readers make of the files in DIR/3ds, DIR/mgf, DIR/textures
+           and DIR/pictures against the expected.json of each
   layers   hold the dependencies of every crate against the table of layers
   prove    every proof at length, with a report of all claims; under 40 minutes
   planted [DEFECT…]

@@ -11,6 +11,7 @@ mod replace;
 mod screen;
 mod tga;
 
+pub(crate) use exr::load_exr_within;
 pub use exr::{ExrChannel, ExrFile, ExrLayer, load_exr, open_exr};
 pub use screen::screen_rgb;
 

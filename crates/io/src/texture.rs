@@ -11,7 +11,7 @@
 //! | TGA | types 1, 2, 3 and 9, 10, 11; 8, 15, 16, 24, 32 bits; all four orders |
 //! | PCX | 1, 2, 4, 8 bits in one plane, 1 bit in two to four, 24 bits |
 //! | Radiance | `.hdr` of RGBE, rows from the top |
-//! | EXR | what [`load_exr`] reads, without opacity |
+//! | EXR | what [`load_exr`](crate::load_exr) reads, without opacity |
 //!
 //! All but the last two have 8 or 16 bits a channel and do not say which curve
 //! these follow; they are taken for sRGB. The attribute bit of 16-bit TGA pixels
@@ -24,7 +24,7 @@ mod pcx;
 mod raster;
 mod sniff;
 
-use crate::picture::load_exr;
+use crate::picture::load_exr_within;
 use crate::{Error, Warning};
 use sniff::Format;
 use std::fs::File;
@@ -42,9 +42,9 @@ pub struct TextureLimits {
 }
 
 impl Default for TextureLimits {
-    /// 2²⁶ pixels, as 8192 × 8192, and 2³⁰ bytes.
+    /// 2²³ pixels, as 4096 × 2048, and 2²⁵ bytes: together less than 256 MiB.
     fn default() -> Self {
-        Self { pixels: 1 << 26, file_bytes: 1 << 30 }
+        Self { pixels: 1 << 23, file_bytes: 1 << 25 }
     }
 }
 
@@ -120,15 +120,20 @@ pub enum TextureError {
     },
 }
 
-/// Reads a picture file of any format. An EXR file has the bounds of [`load_exr`].
+/// Reads a picture file of any format. An EXR file may have four values a pixel, in
+/// all its channels and layers.
 ///
 /// # Errors
 /// [`Error::ReadPicture`] with a [`TextureError`] inside; of an EXR file what
-/// `load_exr` says.
+/// [`load_exr`](crate::load_exr) says.
 pub fn load_texture(path: &Path, limits: TextureLimits) -> Result<Texture, Error> {
     let bytes = read(path, limits).map_err(|cause| in_file(path, cause))?;
     if bytes.starts_with(sniff::EXR) {
-        return Ok(Texture { pixels: load_exr(path)?, alpha: None, warnings: Vec::new() });
+        return Ok(Texture {
+            pixels: load_exr_within(path, limits.pixels)?,
+            alpha: None,
+            warnings: Vec::new(),
+        });
     }
     texture_from_bytes(&bytes, path, limits)
 }

@@ -80,6 +80,9 @@ pub enum Error {
     /// Shorter than the six bytes of a chunk header.
     #[error("ends after {0} bytes, a 3DS file has at least 6")]
     TooShort(usize),
+    /// Longer than [`Limits::bytes`].
+    #[error("has more than {0} bytes")]
+    TooLong(usize),
     /// The first chunk is not one a 3DS file begins with.
     #[error("starts with chunk {0:#06x} at @0x0, a 3DS file with 0x4d4d, 0x3daa or 0xc23d")]
     NotThreeDs(u16),
@@ -102,6 +105,9 @@ pub fn decode(bytes: &[u8]) -> Result<Document, Error> {
 /// # Errors
 /// As `decode`.
 pub fn decode_within(bytes: &[u8], limits: Limits) -> Result<Document, Error> {
+    if bytes.len() > limits.bytes {
+        return Err(Error::TooLong(limits.bytes));
+    }
     let mut warnings = Warnings::default();
     let (id, root) =
         Reader::new(bytes).next_chunk(&mut warnings).ok_or(Error::TooShort(bytes.len()))?;

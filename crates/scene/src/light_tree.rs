@@ -50,7 +50,7 @@ impl LightTree {
 
     /// The lamp that `u`, uniform on [0, 1), chooses for a point, and its
     /// probability. One number decides every turn: what is left of it after one is
-    /// stretched for the next.
+    /// stretched for the next. With `u` in steps of 2⁻²⁴, so are the chances.
     pub(crate) fn choose(&self, x1: Vec3, mut u: f32) -> (u32, f32) {
         self.descend(x1, |_, [left, right]| {
             let turns_right = u >= left;
@@ -87,8 +87,8 @@ impl LightTree {
     }
 }
 
-/// The chances of two nodes. Where neither can light the point, or the point is too
-/// near or far for single precision, they are as the strengths.
+/// The chances of two nodes. Where neither can light the point, or the squares of
+/// distances leave the range of single precision, they are as the strengths.
 #[inline]
 fn chances(left: &Node, right: &Node, x1: Vec3) -> [f32; 2] {
     let (mut a, mut b) = (left.importance(x1), right.importance(x1));

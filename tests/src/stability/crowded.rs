@@ -1,9 +1,10 @@
 //! F8: a thousand lamps, one of them relevant, over a floor z = 0.
 //!
-//! Light is picked by power. Whether that is right depends on why the other 999
-//! do not matter, so there are three scenes. In F8 and F8p they are weak, a tenth
-//! of all power together: power knows. In F8b they are as strong as the one and
-//! shine on the upper side of a black ceiling: power knows nothing.
+//! Light is picked by power, nearness and side. Whether that is right depends on why
+//! the other 999 do not matter, so there are three scenes. In F8 and F8p they are
+//! weak, a tenth of all power together: power knows. In F8b they are as strong as
+//! the one and shine on the upper side of a black ceiling: power, by which light
+//! paths start, knows nothing.
 
 use crate::scenes::{Stage, black, camera, disk_facing_down, floor, lambert, rectangle};
 use crate::stability::closed::disk_factor;

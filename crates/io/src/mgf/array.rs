@@ -6,7 +6,8 @@ use super::transform::Transform;
 use super::words::{count, number, within};
 use traylib_math::glam::DVec3;
 
-/// The copies that a list of arguments stands for.
+/// The copies that a list of arguments stands for. Of segments that are the same in
+/// every copy no two follow each other.
 #[derive(Clone, Debug)]
 pub(super) struct Copies(Vec<Segment>);
 
@@ -30,26 +31,44 @@ const MAX_DIMENSIONS: usize = 8;
 
 impl Copies {
     pub(super) fn parse(words: &[&str]) -> Result<Self, Cause> {
-        let mut segments = vec![Segment::new(Repeat::Times(1))];
+        let mut copies = Self(Vec::new());
+        let mut segment = Segment::new(Repeat::Times(1));
         let mut words = Words(words);
         while let Some(word) = words.next() {
-            match word {
-                "-i" => segments.push(Segment::new(Repeat::Times(words.count(word)?))),
+            let repeat = match word {
+                "-i" => Repeat::Times(words.count(word)?),
                 // No copies mean one, as in Radiance.
-                "-a" => segments.push(Segment::new(Repeat::Array(words.count(word)?.max(1)))),
+                "-a" => Repeat::Array(words.count(word)?.max(1)),
                 _ => {
-                    let step = words.step(word)?;
-                    if let Some(last) = segments.last_mut() {
-                        last.transform = last.transform.then(&step);
-                    }
+                    segment.transform = segment.transform.then(&words.step(word)?);
+                    continue;
                 }
-            }
+            };
+            copies.push(std::mem::replace(&mut segment, Segment::new(repeat)));
         }
-        let dimensions = segments.iter().filter(|s| matches!(s.repeat, Repeat::Array(_))).count();
-        if dimensions > MAX_DIMENSIONS {
+        copies.push(segment);
+        let arrays = copies.0.iter().filter(|segment| segment.is_array()).count();
+        if arrays > MAX_DIMENSIONS {
             return Err(Cause::Illegal("an array has 8 dimensions at most"));
         }
-        Ok(Self(segments))
+        Ok(copies)
+    }
+
+    fn push(&mut self, mut segment: Segment) {
+        if let Repeat::Times(times) = segment.repeat {
+            segment =
+                Segment { transform: segment.transform.repeated(times), repeat: Repeat::Times(1) };
+            if let Some(last) = self.0.last_mut().filter(|last| !last.is_array()) {
+                last.transform = last.transform.then(&segment.transform);
+                return;
+            }
+        }
+        self.0.push(segment);
+    }
+
+    /// How many parts a copy is computed from; 17 at most.
+    pub(super) fn segments(&self) -> u64 {
+        self.0.len() as u64
     }
 
     /// How many there are, at most `u64::MAX`.
@@ -75,6 +94,10 @@ impl Copies {
 impl Segment {
     fn new(repeat: Repeat) -> Self {
         Self { transform: Transform::IDENTITY, repeat }
+    }
+
+    fn is_array(&self) -> bool {
+        matches!(self.repeat, Repeat::Array(_))
     }
 
     fn size(&self) -> u64 {

@@ -25,6 +25,11 @@ impl Budget {
         Self { what, limit, left: limit, option }
     }
 
+    /// What is left, and what there was.
+    pub(super) fn left(&self) -> (u64, u64) {
+        (self.left, self.limit)
+    }
+
     pub(super) fn take(&mut self, amount: u64) -> Result<(), Cause> {
         let Self { what, limit, option, .. } = *self;
         self.left = self.left.checked_sub(amount).ok_or(Cause::Limit { what, limit, option })?;

@@ -24,6 +24,11 @@ impl Contexts {
         }
     }
 
+    /// How much memory names take.
+    pub(super) fn kept(&self) -> u64 {
+        self.colours.kept + self.materials.kept + self.vertices.kept
+    }
+
     /// Carries out an entity that names or describes a context.
     pub(super) fn set(&mut self, keyword: Keyword, words: &[&str]) -> Result<(), Cause> {
         match keyword {

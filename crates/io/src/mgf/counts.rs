@@ -52,11 +52,12 @@ impl Counts {
     }
 
     fn add_materials(&mut self, document: &Document) {
+        // Equal names are one in memory, which is sooner told than by their letters.
         let (mut used, mut emitting) = (BTreeSet::new(), BTreeSet::new());
         for material in &document.materials {
             let name = &*material.name;
-            used.insert(name);
-            if material.emits() && emitting.insert(name) {
+            used.insert(name.as_ptr());
+            if material.emits() && emitting.insert(name.as_ptr()) {
                 let shown = if name.is_empty() { "(unnamed)" } else { name };
                 self.emitting_material_names.push(shown.to_string());
             }

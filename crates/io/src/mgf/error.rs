@@ -40,6 +40,9 @@ pub enum FileFault {
     /// All files together are too long.
     #[error("all files together have more than {0} bytes (Options::max_bytes)")]
     TooManyBytes(u64),
+    /// All that is kept takes too much memory.
+    #[error("takes more memory than is left of {0} bytes (Options::max_memory)")]
+    TooMuchMemory(u64),
     /// A line is too long.
     #[error("line {line} has more than {limit} bytes (Options::max_line)")]
     LineTooLong {

@@ -1,5 +1,6 @@
 //! Files on disk: each is read once, and includes stay below the root.
 
+use super::budget::Budget;
 use super::error::shown;
 use super::source::Source;
 use super::{Cause, Error, FileFault, Options};
@@ -8,6 +9,11 @@ use std::fs;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+
+/// Work to look for a file, in bytes of text.
+const SEARCH_COST: u64 = 8192;
+/// Memory of an entry in a table beside its name, at most.
+const ENTRY: usize = 256;
 
 /// Everything read so far.
 pub(super) struct Files {
@@ -42,23 +48,30 @@ impl Files {
     }
 
     /// A file that the caller names, wherever it is.
-    pub(super) fn named(&mut self, file: &Path) -> Result<Rc<Source>, Error> {
+    pub(super) fn named(&mut self, file: &Path, memory: &mut Budget) -> Result<Rc<Source>, Error> {
         let path = canonical(file)?;
-        let id = self.load(path, file.to_path_buf());
+        let id = self.load(path, file.to_path_buf(), memory);
         id.map(|id| Rc::clone(&self.sources[id]))
             .map_err(|fault| Error::File { file: file.to_path_buf(), fault })
     }
 
-    /// The file that another one calls `name`.
-    pub(super) fn included(&mut self, from: &Source, name: &str) -> Result<Rc<Source>, Cause> {
+    /// The file that another one calls `name`. To look for it on disk counts as work.
+    pub(super) fn included(
+        &mut self,
+        (from, name): (&Source, &str),
+        work: &mut Budget,
+        memory: &mut Budget,
+    ) -> Result<Rc<Source>, Cause> {
         let key = (from.id, name.to_string());
         if let Some(&id) = self.included.get(&key) {
             return Ok(Rc::clone(&self.sources[id]));
         }
+        work.take(SEARCH_COST)?;
         let path = self.find(from, name)?;
         let file = from.shown.parent().unwrap_or(Path::new("")).join(name);
-        let id =
-            self.load(path, file).map_err(|fault| Cause::Include { name: shown(name), fault })?;
+        memory.take((name.len() + ENTRY) as u64)?;
+        let id = self.load(path, file, memory);
+        let id = id.map_err(|fault| Cause::Include { name: shown(name), fault })?;
         self.included.insert(key, id);
         Ok(Rc::clone(&self.sources[id]))
     }
@@ -90,13 +103,25 @@ impl Files {
         Err(Cause::Outside { name: shown(name), root: self.root.clone() })
     }
 
-    fn load(&mut self, path: PathBuf, shown: PathBuf) -> Result<usize, FileFault> {
+    fn load(
+        &mut self,
+        path: PathBuf,
+        shown: PathBuf,
+        memory: &mut Budget,
+    ) -> Result<usize, FileFault> {
         if let Some(&id) = self.by_path.get(&path) {
             return Ok(id);
         }
         let bytes = self.read(&path)?;
         let id = self.sources.len();
-        let source = Source::new(id, shown, path.clone(), bytes, self.max_line)?;
+        let (left, limit) = memory.left();
+        let names = (shown.as_os_str().len() + 2 * path.as_os_str().len() + 2 * ENTRY) as u64;
+        if Source::memory(&bytes) + names > left {
+            return Err(FileFault::TooMuchMemory(limit));
+        }
+        let source = Source::new(id, shown, path.clone(), &bytes, self.max_line)?;
+        // It has less than was asked for above.
+        memory.take(source.kept() + names).map_err(|_| FileFault::TooMuchMemory(limit))?;
         self.sources.push(Rc::new(source));
         self.by_path.insert(path, id);
         Ok(id)

@@ -34,6 +34,11 @@ impl Frames {
         self.open.len()
     }
 
+    /// Parts of the innermost frame's arguments that a copy of it takes.
+    pub(super) fn segments(&self) -> u64 {
+        self.open.last().map_or(0, |frame| frame.copies.segments())
+    }
+
     /// From the current frame to the world.
     pub(super) fn total(&self) -> Transform {
         self.open.last().map_or(Transform::IDENTITY, |frame| frame.total)

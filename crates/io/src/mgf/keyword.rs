@@ -69,9 +69,17 @@ const TABLE: [(&str, Keyword); 29] = [
 ];
 
 impl Keyword {
+    /// How many there are.
+    pub(super) const COUNT: usize = TABLE.len();
+
     /// The entity of a word.
     pub(super) fn of(word: &str) -> Option<Self> {
         TABLE.iter().find(|(name, _)| *name == word).map(|&(_, keyword)| keyword)
+    }
+
+    /// All of them.
+    pub(super) fn all() -> impl Iterator<Item = Self> {
+        TABLE.into_iter().map(|(_, keyword)| keyword)
     }
 
     /// The word of the entity.

@@ -5,6 +5,10 @@ use super::error::shown;
 use std::collections::HashMap;
 use std::sync::Arc;
 
+/// Memory of a name beside its letters and its value: both counts of the `Arc`, and an
+/// entry of a table while it grows.
+const ENTRY: usize = 112;
+
 /// The context of one kind: the unnamed value and all named ones.
 pub(super) struct Names<T> {
     /// Colour, material or vertex, for messages.
@@ -15,12 +19,14 @@ pub(super) struct Names<T> {
     current: usize,
     /// How often a name was defined, again included.
     pub(super) definitions: u64,
+    /// How much memory the names take.
+    pub(super) kept: u64,
 }
 
 impl<T: Clone + Default> Names<T> {
     pub(super) fn new(what: &'static str) -> Self {
         let values = vec![(Arc::from(""), T::default())];
-        Self { what, slots: HashMap::new(), values, current: 0, definitions: 0 }
+        Self { what, slots: HashMap::new(), values, current: 0, definitions: 0, kept: 0 }
     }
 
     /// Carries out `X`, `X id`, `X id =` or `X id = template`.
@@ -48,6 +54,7 @@ impl<T: Clone + Default> Names<T> {
             self.values[slot].1 = value;
             return;
         }
+        self.kept += (name.len() + size_of::<(Arc<str>, T)>() + ENTRY) as u64;
         let name: Arc<str> = Arc::from(name);
         self.current = self.values.len();
         self.slots.insert(Arc::clone(&name), self.current);

@@ -1,5 +1,7 @@
 //! The eye: CIE 1931 standard observer, 2 degrees.
 
+use std::sync::LazyLock;
+
 /// First and last wavelength, in nm.
 pub(super) const FIRST: u32 = 380;
 pub(super) const LAST: u32 = 780;
@@ -25,16 +27,20 @@ const Z: [u16; 41] = [
 /// flat one of 1 has X = Y = Z = 1.
 pub(super) fn xyz(power: impl Fn(f64) -> f64) -> [f64; 3] {
     let (mut sums, mut flat) = ([0.0; 3], [0.0; 3]);
-    for wavelength in FIRST..=LAST {
+    for (wavelength, responses) in (FIRST..=LAST).zip(&*RESPONSES) {
         let power = power(f64::from(wavelength));
-        for (axis, curve) in [&X, &Y, &Z].into_iter().enumerate() {
-            let response = response(curve, wavelength);
+        for (axis, response) in responses.iter().enumerate() {
             sums[axis] += power * response;
             flat[axis] += response;
         }
     }
     std::array::from_fn(|axis| sums[axis] / flat[axis])
 }
+
+/// The three curves at each wavelength.
+static RESPONSES: LazyLock<Vec<[f64; 3]>> = LazyLock::new(|| {
+    (FIRST..=LAST).map(|at| [&X, &Y, &Z].map(|curve| response(curve, at))).collect()
+});
 
 fn response(curve: &[u16; 41], wavelength: u32) -> f64 {
     let (index, beyond) = ((wavelength - FIRST) / STEP, (wavelength - FIRST) % STEP);

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-/// Bounds on what files may ask for. The defaults suit any scene that fits a
-/// desktop's memory: a tree of 365,352 cones and spheres takes a tenth of each.
+/// Bounds on what files may ask for. With the defaults the worst files that are known
+/// take less than a second and 256 MiB; a tree of 365,352 cones and spheres takes
+/// five sixths of each at most.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
     /// The folder that includes may not leave, symbolic links followed; the
@@ -14,20 +15,25 @@ pub struct Options {
     /// How many transforms may be open at once; 1,024.
     pub max_transforms: usize,
     /// How many surfaces there may be, and how many copies open arrays may make
-    /// together; 4,000,000.
+    /// together; 1,000,000.
     pub max_surfaces: u64,
-    /// How many vertices all polygons and prisms may have together; 16,000,000.
-    pub max_vertices: u64,
-    /// How many vertices one polygon may have; 4,096. Cutting it into triangles
-    /// takes time with their square.
+    /// How many vertices one polygon may have, its holes and the seams to them
+    /// included; 4,096.
     pub max_corners: usize,
+    /// The squares of the polygons' numbers of vertices, summed; 2²⁶. Time to cut
+    /// polygons into triangles is at most in proportion.
+    pub max_cutting: u64,
     /// Length of a line in bytes, continuations included; 1 MiB.
     pub max_line: usize,
-    /// Length of all different files together in bytes; 256 MiB.
+    /// Length of all different files together in bytes; 32 MiB.
     pub max_bytes: u64,
-    /// Bytes of text that are read, counting every repetition by an array or an
-    /// include anew; 512 MiB. Work beside reading counts as some bytes.
-    pub max_text: u64,
+    /// Work, in bytes of text that are read, every repetition by an array or an
+    /// include anew; 5 · 2²⁵. A line counts as some bytes more, and so does each of its
+    /// words; what takes longer than its text says counts as what it takes.
+    pub max_work: u64,
+    /// Bytes kept in memory: text, names, surfaces, their vertices and materials;
+    /// 160 MiB.
+    pub max_memory: u64,
 }
 
 impl Default for Options {
@@ -36,12 +42,13 @@ impl Default for Options {
             root: None,
             max_depth: 64,
             max_transforms: 1024,
-            max_surfaces: 4_000_000,
-            max_vertices: 16_000_000,
+            max_surfaces: 1_000_000,
             max_corners: 4096,
+            max_cutting: 1 << 26,
             max_line: 1 << 20,
-            max_bytes: 256 << 20,
-            max_text: 512 << 20,
+            max_bytes: 32 << 20,
+            max_work: 5 << 25,
+            max_memory: 160 << 20,
         }
     }
 }

@@ -14,6 +14,9 @@ pub(super) struct Palette {
 }
 
 impl Palette {
+    /// How much memory one more material takes: itself, its draft, and an entry.
+    pub(super) const MEMORY: u64 = (size_of::<Material>() + 2 * size_of::<Draft>() + 64) as u64;
+
     /// The index of a material, by its context; with what had to be repaired if
     /// it is new.
     pub(super) fn index(

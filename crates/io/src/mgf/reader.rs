@@ -10,7 +10,9 @@ use super::frames::Frames;
 use super::keyword::Keyword;
 use super::palette::Palette;
 use super::source::Source;
-use super::{Cause, Counts, Document, Error, Options, Place, Surface, WarningKind, Warnings};
+use super::{
+    Cause, Counts, Document, Error, Options, Place, Shape, Surface, Vertex, WarningKind, Warnings,
+};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -27,8 +29,11 @@ pub(super) struct Reader<'a> {
     frames: Frames,
     palette: Palette,
     surfaces: Vec<Surface>,
-    text: Budget,
-    polygon_vertices: Budget,
+    work: Budget,
+    memory: Budget,
+    cutting: Budget,
+    /// How often each entity was met, by the number of its keyword.
+    entities: [u64; Keyword::COUNT],
     counts: Counts,
     warnings: Warnings,
 }
@@ -47,7 +52,21 @@ struct Call {
 }
 
 /// Work beside reading, in bytes of text.
-const SPECTRUM_COST: u64 = 2000;
+const LINE_COST: u64 = 16;
+const WORD_COST: u64 = 8;
+const SPECTRUM_COST: u64 = 1024;
+const BLACK_BODY_COST: u64 = 4096;
+const SURFACE_COST: u64 = 16;
+/// A corner of a polygon or a part of a mixture, to be looked up.
+const NAME_COST: u64 = 8;
+/// A number with more digits than are looked at.
+const LONG_WORD: usize = 19;
+const LONG_WORD_COST: u64 = 32;
+const MATERIAL_COST: u64 = 64;
+const WARNING_COST: u64 = 128;
+
+/// Memory of a vector of vertices beside these.
+const LOOP: usize = 48;
 
 impl<'a> Reader<'a> {
     pub(super) fn new(options: &'a Options, files: &[PathBuf]) -> Result<Self, Error> {
@@ -60,8 +79,10 @@ impl<'a> Reader<'a> {
             frames: Frames::new(options),
             palette: Palette::default(),
             surfaces: Vec::new(),
-            text: Budget::new("bytes of text", options.max_text, "max_text"),
-            polygon_vertices: Budget::new("vertices", options.max_vertices, "max_vertices"),
+            work: Budget::new("bytes of text and other work", options.max_work, "max_work"),
+            memory: Budget::new("bytes of memory", options.max_memory, "max_memory"),
+            cutting: Budget::new("squares of vertices", options.max_cutting, "max_cutting"),
+            entities: [0; Keyword::COUNT],
             counts: Counts::default(),
             warnings: Warnings::default(),
         })
@@ -69,7 +90,7 @@ impl<'a> Reader<'a> {
 
     /// Reads a file and whatever it includes.
     pub(super) fn read(&mut self, file: &Path) -> Result<(), Error> {
-        let source = self.files.named(file)?;
+        let source = self.files.named(file, &mut self.memory)?;
         self.enter(source, false);
         while let Some(call) = self.calls.last_mut() {
             let source = Rc::clone(&call.source);
@@ -86,6 +107,10 @@ impl<'a> Reader<'a> {
 
     pub(super) fn finish(self) -> Document {
         let Self { surfaces, palette, warnings, mut counts, .. } = self;
+        for keyword in Keyword::all().filter(|&keyword| self.entities[keyword as usize] > 0) {
+            let count = self.entities[keyword as usize];
+            counts.entities_after_include_and_array.insert(keyword.name(), count);
+        }
         counts.material_definitions = self.contexts.materials.definitions;
         counts.color_definitions = self.contexts.colours.definitions;
         counts.vertex_definitions = self.contexts.vertices.definitions;
@@ -105,31 +130,35 @@ impl<'a> Reader<'a> {
         let first = words.next().unwrap_or("#");
         let entity = Keyword::of(first);
         let keyword = entity.unwrap_or(Keyword::Comment);
-        let taken = self.text.take(text.len() as u64);
-        taken.map_err(|cause| self.error(keyword, cause))?;
-        match entity {
+        let words = if entity.is_some() && keyword != Keyword::Comment {
+            words.collect()
+        } else {
+            Vec::new()
+        };
+        let done = self.work.take(cost(text, &words)).and_then(|()| match entity {
             None => self.unknown(first),
-            Some(Keyword::Comment) => {}
+            Some(Keyword::Comment) => Ok(()),
             Some(keyword) => {
                 self.count(keyword);
-                let words: Vec<&str> = words.collect();
-                self.entity(keyword, &words).map_err(|cause| self.error(keyword, cause))?;
+                self.entity(keyword, &words)
             }
-        }
-        Ok(())
+        });
+        done.map_err(|cause| self.error(keyword, cause))
     }
 
-    fn unknown(&mut self, word: &str) {
+    fn unknown(&mut self, word: &str) -> Result<(), Cause> {
+        self.work.take(WARNING_COST)?;
         let glued = word.starts_with('#');
         let kind =
             if glued { WarningKind::CommentWithoutBlank } else { WarningKind::UnknownEntity };
         self.counts.unknown_entities += 1;
         self.warn(kind, word);
+        Ok(())
     }
 
     fn count(&mut self, keyword: Keyword) {
         if keyword != Keyword::Object {
-            *self.counts.entities_after_include_and_array.entry(keyword.name()).or_default() += 1;
+            self.entities[keyword as usize] += 1;
         }
     }
 
@@ -140,42 +169,65 @@ impl<'a> Reader<'a> {
             Keyword::Transform => self.transform(words),
             Keyword::Include => self.include(words),
             Keyword::Luminaire => self.luminaire(words),
-            Keyword::Face | Keyword::FaceWithHoles | Keyword::Prism => {
-                self.polygon_vertices.take(words.len() as u64)?;
-                self.surface(keyword, words)
-            }
-            Keyword::Sphere
+            Keyword::Face
+            | Keyword::FaceWithHoles
+            | Keyword::Prism
+            | Keyword::Sphere
             | Keyword::Cylinder
             | Keyword::Cone
             | Keyword::Ring
             | Keyword::Torus => self.surface(keyword, words),
-            Keyword::Spectrum | Keyword::Temperature => {
-                self.text.take(SPECTRUM_COST)?;
-                self.contexts.set(keyword, words)
-            }
-            _ => self.contexts.set(keyword, words),
+            _ => self.context(keyword, words),
         }
+    }
+
+    fn context(&mut self, keyword: Keyword, words: &[&str]) -> Result<(), Cause> {
+        match keyword {
+            Keyword::Spectrum => self.work.take(SPECTRUM_COST)?,
+            Keyword::Temperature => self.work.take(BLACK_BODY_COST)?,
+            Keyword::Mix => self.work.take(words.len() as u64 * NAME_COST)?,
+            _ => {}
+        }
+        let kept = self.contexts.kept();
+        self.contexts.set(keyword, words)?;
+        self.memory.take(self.contexts.kept() - kept)
     }
 
     fn surface(&mut self, keyword: Keyword, words: &[&str]) -> Result<(), Cause> {
         let (made, most) = (self.surfaces.len() as u64 + 1, self.options.max_surfaces);
         limit("surfaces", made, most, "max_surfaces")?;
+        self.work.take(SURFACE_COST + words.len() as u64 * NAME_COST)?;
         let transform = self.frames.total();
         let max_corners = self.options.max_corners;
         let builder = Builder { vertices: &self.contexts.vertices, transform, max_corners };
-        match builder.build(keyword, words)? {
-            None => self.warn(WarningKind::NoArea, keyword.name()),
-            Some(shape) if !shape.is_finite() => self.warn(WarningKind::NotFinite, keyword.name()),
-            Some(shape) => {
-                let material = self.material();
-                self.surfaces.push(Surface { shape, material });
-            }
-        }
+        let fault = match builder.build(keyword, words)? {
+            None => WarningKind::NoArea,
+            Some(shape) if !shape.is_finite() => WarningKind::NotFinite,
+            Some(shape) => return self.keep(shape),
+        };
+        self.work.take(WARNING_COST)?;
+        self.warn(fault, keyword.name());
         Ok(())
     }
 
-    fn material(&mut self) -> usize {
+    fn keep(&mut self, shape: Shape) -> Result<(), Cause> {
+        self.cutting.take(shape.cutting())?;
+        let (loops, vertices) = shape.kept();
+        let memory = size_of::<Surface>() + loops * LOOP + vertices * size_of::<Vertex>();
+        self.memory.take(memory as u64)?;
+        let material = self.material()?;
+        self.surfaces.push(Surface { shape, material });
+        Ok(())
+    }
+
+    fn material(&mut self) -> Result<usize, Cause> {
+        let known = self.palette.materials.len();
         let (index, repairs) = self.palette.index(self.contexts.materials.current());
+        if index < known {
+            return Ok(index);
+        }
+        self.work.take(MATERIAL_COST)?;
+        self.memory.take(Palette::MEMORY)?;
         let told = [
             (repairs.scaled_down, WarningKind::ScattersTooMuch),
             (repairs.without_luminance, WarningKind::ColourWithoutLuminance),
@@ -184,7 +236,7 @@ impl<'a> Reader<'a> {
             let name = Arc::clone(&self.palette.materials[index].name);
             self.warn(kind, &name);
         }
-        index
+        Ok(index)
     }
 
     fn luminaire(&mut self, words: &[&str]) -> Result<(), Cause> {
@@ -203,6 +255,13 @@ impl<'a> Reader<'a> {
         let place = place(&self.calls, self.line);
         Error::Entity { place, entity: keyword.name(), cause }
     }
+}
+
+/// What a line takes to read, in bytes of text. Comments are not read.
+fn cost(text: &str, words: &[&str]) -> u64 {
+    let text = if words.is_empty() { 0 } else { text.len() as u64 };
+    let long = words.iter().filter(|word| word.len() > LONG_WORD).count() as u64;
+    LINE_COST + text + words.len() as u64 * WORD_COST + long * LONG_WORD_COST
 }
 
 /// The line being read.

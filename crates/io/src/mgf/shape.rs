@@ -99,6 +99,28 @@ impl Shape {
         }
     }
 
+    /// How many loops and vertices it keeps beside itself.
+    pub(super) fn kept(&self) -> (usize, usize) {
+        match self {
+            Self::Face { outline, holes } => {
+                (1 + holes.len(), outline.len() + holes.iter().map(Vec::len).sum::<usize>())
+            }
+            Self::Prism { outline, .. } => (1, outline.len()),
+            _ => (0, 0),
+        }
+    }
+
+    /// The square of its polygons' numbers of vertices, those at the ends of seams
+    /// twice.
+    pub(super) fn cutting(&self) -> u64 {
+        let ((loops, vertices), square) = (self.kept(), |count: usize| (count as u64).pow(2));
+        match self {
+            Self::Face { .. } => square(vertices + 2 * (loops - 1)),
+            Self::Prism { .. } => 2 * square(vertices),
+            _ => 0,
+        }
+    }
+
     /// Whether every number is finite in single precision.
     pub(super) fn is_finite(&self) -> bool {
         let points = |points: &[DVec3]| points.iter().copied().all(is_point);

@@ -1,7 +1,6 @@
 //! The text of a file, cut into lines.
 
 use super::FileFault;
-use std::ops::Range;
 use std::path::PathBuf;
 
 /// A file that was read.
@@ -17,10 +16,11 @@ pub(super) struct Source {
     lines: Vec<Line>,
 }
 
-#[derive(Debug)]
+/// A line that is not empty. It ends where the next one begins.
+#[derive(Clone, Copy, Debug)]
 struct Line {
     number: u32,
-    range: Range<usize>,
+    start: u32,
 }
 
 impl Source {
@@ -29,67 +29,83 @@ impl Source {
         id: usize,
         shown: PathBuf,
         path: PathBuf,
-        bytes: Vec<u8>,
+        bytes: &[u8],
         max_line: usize,
     ) -> Result<Self, FileFault> {
-        let text = match String::from_utf8(bytes) {
-            Ok(text) => text,
-            Err(error) => String::from_utf8_lossy(error.as_bytes()).into_owned(),
-        };
-        let (text, lines) = join(&text, max_line)?;
+        let (text, lines) = join(bytes, max_line)?;
         Ok(Self { id, shown, path, text, lines })
+    }
+
+    /// The most memory that it takes to take these bytes apart.
+    pub(super) fn memory(bytes: &[u8]) -> u64 {
+        // A byte that is no text becomes three.
+        let longer = if std::str::from_utf8(bytes).is_ok() { 1 } else { 3 };
+        let ends = bytes.iter().filter(|&&byte| is_end(byte)).count() as u64;
+        (1 + longer) * bytes.len() as u64 + (ends + 1) * size_of::<Line>() as u64
+    }
+
+    /// How much memory it keeps.
+    pub(super) fn kept(&self) -> u64 {
+        (self.text.len() + size_of_val(&self.lines[..])) as u64
     }
 
     /// A joined line and its number in the file.
     pub(super) fn line(&self, index: usize) -> Option<(u32, &str)> {
         let line = self.lines.get(index)?;
-        Some((line.number, &self.text[line.range.clone()]))
+        let end = self.lines.get(index + 1).map_or(self.text.len(), |next| next.start as usize);
+        Some((line.number, &self.text[line.start as usize..end]))
     }
 }
 
 /// Text and lines with continuations joined by a blank. A line ends with LF, CR
 /// or CR LF; a backslash before any of these joins the next one. Empty lines
 /// are left out.
-fn join(text: &str, max_line: usize) -> Result<(String, Vec<Line>), FileFault> {
-    let mut joined = String::with_capacity(text.len());
+fn join(bytes: &[u8], max_line: usize) -> Result<(String, Vec<Line>), FileFault> {
+    let mut joined = String::with_capacity(bytes.len());
     let mut lines = Vec::new();
-    let (mut start, mut first) = (0, 1);
-    for (number, line) in (1..).zip(physical_lines(text)) {
-        let continued = line.strip_suffix('\\');
-        joined.push_str(continued.unwrap_or(line));
-        if joined.len() - start > max_line {
-            return Err(FileFault::LineTooLong { line: first, limit: max_line });
+    let mut line = Line { number: 1, start: 0 };
+    for (number, text) in (1..).zip(physical_lines(bytes)) {
+        let continued = text.strip_suffix(b"\\");
+        joined.push_str(&String::from_utf8_lossy(continued.unwrap_or(text)));
+        if joined.len() - line.start as usize > max_line {
+            return Err(FileFault::LineTooLong { line: line.number, limit: max_line });
         }
         if continued.is_some() {
             joined.push(' ');
             continue;
         }
-        finish(&mut lines, first, start..joined.len());
-        (start, first) = (joined.len(), number + 1);
+        line = finish(&mut lines, line, number + 1, joined.len())?;
     }
-    finish(&mut lines, first, start..joined.len());
+    finish(&mut lines, line, 0, joined.len())?;
     Ok((joined, lines))
 }
 
-fn finish(lines: &mut Vec<Line>, number: u32, range: Range<usize>) {
-    if !range.is_empty() {
-        lines.push(Line { number, range });
+/// Ends a line; the next one.
+fn finish(lines: &mut Vec<Line>, line: Line, number: u32, end: usize) -> Result<Line, FileFault> {
+    let start = u32::try_from(end).map_err(|_| FileFault::TooManyBytes(u32::MAX.into()))?;
+    if start > line.start {
+        lines.push(line);
     }
+    Ok(Line { number, start })
 }
 
-fn physical_lines(text: &str) -> impl Iterator<Item = &str> {
+fn physical_lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
     // The pair CR LF ends one line: the empty piece between is not numbered.
-    let mut rest = Some(text);
+    let mut rest = Some(bytes);
     std::iter::from_fn(move || {
         let whole = rest?;
-        let Some(end) = whole.find(['\n', '\r']) else {
+        let Some(end) = whole.iter().position(|&byte| is_end(byte)) else {
             rest = None;
             return Some(whole);
         };
-        let length = if whole[end..].starts_with("\r\n") { 2 } else { 1 };
+        let length = if whole[end..].starts_with(b"\r\n") { 2 } else { 1 };
         rest = Some(&whole[end + length..]);
         Some(&whole[..end])
     })
+}
+
+fn is_end(byte: u8) -> bool {
+    matches!(byte, b'\n' | b'\r')
 }
 
 #[cfg(test)]
@@ -97,8 +113,9 @@ mod tests {
     use super::*;
 
     fn lines(text: &str) -> Vec<(u32, String)> {
-        let (text, lines) = join(text, 100).unwrap();
-        lines.into_iter().map(|line| (line.number, text[line.range].to_string())).collect()
+        let file = Source::new(0, PathBuf::new(), PathBuf::new(), text.as_bytes(), 100).unwrap();
+        let line = |index| file.line(index).map(|(number, text)| (number, text.to_string()));
+        (0..).map_while(line).collect()
     }
 
     #[test]
@@ -127,14 +144,13 @@ mod tests {
     #[test]
     fn long_lines_are_refused_with_their_number() {
         let text = format!("a\nb\\\n{}", "x".repeat(200));
-        let fault = join(&text, 100).unwrap_err();
+        let fault = join(text.as_bytes(), 100).unwrap_err();
         assert!(matches!(fault, FileFault::LineTooLong { line: 2, limit: 100 }), "{fault}");
     }
 
     #[test]
     fn bytes_that_are_no_text_are_survived() {
-        let source =
-            Source::new(0, PathBuf::new(), PathBuf::new(), b"o caf\xe9\n".to_vec(), 100).unwrap();
+        let source = Source::new(0, PathBuf::new(), PathBuf::new(), b"o caf\xe9\n", 100).unwrap();
         assert_eq!(source.line(0), Some((1, "o caf\u{fffd}")));
     }
 }

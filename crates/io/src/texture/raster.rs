@@ -46,10 +46,10 @@ pub(super) fn tga(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Textur
     Ok(decoded)
 }
 
-/// Beside the picture a decoder needs rows and tables.
+/// Beside the picture, of 8 bytes a pixel at most, a decoder needs rows and tables.
 fn memory(limits: TextureLimits) -> Limits {
     let mut memory = Limits::no_limits();
-    memory.max_alloc = Some(limits.pixels.saturating_mul(16).saturating_add(1 << 20));
+    memory.max_alloc = Some(limits.pixels.saturating_mul(8).saturating_add(4 << 20));
     memory
 }
 

@@ -1,11 +1,9 @@
 use super::*;
 use crate::picture::screen_rgb;
 
-mod files;
 mod formats;
 mod hostile;
 mod made;
-mod sha256;
 
 /// The bytes that a texture was stored as, if it had 8 bits a channel.
 fn rgba8(texture: &Texture) -> Vec<[u8; 4]> {
@@ -43,7 +41,7 @@ fn sizes_are_bounded_before_memory_is_taken() {
     // 65535 × 65535 pixels in a few bytes.
     let huge = made::tga(2, (0, 0, 0), (u16::MAX, u16::MAX), 24, 0, &[]);
     let said = refused(&huge, TextureLimits::default()).to_string();
-    assert_eq!(said, "65535x65535 pixels are more than the 67108864 allowed");
+    assert_eq!(said, "65535x65535 pixels are more than the 8388608 allowed");
 }
 
 #[test]

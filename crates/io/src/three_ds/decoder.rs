@@ -60,7 +60,7 @@ impl Decoder {
             MASTER_SCALE => document.master_scale = body.number(warnings),
             AMBIENT => document.ambient = colour(body, warnings),
             MATERIAL if room.take(warnings) => {
-                document.materials.push(material::decode(body, warnings));
+                document.materials.push(material::decode(body, warnings, room));
             }
             OBJECT => self.object(body),
             KEYFRAMER => {

@@ -5,33 +5,48 @@ use super::{WarningKind, Warnings};
 /// How much of a file is taken in. What exceeds it is skipped with a warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// The most meshes, lights, cameras, materials and nodes together.
+    /// The most meshes, lights, cameras, materials and nodes together; and the most
+    /// maps.
     pub items: usize,
+    /// The most bytes of a file. What is decoded takes up to ten times as much memory.
+    pub bytes: usize,
 }
 
 impl Default for Limits {
-    /// A million items.
+    /// 2¹⁷ items, and 2²⁴ bytes.
     fn default() -> Self {
-        Self { items: 1_000_000 }
+        Self { items: 1 << 17, bytes: 1 << 24 }
     }
 }
 
 /// What is left of the limit.
 #[derive(Debug)]
-pub(super) struct Room(usize);
+pub(super) struct Room {
+    items: usize,
+    maps: usize,
+}
 
 impl Room {
     pub(super) fn new(limits: Limits) -> Self {
-        Self(limits.items)
+        Self { items: limits.items, maps: limits.items }
     }
 
     /// Takes room for one item, if there is any.
     pub(super) fn take(&mut self, warnings: &mut Warnings) -> bool {
-        let left = self.0.checked_sub(1);
-        match left {
-            Some(left) => self.0 = left,
-            None => warnings.add(WarningKind::TooManyItems),
-        }
-        left.is_some()
+        take(&mut self.items, warnings)
     }
+
+    /// Takes room for one map, if there is any.
+    pub(super) fn take_map(&mut self, warnings: &mut Warnings) -> bool {
+        take(&mut self.maps, warnings)
+    }
+}
+
+fn take(room: &mut usize, warnings: &mut Warnings) -> bool {
+    let left = room.checked_sub(1);
+    match left {
+        Some(left) => *room = left,
+        None => warnings.add(WarningKind::TooManyItems),
+    }
+    left.is_some()
 }

@@ -3,6 +3,7 @@
 use super::Warnings;
 use super::chunk::{Reader, set};
 use super::colour::{colour, fraction};
+use super::limits::Room;
 use super::map::{self, Map, MapKind};
 use traylib_math::Rgb;
 
@@ -159,12 +160,18 @@ impl Material {
             0xa081 => self.two_sided = true,
             0xa087 => set(&mut self.wire_size, body.number(warnings)),
             0xa100 => set(&mut self.shading, body.u16().and_then(Shading::of)),
-            _ => match MapKind::of(id) {
-                Some((kind, false)) => put(&mut self.maps, kind, map::decode(body, warnings)),
-                Some((kind, true)) => put(&mut self.masks, kind, map::decode(body, warnings)),
-                None => self.read_fraction(id, body, warnings),
-            },
+            _ => self.read_fraction(id, body, warnings),
         }
+    }
+
+    fn read_map(
+        &mut self,
+        (kind, is_mask): (MapKind, bool),
+        body: Reader<'_>,
+        warnings: &mut Warnings,
+    ) {
+        let maps = if is_mask { &mut self.masks } else { &mut self.maps };
+        put(maps, kind, map::decode(body, warnings));
     }
 
     fn read_fraction(&mut self, id: u16, body: Reader<'_>, warnings: &mut Warnings) {
@@ -190,10 +197,14 @@ fn put(maps: &mut Vec<(MapKind, Map)>, kind: MapKind, map: Map) {
 }
 
 /// Reads a material chunk (AFFF).
-pub(super) fn decode(mut reader: Reader<'_>, warnings: &mut Warnings) -> Material {
+pub(super) fn decode(mut reader: Reader<'_>, warnings: &mut Warnings, room: &mut Room) -> Material {
     let mut material = Material::default();
     while let Some((id, body)) = reader.next_chunk(warnings) {
-        material.read(id, body, warnings);
+        match MapKind::of(id) {
+            Some(kind) if room.take_map(warnings) => material.read_map(kind, body, warnings),
+            Some(_) => {}
+            None => material.read(id, body, warnings),
+        }
     }
     material
 }

@@ -14,7 +14,7 @@ use std::collections::{HashMap, HashSet};
 /// The most vertices and faces, together, of meshes that have been placed once
 /// already. What nodes would multiply beyond it is left out: a small file could
 /// otherwise fill any memory.
-pub const MOST_MULTIPLIED: usize = 1 << 24;
+pub const MOST_MULTIPLIED: usize = 1 << 21;
 
 /// A mesh in a place.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -12,7 +12,7 @@ use traylib_math::Vec3;
 
 /// Masks told apart around one vertex. 32 groups make real files use few; a
 /// file made to waste time could use one a face.
-const MAX_MASKS: usize = 256;
+const MAX_MASKS: usize = 64;
 
 /// The sum of weighted normals around one vertex for each mask.
 type Sums = Vec<(u32, Wide)>;

@@ -60,6 +60,9 @@ impl Cone {
         let reach = self.reach.max(other.reach);
         let (wide, narrow) =
             if self.spread >= other.spread { (self, other) } else { (other, self) };
+        if wide.spread >= PI {
+            return Self { reach, ..wide };
+        }
         let across = wide.axis.cross(narrow.axis);
         let apart = across.length().atan2(wide.axis.dot(narrow.axis));
         if apart + narrow.spread <= wide.spread {

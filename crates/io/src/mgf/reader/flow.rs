@@ -6,12 +6,24 @@ use crate::mgf::error::shown;
 use crate::mgf::keyword::Keyword;
 use crate::mgf::{Cause, WarningKind};
 
-/// Work beside reading, in bytes of text.
-const COPY_COST: u64 = 64;
-const INCLUDE_COST: u64 = 256;
+/// Work beside reading, in bytes of text; of a copy for each part of its arguments.
+const COPY_COST: u64 = 128;
+const INCLUDE_COST: u64 = 128;
+const OBJECT_COST: u64 = 16;
+/// A word among the arguments of a transform.
+const ARGUMENT_COST: u64 = 8;
+/// A transform to repeat, by doubling up to 64 times.
+const REPEAT_COST: u64 = 512;
+
+/// What it takes to make a transform.
+fn cost(arguments: &[&str]) -> u64 {
+    let repeats = arguments.iter().filter(|word| matches!(**word, "-i" | "-a")).count() as u64;
+    arguments.len() as u64 * ARGUMENT_COST + repeats * REPEAT_COST
+}
 
 impl Reader<'_> {
     pub(super) fn object(&mut self, words: &[&str]) -> Result<(), Cause> {
+        self.work.take(OBJECT_COST)?;
         let Some(call) = self.calls.last_mut() else { return Ok(()) };
         match words {
             [] => call.objects = call.objects.checked_sub(1).ok_or(Cause::Unmatched)?,
@@ -27,6 +39,7 @@ impl Reader<'_> {
     pub(super) fn transform(&mut self, words: &[&str]) -> Result<(), Cause> {
         let Some(call) = self.calls.last_mut() else { return Ok(()) };
         if !words.is_empty() {
+            self.work.take(cost(words))?;
             return self.frames.open(words, call.next);
         }
         if self.frames.depth() <= call.frames {
@@ -37,7 +50,7 @@ impl Reader<'_> {
 
     /// Ends the innermost transform, or goes back to the beginning of its text.
     fn next_copy(&mut self) -> Result<(), Cause> {
-        self.text.take(COPY_COST)?;
+        self.work.take(COPY_COST * self.frames.segments())?;
         if let (Some(start), Some(call)) = (self.frames.advance(), self.calls.last_mut()) {
             call.next = start;
         }
@@ -48,11 +61,12 @@ impl Reader<'_> {
         let Some((name, arguments)) = words.split_first() else {
             return Err(Cause::Arguments { expected: "a file and a transform", found: 0 });
         };
-        self.text.take(INCLUDE_COST)?;
+        self.work.take(INCLUDE_COST + cost(arguments))?;
         let depth = self.calls.len() as u64;
         limit("files inside each other", depth, self.options.max_depth as u64, "max_depth")?;
         let Some(call) = self.calls.last() else { return Ok(()) };
-        let source = self.files.included(&call.source, name)?;
+        let Self { files, work, memory, .. } = self;
+        let source = files.included((&call.source, name), work, memory)?;
         if self.calls.iter().any(|call| call.source.id == source.id) {
             return Err(Cause::Circle(shown(name)));
         }

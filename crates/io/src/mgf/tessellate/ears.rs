@@ -116,7 +116,13 @@ impl<'a> Ring<'a> {
         let mut corner = self.after[last];
         while corner != first && corner != last {
             let point = self.points[corner];
-            let depth = turn(a, b, point).min(turn(b, c, point)).min(turn(c, a, point));
+            let inward = turn(c, a, point);
+            if inward < -self.rounding {
+                // Beyond the side that the cut makes, as most are.
+                corner = self.after[corner];
+                continue;
+            }
+            let depth = turn(a, b, point).min(turn(b, c, point)).min(inward);
             if depth > self.rounding {
                 return Fitness::Blocked;
             }

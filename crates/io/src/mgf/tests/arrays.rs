@@ -49,7 +49,7 @@ fn an_array_left_open_still_makes_its_copies() {
 
 #[test]
 fn explosions_are_refused_before_they_begin() {
-    let limit = "more than 4000000 copies; if that is meant, raise Options::max_surfaces";
+    let limit = "more than 1000000 copies; if that is meant, raise Options::max_surfaces";
     for (text, line) in [
         ("xf -a 1000000 -t 1 0 0 -a 1000000 -t 0 1 0\nsph a 1\nxf", 12),
         ("xf -a 18446744073709551615 -mx -a 3 -my\nxf", 12),
@@ -61,16 +61,23 @@ fn explosions_are_refused_before_they_begin() {
     }
 }
 
+/// However often arguments are repeated, a copy takes no longer for it.
 #[test]
-fn surfaces_vertices_text_and_transforms_are_bounded() {
+fn repetitions_in_arguments_are_computed_once() {
+    let turns = "-i 9999999999999999999 -my ".repeat(9000);
+    assert_eq!(centres(&format!("xf -a 500 -t 1 0 0 {turns}\nsph a 1\nxf")).len(), 500);
+}
+
+#[test]
+fn surfaces_polygons_work_and_transforms_are_bounded() {
     let array = format!("{SQUARE}xf -a 90 -t 1 0 0\nf a b c\nxf");
     let options = Options { max_surfaces: 100, ..Options::default() };
     let twice = format!("{array}\nxf -a 90 -t 1 0 0\nf a b c\nxf");
     assert!(refused_with(&twice, &options).contains("f: more than 100 surfaces"));
-    let options = Options { max_vertices: 100, ..Options::default() };
-    assert!(refused_with(&array, &options).contains("f: more than 100 vertices"));
-    let options = Options { max_text: 1000, ..Options::default() };
-    assert!(refused_with(&array, &options).contains("more than 1000 bytes of text"));
+    let options = Options { max_cutting: 90 * 9 - 1, ..Options::default() };
+    assert!(refused_with(&array, &options).contains("f: more than 809 squares of vertices"));
+    let options = Options { max_work: 1000, ..Options::default() };
+    assert!(refused_with(&array, &options).contains("more than 1000 bytes of text and other work"));
     let options = Options { max_transforms: 3, ..Options::default() };
     let deep = "xf -mx\n".repeat(4);
     assert!(refused_with(&deep, &options).starts_with("a.mgf:4: xf: more than 3 open transforms"));
@@ -83,6 +90,13 @@ fn surfaces_vertices_text_and_transforms_are_bounded() {
     let long = format!("# short\n# {}\\\n{}", "x".repeat(40), "y".repeat(40));
     let expected = "a.mgf: line 2 has more than 50 bytes (Options::max_line)";
     assert_eq!(refused_with(&long, &options), expected);
+    let options = Options { max_memory: 10_000, ..Options::default() };
+    assert!(refused_with(&array, &options).contains("f: more than 10000 bytes of memory"));
+    let names = (0..99).fold(String::new(), |text, i| text + &format!("v {i} =\n"));
+    assert!(refused_with(&names, &options).contains("v: more than 10000 bytes of memory"));
+    let comment = "#\n".repeat(1000);
+    let expected = "a.mgf: takes more memory than is left of 10000 bytes (Options::max_memory)";
+    assert_eq!(refused_with(&comment, &options), expected);
     let options = Options { max_bytes: 10, ..Options::default() };
     assert!(refused_with(SQUARE, &options).contains("more than 10 bytes"));
 }

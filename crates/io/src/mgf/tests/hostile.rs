@@ -3,20 +3,9 @@
 use super::*;
 use traylib_math::{Purpose, Sampler};
 
-const SHAPES: &str = "\
-# everything once\r\n\
-c warm =\r\n\tcct 3000\r\nc grey =\r\n\tcspec 400 700 .2 .5 \\\r\n\t\t.3\r\n\
-c both =\r\n\tcmix 1 warm 2 grey\r\nc xy =\r\n\tcxy .3 .4\r\n\
-m lamp =\r\n\tsides 1\r\n\tc warm\r\n\ted 100\r\n\trd .5\r\n\trs .25 .1\r\n\ttd .1\r\n\tts .1 0\r\n\tir 1.5 0\r\n\
-v a =\r\n\tp 0 0 0\r\n\tn 0 0 1\r\nv b =\r\n\tp 1 0 0\r\nv c =\r\n\tp 1 1 0\r\nv d = a\r\n\tp 0 1 0\r\n\
-v e =\r\n\tp .2 .2 0\r\nv g =\r\n\tp .2 .4 0\r\nv h =\r\n\tp .4 .2 0\r\n\
-o group\r\nxf -rx 30 -a 3 -t 0 0 1 -i 2 -s .5 -mx\r\n\
-f a b c d\r\nfh a b c d - e g h\r\nsph a -1\r\ncyl a 1 b\r\ncone a 1 b 2\r\nring a 1 2\r\n\
-torus a 1 3\r\nprism a b c d .5\r\nxf\r\no\r\nies lamp.ies -t 0 0 1\r\n0 0 0\r\n";
+const SHAPES: &str = include_str!("../../../tests/data/shapes.mgf");
 
-const ARRAYS: &str = "\
-v a =\n\tp 0 0 0\nxf -a 9 -t 1 0 0 -a 9 -t 0 1 0\nxf -a 3 -rz 9\nsph a 1\nxf\n\
-v b = a\n\tp 1 2 3\nf a b a b\nxf\nxf -i 99 -s 1.1\ncyl a .5 b\nxf\n";
+const ARRAYS: &str = include_str!("../../../tests/data/arrays.mgf");
 
 const INCLUDES: &str = "\
 i part.mgf -a 3 -t 0 0 2\ni sub/deep.mgf\nxf -s 3\ni part.mgf\nxf\ni PART.MGF\n";
@@ -31,8 +20,12 @@ fn survive(folder: &Folder, bytes: &[u8]) -> bool {
     // A new file each time: some systems wait for the disk when one is cut short.
     let _ = fs::remove_file(folder.0.join("x.mgf"));
     folder.write("x.mgf", bytes);
-    let options =
-        Options { max_surfaces: 1000, max_vertices: 5000, max_text: 50_000, ..Options::default() };
+    let options = Options {
+        max_surfaces: 1000,
+        max_cutting: 50_000,
+        max_work: 200_000,
+        ..Options::default()
+    };
     let Ok(document) = decode(&[folder.0.join("x.mgf")], &options) else { return false };
     for surface in document.surfaces.iter().take(20) {
         for corner in tessellate::triangles(&surface.shape, 1).iter().flatten() {

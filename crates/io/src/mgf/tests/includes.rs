@@ -159,9 +159,20 @@ fn depth_is_bounded() {
     let options = Options { max_depth: 5, ..Options::default() };
     let error = decode(&[folder.0.join("0.mgf")], &options).unwrap_err();
     assert!(error.to_string().contains("5.mgf:1: i: more than 5 files"), "{error}");
-    let options = Options { max_text: 100_000, ..Options::default() };
+    let options = Options { max_work: 100_000, ..Options::default() };
     let error = decode(&[folder.0.join("0.mgf")], &options).unwrap_err();
     assert!(error.to_string().contains("bytes of text"), "{error}");
+}
+
+#[test]
+fn looking_for_files_is_work() {
+    let names =
+        (1..100).fold(String::new(), |text, i| text + &format!("i {}b.mgf\n", "./".repeat(i)));
+    let folder = Folder::new(&[("a.mgf", &names), ("b.mgf", "")]);
+    assert!(folder.decode("a.mgf").is_ok());
+    let options = Options { max_work: 500_000, ..Options::default() };
+    let error = decode(&[folder.0.join("a.mgf")], &options).unwrap_err();
+    assert!(error.to_string().contains("raise Options::max_work"), "{error}");
 }
 
 #[test]

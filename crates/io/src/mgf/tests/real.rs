@@ -42,6 +42,33 @@ fn every_scene_has_the_surfaces_that_radiance_finds() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// The defaults leave real scenes room.
+#[test]
+fn no_scene_needs_more_than_five_sixths_of_a_bound() {
+    let Some((folder, expected)) = data() else { return };
+    let most = options(&folder);
+    let less = Options {
+        max_depth: most.max_depth / 2,
+        max_transforms: most.max_transforms / 2,
+        max_surfaces: most.max_surfaces / 2,
+        max_corners: most.max_corners / 2,
+        max_cutting: most.max_cutting / 2,
+        max_line: most.max_line / 2,
+        max_bytes: most.max_bytes / 2,
+        max_work: most.max_work / 6 * 5,
+        max_memory: most.max_memory / 2,
+        root: most.root,
+    };
+    for scene in expected["scenes"].as_array().unwrap() {
+        let names = scene["files"].as_array().unwrap().iter().filter_map(Value::as_str);
+        let files: Vec<PathBuf> = names.map(|name| folder.join(name)).collect();
+        let limit =
+            |error: &Error| matches!(error, Error::Entity { cause: Cause::Limit { .. }, .. });
+        let exceeded = decode(&files, &less).err().filter(limit);
+        assert!(exceeded.is_none(), "{files:?}: {exceeded:?}");
+    }
+}
+
 fn compare(document: &Document, scene: &Value) -> Vec<String> {
     let mut wrong = Vec::new();
     let found = serde_json::to_value(&document.counts).unwrap();

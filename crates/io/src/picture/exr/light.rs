@@ -4,7 +4,7 @@
 //! whose names begin alike: `R`, `G`, `B` or `ViewLayer.Combined.R` and so on. Its
 //! name is the last word before the band's, or the layer's where there is none.
 
-use super::read::{ExrChannel, ExrFile, ExrLayer, open_exr};
+use super::read::{ExrChannel, ExrFile, ExrLayer, open_exr, open_within};
 use crate::Error;
 use std::path::Path;
 use traylib_math::{Grid, Rgb};
@@ -23,9 +23,17 @@ const WHOLE: [&str; 7] = ["", "combined", "beauty", "rgba", "rgb", "color", "ima
 /// [`Error::ReadPicture`] if the file cannot be read, [`Error::NoLight`] if there
 /// is no such group.
 pub fn load_exr(path: &Path) -> Result<Grid<Rgb>, Error> {
-    let file = open_exr(path)?;
-    let unknown = || Error::NoLight { file: path.to_path_buf(), channels: channel_names(&file) };
-    Ok(picture(&file, &choose(groups(&file)).ok_or_else(unknown)?))
+    light(path, &open_exr(path)?)
+}
+
+/// [`load_exr`] of a file that has four values for each of so many pixels at most.
+pub(crate) fn load_exr_within(path: &Path, pixels: u64) -> Result<Grid<Rgb>, Error> {
+    light(path, &open_within(path, pixels, pixels.saturating_mul(4))?)
+}
+
+fn light(path: &Path, file: &ExrFile) -> Result<Grid<Rgb>, Error> {
+    let unknown = || Error::NoLight { file: path.to_path_buf(), channels: channel_names(file) };
+    Ok(picture(file, &choose(groups(file)).ok_or_else(unknown)?))
 }
 
 /// The bands of a picture.

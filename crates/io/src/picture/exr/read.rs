@@ -64,24 +64,30 @@ pub struct ExrChannel {
 /// # Errors
 /// [`Error::ReadPicture`] if the file cannot be read or is no such file.
 pub fn open_exr(path: &Path) -> Result<ExrFile, Error> {
-    decode(path).map_err(|cause| Error::ReadPicture { file: path.to_path_buf(), cause })
+    open_within(path, MAX_PIXELS, MAX_SAMPLES)
 }
 
-fn decode(path: &Path) -> Result<ExrFile, Cause> {
+/// [`open_exr`] with other bounds on the pixels of a layer and on all samples.
+pub(super) fn open_within(path: &Path, pixels: u64, samples: u64) -> Result<ExrFile, Error> {
+    decode(path, pixels, samples)
+        .map_err(|cause| Error::ReadPicture { file: path.to_path_buf(), cause })
+}
+
+fn decode(path: &Path, pixels: u64, samples: u64) -> Result<ExrFile, Cause> {
     let chunks = block::read(BufReader::new(File::open(path)?), false)?;
-    check_sizes(chunks.headers())?;
+    check_sizes(chunks.headers(), pixels, samples)?;
     let reader = read().no_deep_data().largest_resolution_level().all_channels();
-    Ok(file(&reader.all_layers().all_attributes().from_chunks(chunks)?))
+    Ok(file(reader.all_layers().all_attributes().from_chunks(chunks)?))
 }
 
 /// Before memory is taken for what a header claims.
-fn check_sizes(headers: &[Header]) -> Result<(), Cause> {
+fn check_sizes(headers: &[Header], most_pixels: u64, most_samples: u64) -> Result<(), Cause> {
     let area = |width: usize, height: usize| (width as u64).saturating_mul(height as u64);
     let mut samples = 0_u64;
     for header in headers {
         let (data, shown) = (header.layer_size, header.shared_attributes.display_window.size);
         for size in [data, shown] {
-            if area(size.width(), size.height()) > MAX_PIXELS {
+            if area(size.width(), size.height()) > most_pixels {
                 let (width, height) = (size.width(), size.height());
                 return Err(format!("{width}x{height} pixels are too many").into());
             }
@@ -89,24 +95,24 @@ fn check_sizes(headers: &[Header]) -> Result<(), Cause> {
         let channels = header.channels.list.len() as u64;
         samples = samples.saturating_add(area(data.width(), data.height()) * channels);
     }
-    if samples > MAX_SAMPLES { Err("its layers are too many".into()) } else { Ok(()) }
+    if samples > most_samples { Err("its layers are too many".into()) } else { Ok(()) }
 }
 
 type FlatImage = Image<Layers<AnyChannels<FlatSamples>>>;
 
-fn file(image: &FlatImage) -> ExrFile {
+fn file(image: FlatImage) -> ExrFile {
     let window = image.attributes.display_window;
     let corner = [window.position.x(), window.position.y()];
     let shared: Vec<_> = image.attributes.other.iter().filter_map(attribute).collect();
     ExrFile {
         width: window.size.width(),
         height: window.size.height(),
-        layers: image.layer_data.iter().map(|data| layer(data, corner, &shared)).collect(),
+        layers: image.layer_data.into_iter().map(|data| layer(data, corner, &shared)).collect(),
     }
 }
 
 fn layer(
-    data: &Layer<AnyChannels<FlatSamples>>,
+    data: Layer<AnyChannels<FlatSamples>>,
     corner: [i32; 2],
     shared: &[(String, String)],
 ) -> ExrLayer {
@@ -130,13 +136,13 @@ fn layer(
         at: [0, 1].map(|axis| i64::from(at[axis]) - i64::from(corner[axis])),
         width: data.size.width(),
         height: data.size.height(),
-        channels: data.channel_data.list.iter().map(channel).collect(),
+        channels: data.channel_data.list.into_iter().map(channel).collect(),
         attributes,
     }
 }
 
-fn channel(data: &AnyChannel<FlatSamples>) -> ExrChannel {
-    let kind = match data.sample_data {
+fn channel(data: AnyChannel<FlatSamples>) -> ExrChannel {
+    let kind = match &data.sample_data {
         FlatSamples::F16(_) => "half",
         FlatSamples::F32(_) => "float",
         FlatSamples::U32(_) => "uint",
@@ -145,7 +151,10 @@ fn channel(data: &AnyChannel<FlatSamples>) -> ExrChannel {
         name: data.name.to_string(),
         kind,
         complete: (data.sampling.x(), data.sampling.y()) == (1, 1),
-        values: data.sample_data.values_as_f32().collect(),
+        values: match data.sample_data {
+            FlatSamples::F32(values) => values,
+            others => others.values_as_f32().collect(),
+        },
     }
 }
 

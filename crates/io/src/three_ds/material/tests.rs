@@ -3,7 +3,8 @@ use super::*;
 
 fn decoded(chunks: &[Vec<u8>]) -> Material {
     let mut warnings = Warnings::default();
-    let material = decode(Reader::new(&chunks.concat()), &mut warnings);
+    let mut room = Room::new(crate::three_ds::Limits::default());
+    let material = decode(Reader::new(&chunks.concat()), &mut warnings, &mut room);
     assert_eq!(warnings, Warnings::default());
     material
 }

@@ -133,7 +133,7 @@ fn lights_and_cameras_have_their_objects_name_and_marks() {
 #[test]
 fn what_is_beyond_the_limit_is_skipped() {
     for items in 0..9 {
-        let document = decode_within(&full(), Limits { items }).unwrap();
+        let document = decode_within(&full(), Limits { items, ..Limits::default() }).unwrap();
         let nodes = document.keyframer.map_or(0, |keyframer| keyframer.nodes.len());
         let (meshes, lights) = (document.meshes.len(), document.lights.len());
         let found = meshes + lights + document.cameras.len() + document.materials.len() + nodes;

@@ -1,0 +1,45 @@
+//! All that is done with a file, by the reader for its ending.
+
+use std::path::{Path, PathBuf};
+use traylib_io::mgf::{self, tessellate};
+use traylib_io::three_ds::{self, pose, smoothing};
+use traylib_io::{TextureLimits, texture_from_bytes};
+
+/// Whether it could be read. `root` is a folder of the test alone, in which `name` is.
+pub(crate) fn read(root: &Path, name: &Path, bytes: &[u8]) -> bool {
+    let ending = name.extension().unwrap_or_default().to_ascii_lowercase();
+    match ending.to_str() {
+        Some("mgf") => read_mgf(root, name, bytes),
+        Some("3ds") => read_three_ds(bytes),
+        _ => texture_from_bytes(bytes, name, TextureLimits::default()).is_ok(),
+    }
+}
+
+fn read_mgf(root: &Path, name: &Path, bytes: &[u8]) -> bool {
+    // Beside the original, for what it includes.
+    let file = root.join(name).with_file_name("mutated.mgf");
+    std::fs::create_dir_all(file.parent().unwrap_or(root)).unwrap();
+    let _ = std::fs::remove_file(&file);
+    std::fs::write(&file, bytes).unwrap();
+    let options = mgf::Options { root: Some(PathBuf::from(root)), ..mgf::Options::default() };
+    let Ok(document) = mgf::decode(&[file], &options) else { return false };
+    for surface in document.surfaces.iter().take(100) {
+        assert!(surface.material < document.materials.len());
+        for corner in tessellate::triangles(&surface.shape, 1).iter().flatten() {
+            assert!(!corner.position.is_nan());
+        }
+    }
+    true
+}
+
+fn read_three_ds(bytes: &[u8]) -> bool {
+    let Ok(mut document) = three_ds::decode(bytes) else { return false };
+    for mesh in &document.meshes {
+        let _ = smoothing::corner_normals(mesh, &mut document.warnings);
+    }
+    let placed = pose::stored_with_instances(&document);
+    assert!(placed.iter().all(|placed| placed.place.is_finite()));
+    let _ = pose::posed(&document);
+    assert!(three_ds::Counts::of(&document).faces <= bytes.len() / 8);
+    true
+}
