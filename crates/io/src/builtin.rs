@@ -19,6 +19,10 @@ const FILES: &[(&str, &[u8])] = &[
     file!("spheres.ron"),
     file!("hangar.ron"),
     file!("models/enemy01.3ds"),
+    file!("glass.ron"),
+    file!("bump.ron"),
+    file!("textures/tiles.png"),
+    file!("textures/waves.png"),
     file!("reference-a.ron"),
     file!("reference-c.ron"),
 ];
@@ -34,6 +38,8 @@ const NAMES: &[&str] = &[
     "furnace",
     "spheres",
     "hangar",
+    "glass",
+    "bump",
     "reference-a",
     "reference-c",
 ];

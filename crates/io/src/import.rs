@@ -5,6 +5,7 @@
 
 mod files;
 mod frame;
+mod lights;
 mod material;
 mod mesh;
 mod model;
@@ -13,6 +14,7 @@ mod place;
 mod placement;
 mod shape;
 mod tally;
+mod textures;
 mod thing;
 mod whole;
 
@@ -21,15 +23,15 @@ pub(crate) use whole::import_whole;
 
 use crate::load::{LoadOptions, SceneSettings};
 use crate::report::{Problem, Report};
-use crate::ron_scene::locate::{Path, Step};
-use crate::ron_scene::{Light, Shape};
+use crate::ron_scene::Shape;
+use crate::ron_scene::locate::Path;
 use crate::{Error, Warning};
 use material::Materials;
 use model::ModelFiles;
 use thing::{Thing, ThingMaterial};
 use traylib_materials::Material;
-use traylib_math::{Rgb, Vec3};
-use traylib_scene::{Camera, CameraSettings, Object, Scene, SceneBuilder};
+use traylib_math::Vec3;
+use traylib_scene::{Camera, CameraSettings, Object, PointLight, Scene, SceneBuilder};
 
 /// A scene and what came with it.
 pub(crate) struct Imported {
@@ -59,14 +61,16 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
     let materials = Materials::collect(files, &mut problems);
     let mut models = ModelFiles::new(options.root);
     let parts = object::collect(files, &materials, &mut models, &mut problems);
-    let mut points = point_lights(files, &mut problems);
+    let mut points = lights::collect(files, &mut problems);
     points.extend(models.take_lights());
     check_for_light(files, &parts, &points, &mut problems);
     match camera {
         Some(camera) if problems.is_empty() => {
             let scene =
                 build(root, camera, [materials.models(), models.materials()], parts, points)?;
-            Ok(Imported { scene, settings, warnings: models.into_warnings(), notes: Vec::new() })
+            let mut warnings = materials.into_warnings();
+            warnings.extend(models.into_warnings());
+            Ok(Imported { scene, settings, warnings, notes: Vec::new() })
         }
         _ => Err(Error::Scene(Report(problems))),
     }
@@ -113,40 +117,21 @@ fn settings(root: &SceneFile, problems: &mut Vec<Problem>) -> SceneSettings {
     SceneSettings { spp, exposure }
 }
 
-fn point_lights(files: &[SceneFile], problems: &mut Vec<Problem>) -> Vec<(Vec3, Rgb)> {
-    let mut points = Vec::new();
-    for file in files {
-        for (index, Light::Point(light)) in file.document.lights.iter().enumerate() {
-            let place = file.place(Path::of("lights").then(Step::Index(index)));
-            let intensity = Rgb::from(light.intensity);
-            let position = Vec3::from(light.position);
-            if !position.is_finite() {
-                problems.push(place.field("position").problem("the position must be finite"));
-            }
-            place.field("intensity").check_light("intensity", intensity, problems);
-            points.push((position, intensity));
-        }
-    }
-    points
-}
-
 /// Refuses a scene that would be black. What could not be brought in might have
 /// been its light.
 fn check_for_light(
     files: &[SceneFile],
     parts: &[object::Part],
-    points: &[(Vec3, Rgb)],
+    points: &[PointLight],
     problems: &mut Vec<Problem>,
 ) {
-    let shines = |light: [f32; 3]| light != [0.0; 3];
-    let lit = files.iter().any(|file| {
-        let document = &file.document;
-        document.objects.iter().any(|object| {
-            let unknown = matches!(object.shape, Shape::Mesh(_)) && !problems.is_empty();
-            object.emission.is_some_and(shines) || unknown
-        }) || document.lights.iter().any(|Light::Point(light)| shines(light.intensity))
-    });
-    let lit = lit || !points.is_empty() || parts.iter().any(|p| !p.thing.emission.is_black());
+    let objects = || files.iter().flat_map(|file| &file.document.objects);
+    let is_mesh = objects().any(|object| matches!(object.shape, Shape::Mesh(_)));
+    let unknown = is_mesh && !problems.is_empty();
+    let lit = objects().any(|object| object.emission.is_some_and(|light| light != [0.0; 3]))
+        || points.iter().any(|light| !light.intensity.is_black())
+        || parts.iter().any(|part| !part.thing.emission.is_black());
+    let lit = lit || unknown;
     if let (false, Some(root)) = (lit, files.last()) {
         let problem = root.place(Path::default()).missing("nothing in the scene emits light");
         let help = "give an object `emission: (4, 4, 4)`, or add \
@@ -162,7 +147,7 @@ fn build(
     camera: Camera,
     materials: [&[Material]; 2],
     parts: Vec<object::Part>,
-    points: Vec<(Vec3, Rgb)>,
+    points: Vec<PointLight>,
 ) -> Result<Scene, Error> {
     let mut builder = SceneBuilder::new(camera);
     let [named, own] = materials
@@ -177,8 +162,8 @@ fn build(
         place.note(builder.add_object(object), &mut problems);
     }
     let whole = root.place(Path::default());
-    for (position, intensity) in points {
-        whole.note(builder.add_point_light(position, intensity), &mut problems);
+    for light in points {
+        whole.note(lights::add_light(&mut builder, light), &mut problems);
     }
     let scene = whole.note(builder.build(), &mut problems);
     scene.filter(|_| problems.is_empty()).ok_or(Error::Scene(Report(problems)))

@@ -6,7 +6,10 @@
 //! the text a value stands.
 
 pub mod locate;
+pub mod material;
 pub(crate) mod syntax;
+
+pub use material::Material;
 
 use serde::Deserialize as Derive;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
@@ -71,60 +74,6 @@ impl fmt::Display for Camera {
 
 fn y_axis() -> [f32; 3] {
     [0.0, 1.0, 0.0]
-}
-
-/// How a surface scatters light. Reflectances are in 0..1.
-#[derive(Clone, Debug, PartialEq, Derive)]
-pub enum Material {
-    /// Ideal diffuse.
-    Lambert(Lambert),
-    /// Modified Phong.
-    Phong(Phong),
-    /// Max-Phong, a metal.
-    MaxPhong(MaxPhong),
-    /// Ideal mirror.
-    Mirror(Mirror),
-}
-
-/// Ideal diffuse.
-#[derive(Clone, Debug, PartialEq, Derive)]
-#[serde(deny_unknown_fields)]
-pub struct Lambert {
-    /// Part of the light reflected.
-    pub reflectance: [f32; 3],
-}
-
-/// Modified Phong.
-#[derive(Clone, Debug, PartialEq, Derive)]
-#[serde(deny_unknown_fields)]
-pub struct Phong {
-    /// kd.
-    pub diffuse: [f32; 3],
-    /// ks.
-    pub specular: [f32; 3],
-    /// n.
-    pub exponent: f32,
-}
-
-/// Max-Phong, a metal.
-#[derive(Clone, Debug, PartialEq, Derive)]
-#[serde(deny_unknown_fields)]
-pub struct MaxPhong {
-    /// ks.
-    pub specular: [f32; 3],
-    /// n.
-    pub exponent: f32,
-}
-
-/// Ideal mirror.
-#[derive(Clone, Debug, PartialEq, Derive)]
-#[serde(deny_unknown_fields)]
-pub struct Mirror {
-    /// Part of the light mirrored.
-    pub reflectance: [f32; 3],
-    /// Part of the light reflected diffusely.
-    #[serde(default)]
-    pub diffuse: [f32; 3],
 }
 
 /// A shape with a material.
@@ -271,6 +220,26 @@ fn one() -> f32 {
 pub enum Light {
     /// A point that shines evenly in all directions.
     Point(PointLight),
+    /// A point that shines into a cone.
+    Spot(SpotLight),
+}
+
+impl Light {
+    /// Where it is.
+    pub fn position(&self) -> [f32; 3] {
+        match self {
+            Self::Point(light) => light.position,
+            Self::Spot(light) => light.position,
+        }
+    }
+
+    /// Radiant intensity where it is full, W/sr.
+    pub fn intensity(&self) -> [f32; 3] {
+        match self {
+            Self::Point(light) => light.intensity,
+            Self::Spot(light) => light.intensity,
+        }
+    }
 }
 
 /// A point that shines evenly in all directions.
@@ -281,6 +250,23 @@ pub struct PointLight {
     pub position: [f32; 3],
     /// Radiant intensity, W/sr.
     pub intensity: [f32; 3],
+}
+
+/// A point that shines into a cone.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields, rename = "Spot")]
+pub struct SpotLight {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// A point in the middle of its light.
+    pub target: [f32; 3],
+    /// Radiant intensity where it is full, W/sr.
+    pub intensity: [f32; 3],
+    /// Whole angle of the cone of full light, in degrees.
+    pub full: f32,
+    /// Whole angle of the cone beyond which there is none; that of full light, if
+    /// none is given.
+    pub dark: Option<f32>,
 }
 
 /// A map from names that keeps the order of the file, and names that occur

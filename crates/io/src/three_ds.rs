@@ -37,7 +37,7 @@ pub use counts::{Counts, PoseCounts};
 pub use keyframer::Keyframer;
 pub use light::{Light, Shadow, Spot};
 pub use limits::Limits;
-pub use map::{Map, MapKind, Tiling};
+pub use map::{Map, MapKind};
 pub use material::{Material, MaterialFlags, Shading};
 pub use mesh::{Face, Mesh};
 pub use object::ObjectFlags;

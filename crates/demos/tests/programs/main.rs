@@ -8,5 +8,6 @@ mod errors;
 mod film;
 #[cfg(unix)]
 mod interrupts;
+mod models;
 mod pictures;
 mod stats;

@@ -1,33 +1,39 @@
-//! Materials: from documents to models, and by name.
+//! Materials of scene files, by name.
+
+mod make;
 
 use super::files::SceneFile;
 use super::place::Place;
+use super::textures::Textures;
+use crate::Warning;
 use crate::report::Problem;
 use crate::ron_scene::Material;
 use crate::ron_scene::locate::{Path, Step};
+use crate::source::Location;
 use crate::suggest::{nearest, quoted_list};
+use make::Maker;
 use std::collections::HashMap;
-use traylib_materials::{Error, Lambert, MaxPhong, Mirror, Phong, SurfaceModel};
-use traylib_math::Rgb;
 
 /// The named materials of all files.
+#[derive(Default)]
 pub(super) struct Materials {
     models: Vec<traylib_materials::Material>,
     /// `None` is a material that has an error of its own.
     by_name: HashMap<String, Option<usize>>,
     /// In file order, for messages.
     names: Vec<String>,
+    textures: Textures,
 }
 
 impl Materials {
     pub(super) fn collect(files: &[SceneFile], problems: &mut Vec<Problem>) -> Self {
-        let mut materials = Self { models: Vec::new(), by_name: HashMap::new(), names: Vec::new() };
+        let mut materials = Self::default();
         for file in files {
             for (index, (name, material)) in file.document.materials.0.iter().enumerate() {
                 let path = Path::of("materials");
                 let key = file.place(path.then(Step::Key(index)));
                 let value = file.place(path.then(Step::Value(index)));
-                materials.add(name, material, &key, &value, problems);
+                materials.add(name, material, &file.location, [&key, &value], problems);
             }
         }
         materials
@@ -37,24 +43,19 @@ impl Materials {
         &mut self,
         name: &str,
         material: &Material,
-        key: &Place,
-        value: &Place,
+        location: &Location,
+        [key, value]: [&Place; 2],
         problems: &mut Vec<Problem>,
     ) {
         if self.by_name.contains_key(name) {
             problems.push(key.labelled(format!("two materials are named `{name}`"), "the second"));
             return;
         }
-        let index = match surface_model(material) {
-            Ok(model) => {
-                self.models.push(model.into());
-                Some(self.models.len() - 1)
-            }
-            Err(error) => {
-                problems.push(faulty_part(value, &error).problem(error));
-                None
-            }
-        };
+        let mut maker = Maker { location, textures: &mut self.textures, problems };
+        let index = maker.material(value, material).map(|model| {
+            self.models.push(model);
+            self.models.len() - 1
+        });
         self.by_name.insert(name.to_string(), index);
         self.names.push(name.to_string());
     }
@@ -62,6 +63,11 @@ impl Materials {
     /// The models, by the numbers that [`find`](Self::find) gives.
     pub(super) fn models(&self) -> &[traylib_materials::Material] {
         &self.models
+    }
+
+    /// What was repaired in their pictures.
+    pub(super) fn into_warnings(self) -> Vec<Warning> {
+        self.textures.into_warnings()
     }
 
     /// The number of a material's model.
@@ -80,31 +86,5 @@ impl Materials {
         let problem = place.labelled(title, label.unwrap_or_default());
         problems.push(problem.with_help(format!("the materials are {}", quoted_list(names()))));
         None
-    }
-}
-
-fn surface_model(material: &Material) -> Result<SurfaceModel, Error> {
-    Ok(match material {
-        Material::Lambert(m) => SurfaceModel::Lambert(Lambert::new(Rgb::from(m.reflectance))?),
-        Material::Phong(m) => {
-            let (diffuse, specular) = (Rgb::from(m.diffuse), Rgb::from(m.specular));
-            SurfaceModel::Phong(Phong::new(diffuse, specular, m.exponent)?)
-        }
-        Material::MaxPhong(m) => {
-            SurfaceModel::MaxPhong(MaxPhong::new(Rgb::from(m.specular), m.exponent)?)
-        }
-        Material::Mirror(m) => {
-            let (reflectance, diffuse) = (Rgb::from(m.reflectance), Rgb::from(m.diffuse));
-            SurfaceModel::Mirror(Mirror::new(reflectance, diffuse)?)
-        }
-    })
-}
-
-/// The field that an error is about; errors name the fields as files do.
-fn faulty_part(value: &Place, error: &Error) -> Place {
-    match error {
-        Error::Reflectance { name, .. } => value.field(name),
-        Error::Exponent(_) => value.field("exponent"),
-        _ => value.clone(),
     }
 }

@@ -3,7 +3,7 @@
 use super::files::SceneFile;
 use super::frame;
 use super::material::Materials;
-use super::model::{Half, Look, ModelFile, ModelFiles, ModelLight, NumberedFile};
+use super::model::{Half, Look, ModelFile, ModelFiles, NumberedFile};
 use super::place::Place;
 use super::placement::Placement;
 use super::tally::Tally;
@@ -15,6 +15,7 @@ use crate::suggest::{nearest, quoted_list};
 use std::collections::BTreeMap;
 use traylib_geometry::Sides;
 use traylib_math::Rgb;
+use traylib_scene::PointLight;
 
 /// Brings in one object of this kind.
 pub(super) struct MeshImporter<'a> {
@@ -32,7 +33,8 @@ impl MeshImporter<'_> {
     /// material, if it has one.
     pub(super) fn things(&mut self, named: Option<usize>, models: &mut ModelFiles) -> Vec<Thing> {
         let shape = self.place.field("shape");
-        let placement = Placement::new(self.mesh)
+        let Mesh { scale, rotate, translate, .. } = *self.mesh;
+        let placement = Placement::new(scale, rotate, translate)
             .map_err(|(field, message)| self.problems.push(shape.field(field).problem(message)));
         let glow = self.factor("glow", self.mesh.glow);
         let lights = self.factor("lights", Some(self.mesh.lights)).unwrap_or(0.0);
@@ -43,6 +45,7 @@ impl MeshImporter<'_> {
         let replaced = self.replaced(&model.file.looks);
         let mut tally = Tally::default();
         let parts = shape.note(model.file.parts(&placement, &mut tally), self.problems);
+        self.note_unused(&model.file, &mut tally);
         models.warn(&location, tally);
         let glow = glow.unwrap_or(if model.file.is_physical() { 1.0 } else { 0.0 });
         let mut things = Vec::new();
@@ -51,13 +54,24 @@ impl MeshImporter<'_> {
             if half == Half::Back && self.object.sides == Some(ron_scene::Sides::Front) {
                 continue;
             }
-            let mut thing = Thing::of_model(part, look, model.first, glow);
+            let mut thing = Thing::of_model(look, part, model.first, glow);
             let named = named.or_else(|| replaced.get(&number).copied());
             self.change(&mut thing, half, named);
             things.push(thing);
         }
         models.add_lights(placed_lights(&model, &placement, lights, &things));
         things
+    }
+
+    /// What could shine if the object wanted it.
+    fn note_unused(&self, file: &ModelFile, tally: &mut Tally) {
+        let (lights, glows) = file.unused_light();
+        if lights > 0 && self.mesh.lights == 0.0 {
+            tally.add_many("light not taken (`lights: 1` takes it)", lights as u32);
+        }
+        if glows && self.mesh.glow.is_none() {
+            tally.add("self-illumination not taken (`glow: 1` takes it)");
+        }
     }
 
     /// What the object says goes before what the file says.
@@ -117,8 +131,8 @@ fn placed_lights(
     placement: &Placement,
     factor: f32,
     things: &[Thing],
-) -> Vec<ModelLight> {
-    let dimmed = |light: ModelLight| ModelLight { intensity: light.intensity * factor, ..light };
+) -> Vec<PointLight> {
+    let dimmed = |light: PointLight| PointLight { intensity: light.intensity * factor, ..light };
     let of = |file: &ModelFile| file.lights(placement, frame::bounds(things).centre());
     if factor > 0.0 { of(&model.file).into_iter().map(dimmed).collect() } else { Vec::new() }
 }

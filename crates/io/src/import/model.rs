@@ -12,7 +12,7 @@ use std::rc::Rc;
 use traylib_geometry::{self as geometry, Sides};
 use traylib_materials::Material;
 use traylib_math::{Rgb, Vec3};
-use traylib_scene::ObjectShape;
+use traylib_scene::{ObjectShape, PointLight};
 
 /// A material of a file.
 #[derive(Clone, Debug)]
@@ -46,13 +46,6 @@ pub(super) enum Half {
     Back,
 }
 
-/// A light that is not a shape.
-#[derive(Clone, Debug)]
-pub(super) struct ModelLight {
-    pub(super) position: Vec3,
-    pub(super) intensity: Rgb,
-}
-
 /// Where the picture is taken from, according to a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ModelCamera {
@@ -82,7 +75,8 @@ fn is_mgf(path: &Path) -> bool {
     has_ending(path, "mgf")
 }
 
-fn has_ending(path: &Path, wanted: &str) -> bool {
+/// Whether a file's name ends so, in any case.
+pub(super) fn has_ending(path: &Path, wanted: &str) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
 }
 
@@ -99,7 +93,7 @@ impl ModelFile {
         let mut tally = Tally::default();
         let (file, mut warnings) = match location {
             Location::Disk(path) if is_mgf(path) => mgf::read(path, root, &mut tally)?,
-            _ => (three_ds::read(location, &mut tally)?, Vec::new()),
+            _ => three_ds::read(location, &mut tally)?,
         };
         warnings.extend(tally.into_warnings(&location.to_string()));
         Ok((file, warnings))
@@ -118,10 +112,20 @@ impl ModelFile {
     }
 
     /// Its lights, as bright as 3D Studio shows them around `middle`.
-    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<ModelLight> {
+    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<PointLight> {
         match &self.content {
             Content::Mgf(_) => Vec::new(),
             Content::ThreeDs(content) => content.lights(placement, middle),
+        }
+    }
+
+    /// How many lights it has, and whether a material shines by itself without a
+    /// unit.
+    pub(super) fn unused_light(&self) -> (usize, bool) {
+        let glows = self.looks.iter().any(|look| !look.emission.is_black());
+        match &self.content {
+            Content::Mgf(_) => (0, false),
+            Content::ThreeDs(content) => (content.light_count(), glows),
         }
     }
 
@@ -145,7 +149,7 @@ pub(super) struct ModelFiles<'a> {
     root: Option<&'a Path>,
     files: Vec<(Location, Rc<NumberedFile>)>,
     materials: Vec<Material>,
-    lights: Vec<ModelLight>,
+    lights: Vec<PointLight>,
     warnings: Vec<Warning>,
 }
 
@@ -195,13 +199,13 @@ impl<'a> ModelFiles<'a> {
     }
 
     /// Adds lights that a scene wants from a file.
-    pub(super) fn add_lights(&mut self, lights: impl IntoIterator<Item = ModelLight>) {
+    pub(super) fn add_lights(&mut self, lights: impl IntoIterator<Item = PointLight>) {
         self.lights.extend(lights);
     }
 
-    /// Position and intensity of the lights wanted so far.
-    pub(super) fn take_lights(&mut self) -> impl Iterator<Item = (Vec3, Rgb)> {
-        self.lights.drain(..).map(|light| (light.position, light.intensity))
+    /// The lights wanted so far.
+    pub(super) fn take_lights(&mut self) -> impl Iterator<Item = PointLight> {
+        self.lights.drain(..)
     }
 
     /// The materials of all files, by number.

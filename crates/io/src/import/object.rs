@@ -56,15 +56,13 @@ impl Importer<'_> {
             let place = self.place.field("material");
             materials.find(name, &place, self.problems)
         });
-        // A material that was not found has been reported already.
-        let things = match (&self.object.shape, named) {
-            (_, Some(None)) => Vec::new(),
-            (Shape::Mesh(mesh), named) => {
+        let things = match &self.object.shape {
+            Shape::Mesh(mesh) => {
                 let (file, object, place) = (self.file, self.object, &self.place);
                 MeshImporter { file, object, mesh, place, materials, problems: self.problems }
                     .things(named.flatten(), models)
             }
-            (shape, named) => self.primitives(shape, named.flatten(), to_check),
+            shape => self.primitives(shape, named.flatten(), to_check),
         };
         let place = &self.place;
         parts.extend(things.into_iter().map(|thing| Part { place: place.clone(), thing }));
@@ -73,11 +71,12 @@ impl Importer<'_> {
     fn primitives(&mut self, shape: &Shape, named: Option<usize>, emission: Rgb) -> Vec<Thing> {
         let primitives = shape::primitives(shape);
         let found = self.place.field("shape").note(primitives, self.problems).unwrap_or_default();
-        let Some(material) = named.map(ThingMaterial::Named) else {
+        if self.object.material.is_none() {
             let problem = self.place.problem("the object has no material");
             self.problems.push(problem.with_help("only a Mesh may do without `material`"));
-            return Vec::new();
-        };
+        }
+        // A material that was not found has been reported already.
+        let Some(material) = named.map(ThingMaterial::Named) else { return Vec::new() };
         let sides = self.object.sides.map_or(Sides::Both, Sides::from);
         let shapes = found.into_iter().map(ObjectShape::Primitive);
         shapes.map(|shape| Thing { shape, sides, material, emission }).collect()

@@ -1,6 +1,5 @@
 //! Where a mesh from a file goes.
 
-use crate::ron_scene;
 use traylib_math::Vec3;
 use traylib_math::glam::{DVec3, Mat3};
 
@@ -19,9 +18,13 @@ impl Placement {
 
     /// The placement a scene file describes; the field that makes no sense and
     /// what is wrong with it, else.
-    pub(super) fn new(mesh: &ron_scene::Mesh) -> Result<Self, (&'static str, &'static str)> {
-        let (rotate, translation) = (Vec3::from(mesh.rotate), Vec3::from(mesh.translate));
-        if !(mesh.scale > 0.0 && mesh.scale.is_finite()) {
+    pub(super) fn new(
+        scale: f32,
+        rotate: [f32; 3],
+        translate: [f32; 3],
+    ) -> Result<Self, (&'static str, &'static str)> {
+        let (rotate, translation) = (Vec3::from(rotate), Vec3::from(translate));
+        if !(scale > 0.0 && scale.is_finite()) {
             return Err(("scale", "the scale must be positive and finite"));
         }
         if !rotate.is_finite() {
@@ -30,7 +33,7 @@ impl Placement {
         if !translation.is_finite() {
             return Err(("translate", "the translation must be finite"));
         }
-        Ok(Self { scale: mesh.scale, rotation: rotation(rotate), translation })
+        Ok(Self { scale, rotation: rotation(rotate), translation })
     }
 
     pub(super) fn point(&self, point: Vec3) -> Vec3 {
@@ -90,8 +93,7 @@ mod tests {
     use super::*;
 
     fn placement(scale: f32, rotate: [f32; 3], translate: [f32; 3]) -> Placement {
-        let file = String::new();
-        Placement::new(&ron_scene::Mesh { file, scale, rotate, translate }).unwrap()
+        Placement::new(scale, rotate, translate).unwrap()
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub(super) enum ThingMaterial {
 impl Thing {
     /// A part as its file has it, `first` being the number of the file's first
     /// material, and `glow` a factor on what it emits.
-    pub(super) fn of_model(part: ModelPart, look: &Look, first: usize, glow: f32) -> Self {
+    pub(super) fn of_model(look: &Look, part: ModelPart, first: usize, glow: f32) -> Self {
         let sides = if part.half == Half::Whole { look.sides } else { Sides::Front };
         Self {
             shape: part.shape,

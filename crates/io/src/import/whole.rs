@@ -2,7 +2,8 @@
 
 use super::Imported;
 use super::frame;
-use super::model::{ModelCamera, ModelFile, ModelLight};
+use super::lights::add_light;
+use super::model::{ModelCamera, ModelFile, ModelPart};
 use super::placement::Placement;
 use super::tally::Tally;
 use super::thing::{Thing, ThingMaterial};
@@ -13,7 +14,9 @@ use crate::source::Location;
 use std::f32::consts::PI;
 use traylib_geometry::{Aabb, Vec3};
 use traylib_math::Rgb;
-use traylib_scene::{self as scene, Camera, CameraSettings, Light, Object, Scene, SceneBuilder};
+use traylib_scene::{
+    self as scene, Camera, CameraSettings, Light, Object, PointLight, Scene, SceneBuilder,
+};
 
 /// Width and height of a picture that nobody has named.
 const RESOLUTION: (u32, u32) = (400, 300);
@@ -26,37 +29,15 @@ pub(crate) fn import_whole(
     options: LoadOptions<'_>,
 ) -> Result<Imported, Error> {
     let (file, mut warnings) = ModelFile::read(location, options.root)?;
-    let mut tally = Tally::default();
     let name = location.to_string();
+    let mut tally = Tally::default();
     let failed = |cause| Error::Model { file: name.clone(), cause };
-    let parts = file.parts(&Placement::NONE, &mut tally).map_err(|e| failed(e.into()))?;
-    let things: Vec<Thing> = parts
-        .into_iter()
-        .map(|part| (&file.looks[part.look], part))
-        .map(|(look, part)| Thing::of_model(part, look, 0, 1.0))
-        .collect();
+    let things = things(&file, &mut tally).map_err(|cause| failed(cause.into()))?;
     let bounds = frame::bounds(&things);
     if bounds.is_empty() {
         return Err(Error::NothingToSee(name));
     }
-    let (width, height) = options.resolution.unwrap_or(RESOLUTION);
-    let aspect = width as f32 / height as f32;
-    let camera = file.camera();
-    let mut notes = Vec::new();
-    let up = if file.is_physical() { frame::up(&things, &bounds) } else { Vec3::Z };
-    let view = camera.unwrap_or_else(|| frame::camera(&things, &bounds, up, aspect));
-    if camera.is_none() {
-        notes.push(format!("no camera in the file, taken: {}", shown(&view, width, height)));
-    }
-    let settings = CameraSettings {
-        position: view.position,
-        target: view.target,
-        up: view.up,
-        fov_degrees: view.fov_degrees,
-        width,
-        height,
-    };
-    let camera = Camera::new(settings).map_err(failed)?;
+    let (view, mut notes) = view(&file, &things, &bounds, options);
     let mut lights = file.lights(&Placement::NONE, bounds.centre());
     if lights.is_empty() && things.iter().all(|thing| thing.emission.is_black()) {
         if !options.headlight {
@@ -65,6 +46,7 @@ pub(crate) fn import_whole(
         tally.add("nothing in it emits light, lit by a point light at the camera");
         lights.push(headlight(&view, bounds.centre()));
     }
+    let camera = Camera::new(view).map_err(failed)?;
     let scene = build(camera, &file, things, lights, &mut tally).map_err(failed)?;
     let exposure = if file.is_physical() { exposure(&scene, &bounds) } else { 1.0 };
     if exposure != 1.0 {
@@ -74,29 +56,60 @@ pub(crate) fn import_whole(
     Ok(Imported { scene, settings: SceneSettings { spp: 64, exposure }, warnings, notes })
 }
 
-fn shown(view: &ModelCamera, width: u32, height: u32) -> String {
+fn things(file: &ModelFile, tally: &mut Tally) -> Result<Vec<Thing>, traylib_geometry::Error> {
+    let parts = file.parts(&Placement::NONE, tally)?;
+    let look = |part: &ModelPart| &file.looks[part.look];
+    Ok(parts.into_iter().map(|part| Thing::of_model(look(&part), part, 0, 1.0)).collect())
+}
+
+/// The file's camera, else one of ours and a note of it.
+fn view(
+    file: &ModelFile,
+    things: &[Thing],
+    bounds: &Aabb,
+    options: LoadOptions<'_>,
+) -> (CameraSettings, Vec<String>) {
+    let (width, height) = options.resolution.unwrap_or(RESOLUTION);
+    let settings = |view: ModelCamera| CameraSettings {
+        position: view.position,
+        target: view.target,
+        up: view.up,
+        fov_degrees: view.fov_degrees,
+        width,
+        height,
+    };
+    if let Some(view) = file.camera() {
+        return (settings(view), Vec::new());
+    }
+    let up = if file.is_physical() { frame::up(things, bounds) } else { Vec3::Z };
+    let view = settings(frame::camera(things, bounds, up, width as f32 / height as f32));
+    let note = format!("no camera in the file, taken: {}", shown(&view));
+    (view, vec![note])
+}
+
+fn shown(view: &CameraSettings) -> String {
     let camera = ron_scene::Camera {
         position: view.position.into(),
         target: view.target.into(),
         up: view.up.into(),
         fov: view.fov_degrees,
-        resolution: (width, height),
+        resolution: (view.width, view.height),
     };
     camera.to_string()
 }
 
 /// As bright as 3D Studio's lights: a diffuse surface in the middle shows its
 /// colour.
-fn headlight(view: &ModelCamera, middle: Vec3) -> ModelLight {
+fn headlight(view: &CameraSettings, middle: Vec3) -> PointLight {
     let intensity = Rgb::splat(PI * view.position.distance_squared(middle));
-    ModelLight { position: view.position, intensity }
+    PointLight { position: view.position, intensity, cone: None }
 }
 
 fn build(
     camera: Camera,
     file: &ModelFile,
     things: Vec<Thing>,
-    lights: Vec<ModelLight>,
+    lights: Vec<PointLight>,
     tally: &mut Tally,
 ) -> Result<Scene, scene::Error> {
     let mut builder = SceneBuilder::new(camera);
@@ -110,8 +123,8 @@ fn build(
             other => other?,
         }
     }
-    for ModelLight { position, intensity } in lights {
-        builder.add_point_light(position, intensity)?;
+    for light in lights {
+        add_light(&mut builder, light)?;
     }
     builder.build()
 }

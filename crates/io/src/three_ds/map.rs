@@ -3,6 +3,8 @@
 use super::Warnings;
 use super::chunk::{Reader, set};
 use super::colour;
+use traylib_materials::Tiling;
+use traylib_math::glam::Affine2;
 use traylib_math::{Rgb, Vec2};
 
 /// What a map changes.
@@ -45,17 +47,6 @@ impl MapKind {
             CHUNKS.iter().find(|(_, map, mask)| [*map, *mask].contains(&chunk))?;
         Some((*kind, *mask == chunk))
     }
-}
-
-/// What is beyond the edges of a map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tiling {
-    /// The map again.
-    Repeat,
-    /// The map again, every other time mirrored.
-    Mirror,
-    /// Nothing: the material shows without it.
-    Once,
 }
 
 /// A picture and how it lies on a surface, as stored.
@@ -137,29 +128,19 @@ impl Map {
         self.file.rsplit(['/', '\\']).next().unwrap_or_default()
     }
 
-    /// Where in the picture, in 0..1 with v upward, the map shows at texture
-    /// coordinates; `None` where it does not.
+    /// From texture coordinates of the surface to those of the picture, v upward
+    /// and 0..1 over it.
     ///
     /// 3D Studio moves, turns and scales about the middle of the map, in this
     /// order. Programs disagree on the sign of the offset.
-    pub fn lookup(&self, uv: Vec2) -> Option<Vec2> {
-        let moved = uv - Vec2::splat(0.5) - self.offset;
-        let turn = Vec2::from_angle(self.rotation_degrees.to_radians());
-        let placed = turn.rotate(moved) * self.scale + Vec2::splat(0.5);
-        let tiling = self.tiling();
-        Some(Vec2::new(tile(placed.x, tiling)?, tile(placed.y, tiling)?))
+    pub fn placement(&self) -> Affine2 {
+        let middle = Vec2::splat(0.5);
+        let turn = Affine2::from_angle(self.rotation_degrees.to_radians());
+        Affine2::from_translation(middle)
+            * Affine2::from_scale(self.scale)
+            * turn
+            * Affine2::from_translation(-middle - self.offset)
     }
-}
-
-fn tile(x: f32, tiling: Tiling) -> Option<f32> {
-    let tiled = match tiling {
-        // An upper edge belongs to the map, as its lower one does.
-        _ if (0.0..=1.0).contains(&x) => x,
-        Tiling::Once => return None,
-        Tiling::Repeat => x.rem_euclid(1.0),
-        Tiling::Mirror => 1.0 - (x.rem_euclid(2.0) - 1.0).abs(),
-    };
-    tiled.is_finite().then_some(tiled)
 }
 
 /// Reads a map.
@@ -199,8 +180,8 @@ fn tint(mut body: Reader<'_>, warnings: &mut Warnings) -> Option<Rgb> {
 mod tests {
     use super::*;
 
-    fn shown(map: &Map, u: f32, v: f32) -> Option<[f32; 2]> {
-        map.lookup(Vec2::new(u, v)).map(|uv| uv.to_array())
+    fn placed(map: &Map, u: f32, v: f32) -> [f32; 2] {
+        map.placement().transform_point2(Vec2::new(u, v)).to_array()
     }
 
     #[test]
@@ -214,27 +195,21 @@ mod tests {
 
     #[test]
     fn a_plain_map_repeats() {
-        let map = Map::default();
-        assert_eq!(shown(&map, 0.25, 1.0), Some([0.25, 1.0]));
-        assert_eq!(shown(&map, -0.25, 2.5), Some([0.75, 0.5]));
-        let mirrored = Map { flags: Map::MIRROR, ..Map::default() };
-        assert_eq!(shown(&mirrored, -0.25, 1.75), Some([0.25, 0.25]));
-        let once = Map { flags: Map::NO_TILING | Map::DECAL, ..Map::default() };
-        assert_eq!((shown(&once, 0.5, 1.0), shown(&once, 1.5, 0.5)), (Some([0.5, 1.0]), None));
+        let tiling = |flags| Map { flags, ..Map::default() }.tiling();
+        assert_eq!(placed(&Map::default(), 0.25, 1.0), [0.25, 1.0]);
+        assert_eq!([tiling(0), tiling(Map::MIRROR)], [Tiling::Repeat, Tiling::Mirror]);
+        assert_eq!(tiling(Map::NO_TILING | Map::DECAL), Tiling::Once);
     }
 
     #[test]
     fn scale_offset_and_turn_are_about_the_middle() {
-        let small = Map { scale: Vec2::splat(2.0), flags: Map::NO_TILING, ..Map::default() };
-        assert_eq!(shown(&small, 0.75, 0.5), Some([1.0, 0.5]));
-        assert_eq!(shown(&small, 0.9, 0.5), None);
+        let small = Map { scale: Vec2::splat(2.0), ..Map::default() };
+        assert_eq!(placed(&small, 0.75, 0.5), [1.0, 0.5]);
         let moved = Map { offset: Vec2::new(0.25, 0.0), ..Map::default() };
-        assert_eq!(shown(&moved, 0.75, 0.5), Some([0.5, 0.5]));
+        assert_eq!(placed(&moved, 0.75, 0.5), [0.5, 0.5]);
         let turned = Map { rotation_degrees: 90.0, ..Map::default() };
-        let [u, v] = shown(&turned, 1.0, 0.5).unwrap();
+        let [u, v] = placed(&turned, 1.0, 0.5);
         assert!((u - 0.5).abs() < 1e-6 && (v - 1.0).abs() < 1e-6, "{u} {v}");
-        let absurd = Map { scale: Vec2::splat(f32::MAX), ..Map::default() };
-        assert_eq!(shown(&absurd, 1e30, 0.5), None);
     }
 
     #[test]

@@ -1,21 +1,26 @@
 //! Meshes, materials, lights and cameras of 3DS files.
 
+mod folder;
 mod light;
+mod maps;
 mod material;
 mod skipped;
 mod welder;
 
-use super::{Half, Look, ModelCamera, ModelFile, ModelLight, ModelPart};
-use crate::Error;
+use super::{Half, Look, ModelCamera, ModelFile, ModelPart};
 use crate::import::placement::Placement;
 use crate::import::tally::Tally;
+use crate::import::textures::Textures;
 use crate::source::Location;
 use crate::three_ds::smoothing::corner_normals;
 use crate::three_ds::{self, Document, Mesh, pose};
+use crate::{Error, Warning};
+use folder::Folder;
+use maps::MapImporter;
 use std::collections::BTreeMap;
 use traylib_geometry as geometry;
 use traylib_math::Vec3;
-use traylib_scene::ObjectShape;
+use traylib_scene::{ObjectShape, PointLight};
 use welder::Welder;
 
 /// What does not depend on where the file goes.
@@ -29,7 +34,11 @@ pub(super) struct Content {
     plain: usize,
 }
 
-pub(super) fn read(location: &Location, tally: &mut Tally) -> Result<ModelFile, Error> {
+/// Beside the file, what was repaired in its pictures.
+pub(super) fn read(
+    location: &Location,
+    tally: &mut Tally,
+) -> Result<(ModelFile, Vec<Warning>), Error> {
     let file = location.to_string();
     let bytes =
         location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?.into_owned();
@@ -38,14 +47,22 @@ pub(super) fn read(location: &Location, tally: &mut Tally) -> Result<ModelFile, 
     if document.meshes.iter().all(|mesh| mesh.faces.is_empty()) {
         return Err(Error::NothingToSee(file));
     }
-    model(document, tally).map_err(|cause| Error::Material { file, cause })
+    let mut textures = Textures::default();
+    let folder = Folder::of(location);
+    let mut importer = MapImporter { folder, textures: &mut textures, tally };
+    let model = model(document, &mut importer).map_err(|cause| Error::Material { file, cause })?;
+    Ok((model, textures.into_warnings()))
 }
 
-fn model(document: Document, tally: &mut Tally) -> Result<ModelFile, traylib_materials::Error> {
+fn model(
+    document: Document,
+    importer: &mut MapImporter<'_>,
+) -> Result<ModelFile, traylib_materials::Error> {
     let plain = three_ds::Material::default();
     let materials = document.materials.iter().chain([&plain]);
-    let looks: Vec<Look> =
-        materials.map(|material| material::look(material, tally)).collect::<Result<_, _>>()?;
+    let looks = materials.map(|material| material::look(material, importer));
+    let looks: Vec<Look> = looks.collect::<Result<_, _>>()?;
+    let tally = &mut *importer.tally;
     let content = Content::new(document, looks.len() - 1, tally);
     Ok(ModelFile { looks, content: super::Content::ThreeDs(content) })
 }
@@ -88,8 +105,12 @@ impl Content {
         looks
     }
 
-    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<ModelLight> {
+    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<PointLight> {
         self.lights.iter().filter_map(|light| light::light(light, placement, middle)).collect()
+    }
+
+    pub(super) fn light_count(&self) -> usize {
+        self.lights.len()
     }
 
     pub(super) fn camera(&self) -> Option<ModelCamera> {

@@ -1,11 +1,11 @@
 //! From 3D Studio's lights to point lights.
 
 use super::material::linear;
-use crate::import::model::ModelLight;
 use crate::import::placement::Placement;
 use crate::three_ds;
 use std::f32::consts::PI;
 use traylib_math::Vec3;
+use traylib_scene::{PointLight, SpotCone};
 
 /// The light where it goes; `None` if it does not shine.
 ///
@@ -17,11 +17,25 @@ pub(super) fn light(
     light: &three_ds::Light,
     placement: &Placement,
     middle: Vec3,
-) -> Option<ModelLight> {
+) -> Option<PointLight> {
     let position = placement.point(light.position);
     let strength = PI * light.multiplier * position.distance_squared(middle);
     let intensity = linear(light.colour) * strength;
     let shines = light.on && light.multiplier > 0.0 && !intensity.is_black();
-    (shines && position.is_finite() && intensity.is_finite())
-        .then_some(ModelLight { position, intensity })
+    (shines && position.is_finite() && intensity.is_finite()).then(|| PointLight {
+        position,
+        intensity,
+        cone: cone(light, placement),
+    })
+}
+
+/// The cone of a spot light, between whose two angles the light falls off
+/// smoothly; none of a cone that makes no sense.
+fn cone(light: &three_ds::Light, placement: &Placement) -> Option<SpotCone> {
+    let spot = light.spot.as_ref().filter(|spot| !spot.overshoot)?;
+    let axis = placement.direction(light.direction()?);
+    let dark = spot.falloff_degrees.clamp(0.0, 360.0);
+    let full = spot.hotspot_degrees.clamp(0.0, dark);
+    let [full, dark] = [full, dark].map(|whole| (0.5 * whole).to_radians().cos());
+    SpotCone::new(axis, full, dark).ok()
 }

@@ -1,11 +1,21 @@
 use super::*;
-use crate::ron_scene;
-use crate::three_ds::{Document, Face, Material, Mesh, Shading};
+use crate::import::model::ModelFile;
+use crate::three_ds::{Face, Light, Map, MapKind, Material, Shading};
+use traylib_geometry::Sides;
+use traylib_materials::{Lambert, Phong, SurfaceModel};
+use traylib_math::Rgb;
 
 fn placement() -> Placement {
-    let file = String::new();
-    let (rotate, translate) = ([-90.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
-    Placement::new(&ron_scene::Mesh { file, scale: 2.0, rotate, translate }).unwrap()
+    Placement::new(2.0, [-90.0, 0.0, 0.0], [0.0, 1.0, 0.0]).unwrap()
+}
+
+/// A document's file, as if in a folder without pictures, and its warnings.
+fn file(document: Document) -> (ModelFile, Vec<String>) {
+    let (mut textures, mut tally) = (Textures::default(), Tally::default());
+    let folder = Folder::of(&Location::BuiltIn(String::new()));
+    let mut importer = MapImporter { folder, textures: &mut textures, tally: &mut tally };
+    let file = model(document, &mut importer).unwrap();
+    (file, tally.into_warnings("f").map(|warning| warning.to_string()).collect())
 }
 
 /// Two squares' halves that meet at a right angle along x.
@@ -25,9 +35,15 @@ fn bent(smoothing: [u32; 2], materials: [Option<usize>; 2]) -> Mesh {
     }
 }
 
-fn parts(mesh: Mesh, materials: Vec<Material>) -> Vec<(geometry::Mesh, SurfaceModel, Sides)> {
+fn parts(mesh: Mesh, materials: Vec<Material>) -> Vec<(geometry::Mesh, Sides)> {
     let document = Document { meshes: vec![mesh], materials, ..Document::default() };
-    MeshFile::new(document).unwrap().0.parts(&placement()).unwrap()
+    let (file, _) = file(document);
+    let parts = file.parts(&placement(), &mut Tally::default()).unwrap();
+    let part = |part: ModelPart| match part.shape {
+        ObjectShape::Mesh(mesh) => (mesh, file.looks[part.look].sides),
+        ObjectShape::Primitive(_) => panic!(),
+    };
+    parts.into_iter().map(part).collect()
 }
 
 #[test]
@@ -51,21 +67,26 @@ fn positions_and_normals_are_placed() {
 fn faces_are_split_by_material() {
     let two_sided = Material { two_sided: true, ..Material::default() };
     let parts = parts(bent([0; 2], [None, Some(0)]), vec![two_sided]);
-    let sides: Vec<(usize, Sides)> = parts.iter().map(|p| (p.0.triangle_count(), p.2)).collect();
+    let sides: Vec<(usize, Sides)> = parts.iter().map(|p| (p.0.triangle_count(), p.1)).collect();
     assert_eq!(sides, [(1, Sides::Both), (1, Sides::Front)]);
 }
 
-/// The model of a material of these properties, and whether it was scaled.
-fn model(diffuse: f32, strength: f32, shading: Shading) -> (SurfaceModel, bool) {
-    let material = Material {
+/// The look of a material, and whether there was something to warn of.
+fn look(material: Material) -> (Look, Vec<String>) {
+    let document = Document { materials: vec![material], ..Document::default() };
+    let (file, warnings) = file(document);
+    (file.looks[0].clone(), warnings)
+}
+
+fn glossy(diffuse: f32, strength: f32, shading: Shading) -> Material {
+    Material {
         diffuse: Rgb::new(diffuse, 0.0, 0.0),
         specular: Rgb::WHITE,
         shininess: 0.3,
         shininess_strength: strength,
         shading,
         ..Material::default()
-    };
-    surface_model(&material).unwrap()
+    }
 }
 
 #[test]
@@ -73,18 +94,68 @@ fn colours_become_linear_and_the_highlight_its_share() {
     let phong = |kd: [f32; 3], ks: [f32; 3]| {
         SurfaceModel::Phong(Phong::new(kd.into(), ks.into(), 8.0).unwrap())
     };
+    let model = |strength, shading| look(glossy(0.5, strength, shading)).0.material.model;
     let half = crate::srgb::decode(0.5);
     let kd = [half, 0.0, 0.0];
-    assert_eq!(model(0.5, 0.25, Shading::Phong), (phong(kd, [0.25; 3]), false));
-    assert_eq!(model(0.5, 0.25, Shading::Metal), (phong(kd, [0.25 * half, 0.0, 0.0]), false));
+    assert_eq!(model(0.25, Shading::Phong), phong(kd, [0.25; 3]));
+    assert_eq!(model(0.25, Shading::Metal), phong(kd, [0.25 * half, 0.0, 0.0]));
     let lambert = SurfaceModel::Lambert(Lambert::new(kd.into()).unwrap());
-    assert_eq!(model(0.5, 0.0, Shading::Phong), (lambert, false));
+    assert_eq!(model(0.0, Shading::Phong), lambert);
 }
 
 #[test]
 fn energy_is_never_made() {
     for step in 0..=100 {
-        let (_, scaled) = model(1.0, step as f32 / 100.0, Shading::Phong);
-        assert_eq!(scaled, step > 0);
+        let material = glossy(1.0, step as f32 / 100.0, Shading::Phong);
+        assert_eq!(look(material).1.len(), usize::from(step > 0));
     }
+}
+
+#[test]
+fn transparency_lets_light_straight_through() {
+    let material = Material { transparency: 0.75, ..glossy(1.0, 0.0, Shading::Phong) };
+    let made = look(material).0.material;
+    let kd = Rgb::new(0.25, 0.0, 0.0);
+    assert_eq!(made.model, SurfaceModel::Lambert(Lambert::new(kd).unwrap()));
+    assert_eq!(made.through, Rgb::splat(0.75));
+}
+
+#[test]
+fn a_material_shines_by_itself_in_its_colour() {
+    let glows = Material { self_illumination: Some(0.5), ..glossy(1.0, 0.0, Shading::Phong) };
+    assert_eq!(look(glows).0.emission, Rgb::new(0.5, 0.0, 0.0));
+}
+
+#[test]
+fn maps_that_cannot_be_shown_are_warned_of() {
+    let map = |kind| (kind, Map { file: "C:\\A.GIF".into(), ..Map::default() });
+    let maps = vec![map(MapKind::Texture1), map(MapKind::Reflection)];
+    let (look, warnings) = look(Material { maps, ..Material::default() });
+    assert_eq!(look.material.maps, None);
+    let expected = ["f: picture `A.GIF` not found, shown without", "f: reflection map skipped"];
+    assert_eq!(warnings, expected);
+}
+
+#[test]
+fn lights_are_as_bright_as_if_distance_did_not_count() {
+    let light = Light {
+        name: String::new(),
+        flags: three_ds::ObjectFlags::default(),
+        position: Vec3::new(0.0, 0.0, 4.0),
+        colour: Rgb::WHITE,
+        multiplier: 1.0,
+        on: true,
+        attenuated: false,
+        inner_range: 0.0,
+        outer_range: 0.0,
+        excluded: Vec::new(),
+        spot: None,
+    };
+    let intensity = |light: &Light| {
+        light::light(light, &Placement::NONE, Vec3::ZERO).map(|light| light.intensity.g)
+    };
+    // A diffuse white surface at the middle shows π·16/(4²·π) = 1.
+    assert_eq!(intensity(&light), Some(std::f32::consts::PI * 16.0));
+    assert_eq!(intensity(&Light { on: false, ..light.clone() }), None);
+    assert_eq!(intensity(&Light { multiplier: -1.0, ..light }), None);
 }

@@ -1,0 +1,48 @@
+//! 3DS and MGF files given to programs as scenes.
+
+use crate::common::Folder;
+use std::ops::ControlFlow;
+use traylib_integrators::{PureMc, Settings, render};
+use traylib_io::{LoadOptions, load_scene_with};
+
+/// A closed room whose walls, seen from inside alone, reflect half and emit ¼.
+const FURNACE: &str = "m wall =\n sides 1\n rd .5\n ed 140.58628\n\
+    v a =\n p 0 0 0\nv b =\n p 2 0 0\nv c =\n p 2 3 0\nv d =\n p 0 3 0\nprism a b c d 4\n";
+
+#[test]
+fn in_a_furnace_radiance_is_what_it_must_be() {
+    let folder = Folder::new();
+    // Inward: the prism goes on along the normal of the face given first.
+    folder.write("furnace.mgf", &FURNACE.replace("d 4", "d -4"));
+    let options = LoadOptions { resolution: Some((24, 18)), ..LoadOptions::default() };
+    let file = folder.path().join("furnace.mgf");
+    let scene = load_scene_with(&file.to_string_lossy(), options).unwrap().scene;
+    let settings = Settings { spp: 16, seed: 1, threads: 1 };
+    let rendering =
+        render(&scene, &PureMc::default(), &settings, &mut |_| ControlFlow::Continue(()));
+    let film = rendering.unwrap().film.develop();
+    let values: Vec<f64> = film.values().iter().map(|pixel| f64::from(pixel.g)).collect();
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (count - 1.0);
+    let off = (mean - 0.5).abs() / (variance / count).sqrt();
+    // Pixels are independent, 432 of them. One seed in 16,000 is further off.
+    assert!(off < 4.0, "{mean}, {off} standard errors off ½");
+    assert!(variance > 0.0);
+}
+
+#[test]
+fn only_trace_and_a_check_do_without_a_lamp() {
+    let folder = Folder::new();
+    folder.write("ball.mgf", "v c =\n\tp 0 0 1\nm grey =\n\trd .5\nsph c .5\n");
+    let refused = folder.run("bdpt", "ball.mgf --resolution 8x6 --spp 1");
+    assert_eq!(refused.status, Some(3), "{}", refused.err);
+    assert!(refused.err.contains("nothing in it emits light"), "{}", refused.err);
+    let checked = folder.run("bdpt", "ball.mgf --check");
+    assert_eq!(checked.status, Some(0), "{}", checked.err);
+    assert!(checked.err.contains("lit by a point light at the camera"), "{}", checked.err);
+    let traced = folder.run("trace", "ball.mgf --resolution 8x6 --exposure 2");
+    assert_eq!(traced.status, Some(0), "{}", traced.err);
+    assert!(traced.err.contains("camera: (position: ("), "{}", traced.err);
+    assert_eq!(folder.names(), ["ball.mgf", "trace.png"]);
+}

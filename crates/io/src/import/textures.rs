@@ -1,0 +1,146 @@
+//! Pictures on surfaces: read once for each way in which they are used.
+
+use super::model::has_ending;
+use crate::source::Location;
+use crate::texture::{self, TextureLimits, load_texture, texture_from_bytes};
+use crate::{Warning, srgb};
+use std::collections::HashMap;
+use std::path::Path;
+use std::sync::Arc;
+use traylib_materials::Texture;
+use traylib_math::{Grid, Rgb};
+
+/// What the values of a picture stand for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Meaning {
+    /// Light, to be made linear.
+    Colour,
+    /// Opacity or height: the numbers as stored, which the curve for screens has
+    /// nothing to do with.
+    Amount,
+    /// The picture's own opacity.
+    Alpha,
+}
+
+/// How a picture is used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Usage {
+    pub(super) meaning: Meaning,
+    /// Whether black and white are exchanged.
+    pub(super) negative: bool,
+    /// What every value is multiplied with.
+    pub(super) factor: f32,
+}
+
+impl Usage {
+    /// The picture as it is.
+    pub(super) fn plain(meaning: Meaning) -> Self {
+        Self { meaning, negative: false, factor: 1.0 }
+    }
+}
+
+/// Pixels that all pictures may have together, 1.5 GiB.
+const MOST_PIXELS: u64 = 1 << 27;
+
+type Key = (Location, Meaning, bool, u32);
+
+/// The pictures read so far.
+#[derive(Default)]
+pub(super) struct Textures {
+    known: HashMap<Key, Result<Arc<Texture>, String>>,
+    pixels: u64,
+    warnings: Vec<Warning>,
+}
+
+impl Textures {
+    /// A picture; why it cannot be used, else.
+    pub(super) fn load(&mut self, file: &Location, usage: Usage) -> Result<Arc<Texture>, String> {
+        let Usage { meaning, negative, factor } = usage;
+        let key = (file.clone(), meaning, negative, factor.to_bits());
+        if let Some(known) = self.known.get(&key) {
+            return known.clone();
+        }
+        let texture = self.read(file, usage);
+        self.known.insert(key, texture.clone());
+        texture
+    }
+
+    fn read(&mut self, file: &Location, usage: Usage) -> Result<Arc<Texture>, String> {
+        let usual = TextureLimits::default();
+        let limits = TextureLimits { pixels: usual.pixels.min(MOST_PIXELS - self.pixels), ..usual };
+        let picture = match file {
+            Location::Disk(path) => load_texture(path, limits),
+            Location::BuiltIn(name) => {
+                let bytes = file.read().map_err(|cause| format!("{file}: {cause}"))?;
+                texture_from_bytes(&bytes, Path::new(name), limits)
+            }
+        };
+        let picture = picture.map_err(|error| error.to_string())?;
+        self.pixels = MOST_PIXELS.min(self.pixels + picture.pixels.values().len() as u64);
+        let is_coded = !is_linear(file);
+        let pixels = pixels(&picture, usage, is_coded);
+        for warning in picture.warnings {
+            if !self.warnings.contains(&warning) {
+                self.warnings.push(warning);
+            }
+        }
+        Texture::new(pixels).map(Arc::new).ok_or_else(|| format!("{file}: it has no pixels"))
+    }
+
+    /// What was repaired.
+    pub(super) fn into_warnings(self) -> Vec<Warning> {
+        self.warnings
+    }
+}
+
+/// Whether a file's numbers are light itself.
+fn is_linear(file: &Location) -> bool {
+    let path = match file {
+        Location::Disk(path) => path.as_path(),
+        Location::BuiltIn(name) => Path::new(name),
+    };
+    has_ending(path, "exr") || has_ending(path, "hdr")
+}
+
+fn pixels(picture: &texture::Texture, usage: Usage, is_coded: bool) -> Grid<Rgb> {
+    let bands = |pixel: Rgb, f: fn(f32) -> f32| Rgb::from(pixel.to_array().map(f));
+    let stored = |pixel: &Rgb| if is_coded { bands(*pixel, srgb::encode) } else { *pixel };
+    let turned = |pixel: Rgb| if usage.negative { bands(pixel, |x| 1.0 - x) } else { pixel };
+    match (usage.meaning, &picture.alpha) {
+        (Meaning::Colour, _) if !usage.negative => picture.pixels.map(|&p| p * usage.factor),
+        (Meaning::Colour, _) => picture.pixels.map(|pixel| {
+            let negative = turned(stored(pixel));
+            (if is_coded { bands(negative, srgb::decode) } else { negative }) * usage.factor
+        }),
+        (Meaning::Amount, _) => picture.pixels.map(|p| turned(stored(p)) * usage.factor),
+        (Meaning::Alpha, Some(alpha)) => alpha.map(|&a| turned(Rgb::splat(a)) * usage.factor),
+        (Meaning::Alpha, None) => picture.pixels.map(|_| turned(Rgb::WHITE) * usage.factor),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(meaning: Meaning, negative: bool, factor: f32, is_coded: bool) -> f32 {
+        let grey = srgb::decode(0.25);
+        let picture = texture::Texture {
+            pixels: Grid::filled(1, 1, Rgb::splat(grey)),
+            alpha: Some(Grid::filled(1, 1, 0.75)),
+            warnings: Vec::new(),
+        };
+        pixels(&picture, Usage { meaning, negative, factor }, is_coded).values()[0].g
+    }
+
+    #[test]
+    fn amounts_are_as_stored_and_colours_linear() {
+        let near = |a: f32, b: f32| assert!((a - b).abs() < 1e-6, "{a} {b}");
+        near(value(Meaning::Colour, false, 0.5, true), 0.5 * srgb::decode(0.25));
+        near(value(Meaning::Amount, false, 1.0, true), 0.25);
+        near(value(Meaning::Amount, true, 1.0, true), 0.75);
+        near(value(Meaning::Colour, true, 1.0, true), srgb::decode(0.75));
+        near(value(Meaning::Amount, false, 1.0, false), srgb::decode(0.25));
+        near(value(Meaning::Alpha, false, 1.0, true), 0.75);
+        near(value(Meaning::Alpha, true, 2.0, true), 0.5);
+    }
+}
