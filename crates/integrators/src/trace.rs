@@ -48,7 +48,7 @@ fn radiance(tracer: &mut Tracer<'_>, film_point: Vec2) -> Rgb {
             .filter_map(|sample| Some(sample.radiance * sample.visible(tracer, &point)?))
             .sum::<Rgb>();
         radiance += passed * (scene.emitted(&point) + lit) * point.coverage;
-        passed = passed * point.through;
+        passed *= point.through;
         if passed.is_black() {
             break;
         }

@@ -33,7 +33,7 @@ impl Dielectric {
     }
 
     /// The same boundary seen from inside of the solid.
-    pub(crate) fn from_behind(self) -> Self {
+    pub(crate) fn seen_from_behind(self) -> Self {
         Self { relative_index: self.relative_index.recip() }
     }
 
@@ -41,7 +41,7 @@ impl Dielectric {
     /// same for the way back, so that nothing but the choice is left in the
     /// weight.
     #[inline]
-    pub(crate) fn sample(&self, normal: Vec3, wo: Vec3, u: [f32; 3]) -> Option<BsdfSample> {
+    pub(crate) fn sample(self, normal: Vec3, wo: Vec3, u: [f32; 3]) -> Option<BsdfSample> {
         let cos_o = normal.dot(wo);
         if cos_o <= 0.0 {
             return None;
@@ -60,7 +60,7 @@ impl Dielectric {
     /// cosine of the refracted direction (0 where all is reflected).
     ///
     /// Born and Wolf, *Principles of Optics*, section 1.5.
-    fn fresnel(&self, cos_o: f32) -> (f32, f32) {
+    fn fresnel(self, cos_o: f32) -> (f32, f32) {
         let eta = self.relative_index;
         let sin2_t = (1.0 - cos_o) * (1.0 + cos_o) / (eta * eta);
         if sin2_t >= 1.0 {
@@ -105,7 +105,7 @@ mod tests {
             let forth = glass.sample(Vec3::Z, wo, [1.0 - f32::EPSILON, 0.0, 0.0]).unwrap();
             let sine = (1.0 - forth.wi.z * forth.wi.z).sqrt();
             assert!((wo.x - 1.5 * sine).abs() < 1e-6, "Snell: {cosine}");
-            let inside = glass.from_behind();
+            let inside = glass.seen_from_behind();
             let back = inside.sample(-Vec3::Z, forth.wi, [1.0 - f32::EPSILON, 0.0, 0.0]).unwrap();
             // Close to grazing a rounding of the direction weighs more.
             assert!((back.wi - wo).length() < 1e-6 / cosine, "{cosine}");
@@ -116,7 +116,7 @@ mod tests {
 
     #[test]
     fn beyond_the_critical_angle_all_is_reflected() {
-        let inside = Dielectric::new(1.5).unwrap().from_behind();
+        let inside = Dielectric::new(1.5).unwrap().seen_from_behind();
         let wo = slanted(0.7);
         let sample = inside.sample(Vec3::Z, wo, [1.0 - f32::EPSILON, 0.0, 0.0]).unwrap();
         assert_eq!((sample.pdf.0, sample.wi), (1.0, Vec3::new(-wo.x, 0.0, wo.z).normalize()));

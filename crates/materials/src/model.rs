@@ -75,8 +75,7 @@ impl SurfaceModel {
     pub fn has_smooth_part(&self) -> bool {
         match self {
             Self::Lambert(m) => !m.is_black(),
-            Self::Phong(_) | Self::MaxPhong(_) => true,
-            Self::Sheet(_) => true,
+            Self::Phong(_) | Self::MaxPhong(_) | Self::Sheet(_) => true,
             Self::Mirror(m) => m.has_smooth_part(),
             Self::Dielectric(_) => false,
         }
@@ -99,9 +98,9 @@ impl SurfaceModel {
 
     /// The model of a surface whose front and back differ, seen from its back.
     #[must_use]
-    pub fn from_behind(self) -> Self {
+    pub fn seen_from_behind(self) -> Self {
         match self {
-            Self::Dielectric(m) => Self::Dielectric(m.from_behind()),
+            Self::Dielectric(m) => Self::Dielectric(m.seen_from_behind()),
             other => other,
         }
     }

@@ -45,9 +45,9 @@ impl Rgb {
     }
 
     /// Each band brought into [0, 1]; what is not a number becomes 0.
+    #[must_use]
     pub fn saturated(self) -> Self {
-        let [r, g, b] = self.to_array().map(|band| band.max(0.0).min(1.0));
-        Self { r, g, b }
+        Self::from(self.to_array().map(|band| if band > 0.0 { band.min(1.0) } else { 0.0 }))
     }
 
     /// The smallest band.

@@ -103,7 +103,7 @@ impl Scene {
             site,
             normal: site.normal * side,
             shading_normal: front_shading * side,
-            model: if is_front { model } else { model.from_behind() },
+            model: if is_front { model } else { model.seen_from_behind() },
             coverage,
             through,
             light: surface.light,
@@ -151,7 +151,7 @@ impl Scene {
         let (mut passed, mut rest) = (Rgb::WHITE, *segment);
         for _ in 0..MOST_PASSAGES {
             let Some(point) = self.intersect(&rest) else { return passed };
-            passed = passed * point.through;
+            passed *= point.through;
             if passed.is_black() {
                 return passed;
             }

@@ -190,8 +190,10 @@ fn meshes_bring_their_materials_and_warnings() {
     assert_eq!(loaded.warnings, []);
     let hangar = load_scene("hangar").unwrap();
     let warnings: Vec<String> = hangar.warnings.iter().map(ToString::to_string).collect();
-    let expected = ["built-in models/enemy01.3ds: picture `ENEMY01D.BMP` not found, shown without",
-"built-in models/enemy01.3ds: animation skipped, everything stands as stored"];
+    let expected = [
+        "built-in models/enemy01.3ds: picture `ENEMY01D.BMP` not found, shown without",
+        "built-in models/enemy01.3ds: animation skipped, everything stands as stored",
+    ];
     assert_eq!(warnings, expected);
 }
 

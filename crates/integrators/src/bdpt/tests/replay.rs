@@ -227,7 +227,7 @@ fn seen_from(mut point: SurfacePoint, wo: Vec3) -> SurfacePoint {
     if point.normal.dot(wo) < 0.0 {
         point.normal = -point.normal;
         point.shading_normal = -point.shading_normal;
-        point.model = point.model.from_behind();
+        point.model = point.model.seen_from_behind();
     }
     point
 }
