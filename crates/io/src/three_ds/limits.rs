@@ -8,7 +8,8 @@ pub struct Limits {
     /// The most meshes, lights, cameras, materials and nodes together; and the most
     /// maps.
     pub items: usize,
-    /// The most bytes of a file. What is decoded takes up to ten times as much memory.
+    /// The most bytes of a file. What is decoded takes up to thirteen times as much
+    /// memory.
     pub bytes: usize,
 }
 
