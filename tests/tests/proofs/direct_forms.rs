@@ -41,7 +41,7 @@ fn a6_standing_rectangle() {
 #[test]
 fn a7_polygons() {
     all_hold(&tilted_triangle(), 71, &[(Strict, 64), (BdptPower, 64)]);
-    all_hold(&sunk_pentagon(), 72, &[(Combined, 120), (BdptPower, 120)]);
+    all_hold(&sunk_pentagon(), 72, &[(Combined, 144), (BdptPower, 144)]);
 }
 
 /// No noise: whichever is drawn gives the same.

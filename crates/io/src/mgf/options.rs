@@ -28,7 +28,7 @@ pub struct Options {
     /// Length of all different files together in bytes; 32 MiB.
     pub max_bytes: u64,
     /// Work, in bytes of text that are read, every repetition by an array or an
-    /// include anew; 5 · 2²⁵. A line counts as some bytes more, and so does each of its
+    /// include anew; 3 · 2²⁶. A line counts as some bytes more, and so does each of its
     /// words; what takes longer than its text says counts as what it takes.
     pub max_work: u64,
     /// Bytes kept in memory: text, names, surfaces, their vertices and materials;
@@ -47,7 +47,7 @@ impl Default for Options {
             max_cutting: 1 << 26,
             max_line: 1 << 20,
             max_bytes: 32 << 20,
-            max_work: 5 << 25,
+            max_work: 3 << 26,
             max_memory: 160 << 20,
         }
     }
