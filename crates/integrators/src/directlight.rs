@@ -53,11 +53,7 @@ impl DirectLight {
         let mut arrival = Arrival::Alone;
         for edges in 1.. {
             let numbers = sampler.next_vertex();
-            let met = if edges == 1 {
-                tracer.camera_ray(&ray, numbers.passage)
-            } else {
-                tracer.bounce_ray(&ray, numbers.passage)
-            };
+            let met = tracer.edge_from_camera(edges, &ray, numbers.passage);
             let Some(Met { point, passed }) = met else { break };
             throughput *= passed;
             let wo = -ray.direction;

@@ -59,6 +59,11 @@ impl<'scene> Tracer<'scene> {
         self.meet(ray, passage, |statistics| statistics.camera_rays += 1)
     }
 
+    /// The edge with number `edge` of a walk from the camera, counted from 1.
+    pub(crate) fn edge_from_camera(&mut self, edge: u32, ray: &Ray, passage: f32) -> Option<Met> {
+        if edge == 1 { self.camera_ray(ray, passage) } else { self.bounce_ray(ray, passage) }
+    }
+
     /// The first edge of a walk from a lamp.
     pub(crate) fn emission_ray(&mut self, ray: &Ray, passage: f32) -> Option<Met> {
         self.statistics.light_paths += 1;

@@ -54,15 +54,11 @@ pub fn stored_with_instances(document: &Document) -> Vec<Placed> {
     with_the_others(document, placed)
 }
 
-/// The meshes at frame 0 as meshes of their own, with hidden ones left out.
-pub fn posed(document: &Document) -> Vec<Mesh> {
-    let nodes = nodes(document);
-    let shown = |placed: &Placed| {
-        let mesh_hidden = document.meshes[placed.mesh].flags.hidden;
-        !mesh_hidden && !placed.node.is_some_and(|node| nodes[node].is_hidden())
-    };
-    let placed = at_start(document).into_iter().filter(shown);
-    placed.map(|placed| document.meshes[placed.mesh].placed(&placed.place)).collect()
+/// Whether a placed mesh is to be seen: neither it nor its node is hidden at
+/// frame 0.
+pub fn is_shown(document: &Document, placed: &Placed) -> bool {
+    let node_is_hidden = |node: usize| nodes(document)[node].is_hidden();
+    !document.meshes[placed.mesh].flags.hidden && !placed.node.is_some_and(node_is_hidden)
 }
 
 fn nodes(document: &Document) -> &[Node] {

@@ -118,14 +118,16 @@ impl Content {
     }
 }
 
-/// The meshes as stored, and once more for each further place of them.
+/// The meshes that are shown, as stored, and once more for each further place of
+/// them.
 fn meshes(document: &Document) -> Vec<Mesh> {
+    let shown = |placed: &pose::Placed| pose::is_shown(document, placed);
     let placed = |placed: pose::Placed| {
         let mesh = &document.meshes[placed.mesh];
         let stays = placed.place == three_ds::Affine::IDENTITY;
         if stays { mesh.clone() } else { mesh.placed(&placed.place) }
     };
-    pose::stored_with_instances(document).into_iter().map(placed).collect()
+    pose::stored_with_instances(document).into_iter().filter(shown).map(placed).collect()
 }
 
 fn camera(camera: &three_ds::Camera) -> Option<ModelCamera> {

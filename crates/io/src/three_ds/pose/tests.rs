@@ -92,19 +92,23 @@ fn instances_of_a_flattened_first_are_left_out() {
 #[test]
 fn a_mirroring_node_keeps_fronts_outside() {
     let mirror = node(b"square", 0, NONE, &[&still(0xb022, &[-1.0, 1.0, 1.0])]);
-    let posed = posed(&document(AT_ONE, &[mirror]));
-    assert_eq!(posed[0].faces[0].corners, [0, 2, 1]);
-    assert_eq!(posed[0].vertices[0], Vec3::new(1.0, -1.0, 0.0));
+    let document = document(AT_ONE, &[mirror]);
+    let posed = document.meshes[0].placed(&at_start(&document)[0].place);
+    assert_eq!(posed.faces[0].corners, [0, 2, 1]);
+    assert_eq!(posed.vertices[0], Vec3::new(1.0, -1.0, 0.0));
 }
 
 #[test]
-fn hidden_meshes_are_not_posed() {
+fn hidden_meshes_are_not_shown() {
+    let shown = |document: &Document| {
+        at_start(document).iter().filter(|placed| is_shown(document, placed)).count()
+    };
     let mut document = document(AT_ONE, &[moved(0, [0.0; 3]), moved(1, [1.0; 3])]);
-    assert_eq!(posed(&document).len(), 2);
+    assert_eq!(shown(&document), 2);
     document.keyframer.as_mut().unwrap().nodes[0].flags[0] = 0x0800;
-    assert_eq!(posed(&document).len(), 1);
+    assert_eq!(shown(&document), 1);
     document.meshes[0].flags.hidden = true;
-    assert_eq!(posed(&document).len(), 0);
+    assert_eq!(shown(&document), 0);
 }
 
 #[test]
