@@ -4,7 +4,13 @@ use crate::messages::{say, tell};
 use crate::outcome::Failure;
 use clap::Args;
 use std::path::{Path, PathBuf};
-use traylib_io::{TextureLimits, check_writable, load_texture, open_exr, write_picture};
+use traylib_io::{
+    MAX_PIXELS, TextureLimits, check_writable, load_texture, open_exr, write_picture,
+};
+
+/// Larger than for a texture that a scene brings along: this picture somebody wants
+/// as it is.
+const LIMITS: TextureLimits = TextureLimits { pixels: MAX_PIXELS, file_bytes: 1 << 32 };
 
 /// A picture to write anew.
 #[derive(Args, Clone, Debug)]
@@ -31,7 +37,7 @@ fn parse_exposure(text: &str) -> Result<f32, &'static str> {
 pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
     let ConvertOptions { input, output, exposure } = options;
     check_writable(output)?;
-    let picture = load_texture(input, TextureLimits::default())?;
+    let picture = load_texture(input, LIMITS)?;
     for warning in &picture.warnings {
         say(format_args!("warning: {warning}"));
     }
