@@ -17,7 +17,7 @@ pub(crate) enum Location {
 impl Location {
     pub(crate) fn read(&self) -> io::Result<Cow<'static, [u8]>> {
         match self {
-            Self::Disk(path) => fs::read(path).map(Cow::Owned),
+            Self::Disk(path) => read_file(path).map(Cow::Owned),
             Self::BuiltIn(name) => builtin::file(name)
                 .map(Cow::Borrowed)
                 .ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "no such built-in file")),
@@ -55,6 +55,15 @@ impl Location {
     }
 }
 
+/// A file to its end, which a device or a pipe that a scene names might not have.
+fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    let kind = fs::metadata(path)?.file_type();
+    if kind.is_file() || kind.is_dir() {
+        return fs::read(path);
+    }
+    Err(io::Error::new(io::ErrorKind::InvalidInput, "it is a device or a pipe, not a file"))
+}
+
 impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -75,5 +84,12 @@ mod tests {
         let bare = Location::Disk(PathBuf::from("a.ron")).beside("b.ron");
         assert_eq!(bare, Location::Disk(PathBuf::from("b.ron")));
         assert!(Location::BuiltIn("cornell.ron".into()).beside("spheres.ron").read().is_ok());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_has_no_end_is_refused() {
+        let error = Location::Disk(PathBuf::from("/dev/zero")).read().unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::InvalidInput);
     }
 }
