@@ -61,7 +61,7 @@ const SURFACE_COST: u64 = 16;
 const NAME_COST: u64 = 8;
 /// A number with more digits than are looked at.
 const LONG_WORD: usize = 19;
-const LONG_WORD_COST: u64 = 32;
+const LONG_WORD_COST: u64 = 128;
 const MATERIAL_COST: u64 = 64;
 const WARNING_COST: u64 = 128;
 
