@@ -20,7 +20,7 @@ pub struct Options {
     /// How many vertices one polygon may have, its holes and the seams to them
     /// included; 4,096.
     pub max_corners: usize,
-    /// The squares of the polygons' numbers of vertices, summed; 2²⁶. Time to cut
+    /// The squares of the polygons' numbers of vertices, summed; 3 · 2²⁴. Time to cut
     /// polygons into triangles is at most in proportion.
     pub max_cutting: u64,
     /// Length of a line in bytes, continuations included; 1 MiB.
@@ -44,7 +44,7 @@ impl Default for Options {
             max_transforms: 1024,
             max_surfaces: 1_000_000,
             max_corners: 4096,
-            max_cutting: 1 << 26,
+            max_cutting: 3 << 24,
             max_line: 1 << 20,
             max_bytes: 32 << 20,
             max_work: 3 << 26,
