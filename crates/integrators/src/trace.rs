@@ -41,6 +41,7 @@ impl Integrator for Trace {
 fn radiance(tracer: &mut Tracer<'_>, film_point: Vec2) -> Rgb {
     let scene = tracer.scene;
     let mut ray = scene.camera().ray(film_point);
+    tracer.statistics.camera_paths += 1;
     let (mut radiance, mut passed) = (Rgb::BLACK, Rgb::WHITE);
     for _ in 0..MOST_PASSAGES {
         let Some(point) = tracer.look(&ray) else { break };

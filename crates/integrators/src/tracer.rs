@@ -72,7 +72,6 @@ impl<'scene> Tracer<'scene> {
 
     /// What stands first in a ray from the camera, be it see-through or not.
     pub(crate) fn look(&mut self, ray: &Ray) -> Option<SurfacePoint> {
-        self.statistics.camera_paths += 1;
         self.statistics.camera_rays += 1;
         self.scene.intersect(ray)
     }

@@ -86,7 +86,8 @@ impl Scene {
         self.surfaces.len()
     }
 
-    /// The first surface that a ray meets. The direction must be unit.
+    /// The first surface that a ray or a segment meets, be it one that light passes
+    /// straight through or not.
     pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint> {
         let hit = self.shapes.nearest(ray)?;
         let surface = &self.surfaces[hit.primitive as usize];

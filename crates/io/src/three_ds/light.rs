@@ -37,7 +37,8 @@ pub struct Light {
 }
 
 impl Light {
-    fn new(name: String, position: Vec3) -> Self {
+    /// A white light to all sides.
+    pub(crate) fn new(name: String, position: Vec3) -> Self {
         Self {
             name,
             flags: ObjectFlags::default(),

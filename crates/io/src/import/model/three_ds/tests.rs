@@ -138,19 +138,7 @@ fn maps_that_cannot_be_shown_are_warned_of() {
 
 #[test]
 fn lights_are_as_bright_as_if_distance_did_not_count() {
-    let light = Light {
-        name: String::new(),
-        flags: three_ds::ObjectFlags::default(),
-        position: Vec3::new(0.0, 0.0, 4.0),
-        colour: Rgb::WHITE,
-        multiplier: 1.0,
-        on: true,
-        attenuated: false,
-        inner_range: 0.0,
-        outer_range: 0.0,
-        excluded: Vec::new(),
-        spot: None,
-    };
+    let light = Light::new(String::new(), Vec3::new(0.0, 0.0, 4.0));
     let intensity = |light: &Light| {
         light::light(light, &Placement::NONE, Vec3::ZERO).map(|light| light.intensity.g)
     };
