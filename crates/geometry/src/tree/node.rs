@@ -1,0 +1,89 @@
+//! Eight boxes side by side, and what lies in them.
+
+use crate::Aabb;
+
+/// Boxes in a node.
+pub(crate) const WIDTH: usize = 8;
+
+/// Triangles in a block, and the most shapes in a leaf.
+pub(crate) const LEAF: usize = 4;
+
+/// What lies in a box: a node, a block of triangles, or a run of other shapes.
+///
+/// The two highest bits tell which.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Child(u32);
+
+/// A child, opened.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Content {
+    /// The number of a node.
+    Node(usize),
+    /// The number of a block of triangles.
+    Block(usize),
+    /// A range of the list of shapes in leaf order.
+    Shapes(std::ops::Range<usize>),
+}
+
+impl Child {
+    /// Numbers of nodes, blocks and shapes are below this.
+    pub(crate) const MAX: usize = 1 << 28;
+    const LEAF: u32 = 1 << 31;
+    const SHAPES: u32 = 1 << 30;
+    /// What the empty boxes of a node hold: the first block, which every tree
+    /// has, so that no input can lead a ray in circles.
+    const NOTHING: Self = Self(Self::LEAF);
+
+    pub(crate) fn node(index: usize) -> Self {
+        debug_assert!(index < Self::MAX);
+        Self(index as u32)
+    }
+
+    pub(crate) fn block(index: usize) -> Self {
+        debug_assert!(index < Self::MAX);
+        Self(Self::LEAF | index as u32)
+    }
+
+    /// Shapes `first` to `first + count − 1` in leaf order.
+    pub(crate) fn shapes(first: usize, count: usize) -> Self {
+        debug_assert!((1..=LEAF).contains(&count) && first < Self::MAX);
+        Self(Self::LEAF | Self::SHAPES | ((count - 1) as u32) << 28 | first as u32)
+    }
+
+    #[inline]
+    pub(crate) fn open(self) -> Content {
+        let index = (self.0 & (Self::MAX as u32 - 1)) as usize;
+        if self.0 & Self::LEAF == 0 {
+            Content::Node(index)
+        } else if self.0 & Self::SHAPES == 0 {
+            Content::Block(index)
+        } else {
+            Content::Shapes(index..index + (self.0 >> 28 & 3) as usize + 1)
+        }
+    }
+}
+
+/// Up to eight boxes and what lies in them: 256 bytes, four lines of the cache.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct Node {
+    /// Lowest and highest x of each box, then y, then z. An empty box is lowest
+    /// at infinity.
+    pub(crate) planes: [[f32; WIDTH]; 6],
+    pub(crate) children: [Child; WIDTH],
+}
+
+impl Node {
+    /// A node of these boxes, of which there are at most eight.
+    pub(crate) fn new(boxes: &[(Aabb, Child)]) -> Self {
+        let lane = |i: usize| boxes.get(i).map_or(Aabb::EMPTY, |b| b.0);
+        let plane = |plane: usize| {
+            let axis = plane / 2;
+            std::array::from_fn(|i| {
+                if plane.is_multiple_of(2) { lane(i).min[axis] } else { lane(i).max[axis] }
+            })
+        };
+        let child = |i: usize| boxes.get(i).map_or(Child::NOTHING, |b| b.1);
+        Self { planes: std::array::from_fn(plane), children: std::array::from_fn(child) }
+    }
+}
