@@ -1,0 +1,33 @@
+//! A ray prepared for tests of boxes.
+
+use crate::Ray;
+
+/// Distances to near planes are made smaller and those to far planes larger by a
+/// few roundings, which covers both the rounding here and, since errors of an
+/// intersection grow with its distance too, that of the shapes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BoxRay {
+    pub(crate) origin: [f32; 3],
+    /// From a distance along an axis to t, for near and for far planes.
+    pub(crate) near: [f32; 3],
+    pub(crate) far: [f32; 3],
+    /// Which row of a node holds the near plane of each axis; the far one is its
+    /// neighbour.
+    pub(crate) near_row: [usize; 3],
+}
+
+impl BoxRay {
+    #[inline]
+    pub(crate) fn new(ray: &Ray) -> Self {
+        const MARGIN: f32 = 4.0 * f32::EPSILON;
+        let reciprocal = ray.direction.recip();
+        // The reciprocal of −0 is negative: sign and order agree.
+        let backward = reciprocal.to_array().map(|r| usize::from(r < 0.0));
+        Self {
+            origin: ray.origin.to_array(),
+            near: (reciprocal * (1.0 - MARGIN)).to_array(),
+            far: (reciprocal * (1.0 + MARGIN)).to_array(),
+            near_row: std::array::from_fn(|axis| 2 * axis + backward[axis]),
+        }
+    }
+}

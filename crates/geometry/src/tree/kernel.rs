@@ -1,0 +1,81 @@
+//! Which instruction set walks the tree: told once, when the tree is built.
+
+#![allow(unsafe_code)]
+
+use super::Tree;
+use super::lanes::Scalar;
+use super::node::Child;
+use super::walk::{Visitor, walk};
+use crate::Ray;
+
+#[cfg(target_arch = "x86_64")]
+use super::lanes::{Avx2, Sse41};
+
+/// An instruction set that this machine has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Kernel(Set);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Set {
+    Scalar,
+    #[cfg(target_arch = "x86_64")]
+    Sse41,
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+}
+
+impl Kernel {
+    /// All that this machine can run, the slowest first.
+    pub(crate) fn available() -> Vec<Self> {
+        let mut sets = vec![Set::Scalar];
+        #[cfg(all(target_arch = "x86_64", not(miri)))]
+        {
+            if is_x86_feature_detected!("sse4.1") {
+                sets.push(Set::Sse41);
+            }
+            if is_x86_feature_detected!("avx2")
+                && is_x86_feature_detected!("bmi1")
+                && is_x86_feature_detected!("bmi2")
+                && is_x86_feature_detected!("lzcnt")
+                && is_x86_feature_detected!("popcnt")
+            {
+                sets.push(Set::Avx2);
+            }
+        }
+        sets.into_iter().map(Self).collect()
+    }
+
+    /// The fastest that this machine can run.
+    pub(crate) fn best() -> Self {
+        Self::available().pop().unwrap_or(Self(Set::Scalar))
+    }
+
+    #[inline]
+    pub(crate) fn walk<V: Visitor>(self, tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+        match self.0 {
+            Set::Scalar => walk(&Scalar::new(ray), root, &tree.nodes, &tree.blocks, visitor),
+            // SAFETY: `available` has seen that the machine has these instructions.
+            #[cfg(target_arch = "x86_64")]
+            Set::Sse41 => unsafe { walk_sse41(tree, root, ray, visitor) },
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Set::Avx2 => unsafe { walk_avx2(tree, root, ray, visitor) },
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "sse4.1")]
+fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+    // SAFETY: this function runs only where SSE4.1 is.
+    let lanes = unsafe { Sse41::new(ray) };
+    walk(&lanes, root, &tree.nodes, &tree.blocks, visitor);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+    // SAFETY: this function runs only where AVX2 is.
+    let lanes = unsafe { Avx2::new(ray) };
+    walk(&lanes, root, &tree.nodes, &tree.blocks, visitor);
+}
