@@ -4,11 +4,11 @@
 //! the numbers stand for it does not know.
 
 pub(crate) mod block;
-mod boxes;
 pub(crate) mod build;
 mod kernel;
 mod lanes;
 pub(crate) mod node;
+pub(crate) mod prepared;
 pub(crate) mod query;
 mod stack;
 pub(crate) mod walk;
@@ -20,6 +20,7 @@ use crate::{Aabb, Ray, Vec3};
 use block::Block;
 use build::Quality;
 use node::{Child, Node};
+use prepared::Prepared;
 use walk::Visitor;
 
 /// Boxes in boxes, with numbers in the innermost.
@@ -61,7 +62,7 @@ impl Tree {
     #[inline]
     pub(crate) fn walk<V: Visitor>(&self, ray: &Ray, visitor: &mut V) {
         if let Some(root) = self.root.filter(|_| ray.is_traceable()) {
-            self.kernel.walk(self, root, ray, visitor);
+            self.kernel.walk(self, root, &Prepared::new(ray), visitor);
         }
     }
 

@@ -37,47 +37,60 @@ impl Shear {
         } else {
             [0, 1, 2]
         };
-        let [x, y, depth] = axes.map(|axis| direction[axis]);
+        let [x, y, depth] = pick(direction, axes);
         let reciprocal = 1.0 / depth;
         Self { axes, slope: [x * reciprocal, y * reciprocal], reciprocal }
     }
 
-    /// A corner, given from the ray's origin: its place in the plane, and t of the
-    /// point of the ray beside it.
+    /// The edge functions of a triangle: twice the areas between the ray and the
+    /// edge opposite to each corner.
     #[inline]
-    fn apply(&self, corner: Vec3) -> ([f32; 2], f32) {
-        let [x, y, depth] = self.axes.map(|axis| corner[axis]);
-        let place = [x - self.slope[0] * depth, y - self.slope[1] * depth];
-        (place, depth * self.reciprocal)
+    pub(crate) fn edges(&self, corners: [Vec3; 3], origin: Vec3) -> [f32; 3] {
+        let [a, b, c] = corners.map(|corner| {
+            let [x, y, depth] = pick(corner - origin, self.axes);
+            [x - self.slope[0] * depth, y - self.slope[1] * depth]
+        });
+        let cross = |p: [f32; 2], q: [f32; 2]| p[0] * q[1] - p[1] * q[0];
+        [cross(b, c), cross(c, a), cross(a, b)]
     }
 
-    /// The edge functions of a triangle, and the t beside its corners.
+    /// t of the points of the ray beside the corners.
     #[inline]
-    pub(crate) fn flatten(&self, corners: [Vec3; 3], origin: Vec3) -> Flat {
-        let [(a, ta), (b, tb), (c, tc)] = corners.map(|corner| self.apply(corner - origin));
-        let cross = |p: [f32; 2], q: [f32; 2]| p[0] * q[1] - p[1] * q[0];
-        Flat { edges: [cross(b, c), cross(c, a), cross(a, b)], depths: [ta, tb, tc] }
+    pub(crate) fn depths(&self, corners: [Vec3; 3], origin: Vec3) -> [f32; 3] {
+        corners.map(|corner| pick(corner - origin, self.axes)[2] * self.reciprocal)
     }
 }
 
-/// A triangle as a ray sees it.
+/// Three coordinates in another order, without a branch.
+#[inline]
+fn pick(v: Vec3, axes: [usize; 3]) -> [f32; 3] {
+    let v = v.to_array();
+    axes.map(|axis| v[axis % 3])
+}
+
+/// Whether edge functions are those of a ray that passes the triangle or its border.
+#[inline]
+pub(crate) fn is_inside([of_a, of_b, of_c]: [f32; 3]) -> bool {
+    let least = of_a.min(of_b).min(of_c);
+    let most = of_a.max(of_b).max(of_c);
+    least >= 0.0 || most <= 0.0
+}
+
+/// A triangle as a ray that passes inside sees it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flat {
-    /// Twice the areas between the ray and the edge opposite to each corner, all
-    /// positive or all negative inside.
+    /// See [`Shear::edges`].
     pub(crate) edges: [f32; 3],
-    /// t of the points of the ray beside each corner.
+    /// See [`Shear::depths`].
     pub(crate) depths: [f32; 3],
 }
 
 impl Flat {
-    /// Whether the ray passes the triangle or its border.
+    /// Whether a point of it can be at 0 < t < `limit`.
     #[inline]
-    pub(crate) fn is_inside(&self) -> bool {
-        let [of_a, of_b, of_c] = self.edges;
-        let least = of_a.min(of_b).min(of_c);
-        let most = of_a.max(of_b).max(of_c);
-        least >= 0.0 || most <= 0.0
+    pub(crate) fn reaches(&self, limit: f32) -> bool {
+        let [ta, tb, tc] = self.depths;
+        ta.max(tb).max(tc) > 0.0 && ta.min(tb).min(tc) < limit
     }
 }
 

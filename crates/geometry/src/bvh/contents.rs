@@ -4,6 +4,7 @@ use crate::shape::ShapeHit;
 use crate::tree::Passed;
 use crate::tree::block::Block;
 use crate::tree::node::LEAF;
+use crate::tree::prepared::Prepared;
 use crate::tree::query::Query;
 use crate::tree::walk::Visitor;
 use crate::watertight::Flat;
@@ -57,16 +58,23 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
         self.query.limit()
     }
 
-    #[inline]
-    fn triangles(&mut self, block: &Block, passed: &Passed) -> ControlFlow<()> {
+    /// Rare: kept out of the loop that comes here.
+    #[inline(never)]
+    fn triangles(&mut self, ray: &Prepared, block: &Block, passed: &Passed) -> ControlFlow<()> {
         let mut mask = passed.mask;
         while mask != 0 {
             let lane = mask.trailing_zeros() as usize % LEAF;
             mask &= mask - 1;
-            let of_lane = |rows: &[[f32; LEAF]; 3]| rows.each_ref().map(|row| row[lane]);
-            let flat = Flat { edges: of_lane(&passed.edges), depths: of_lane(&passed.depths) };
+            let corners = block.triangle(lane);
+            let flat = Flat {
+                edges: passed.edges.each_ref().map(|row| row[lane]),
+                depths: ray.shear.depths(corners, ray.ray.origin),
+            };
+            if !flat.reaches(self.limit()) {
+                continue;
+            }
             let primitive = block.numbers[lane];
-            let hit = self.contents.triangle(primitive, block.triangle(lane), &flat, &self.ray());
+            let hit = self.contents.triangle(primitive, corners, &flat, &self.ray());
             if let Some(ShapeHit { t, u, v }) = hit {
                 self.query.offer(Hit { t, primitive, u, v })?;
             }

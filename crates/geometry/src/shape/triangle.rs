@@ -2,7 +2,7 @@
 
 use super::{ShapeHit, Sides, all_finite, sound_area};
 use crate::precise::unit;
-use crate::watertight::{self, Shear};
+use crate::watertight::{self, Flat, Shear, is_inside};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use traylib_math::warp;
 
@@ -57,11 +57,13 @@ impl Triangle {
     /// the third corner; without gaps where triangles share their corners.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
-        let flat = Shear::along(ray.direction).flatten(self.corners(), ray.origin);
-        if !(flat.is_inside() && sides.admit(ray.direction.dot(self.normal))) {
+        let shear = Shear::along(ray.direction);
+        let edges = shear.edges(self.corners(), ray.origin);
+        if !(is_inside(edges) && sides.admit(ray.direction.dot(self.normal))) {
             return None;
         }
-        watertight::meet(ray, self.corners(), &flat)
+        let depths = shear.depths(self.corners(), ray.origin);
+        watertight::meet(ray, self.corners(), &Flat { edges, depths })
     }
 
     /// The site at barycentric coordinates `u`, `v`.

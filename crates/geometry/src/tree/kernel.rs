@@ -3,10 +3,9 @@
 #![allow(unsafe_code)]
 
 use super::Tree;
-use super::lanes::Scalar;
 use super::node::Child;
 use super::walk::{Visitor, walk};
-use crate::Ray;
+use super::prepared::Prepared;
 
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Sse41};
@@ -51,9 +50,9 @@ impl Kernel {
     }
 
     #[inline]
-    pub(crate) fn walk<V: Visitor>(self, tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+    pub(crate) fn walk<V: Visitor>(self, tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
         match self.0 {
-            Set::Scalar => walk(&Scalar::new(ray), root, &tree.nodes, &tree.blocks, visitor),
+            Set::Scalar => walk(ray, ray, root, &tree.nodes, &tree.blocks, visitor),
             // SAFETY: `available` has seen that the machine has these instructions.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe { walk_sse41(tree, root, ray, visitor) },
@@ -66,16 +65,16 @@ impl Kernel {
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "sse4.1")]
-fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
     // SAFETY: this function runs only where SSE4.1 is.
     let lanes = unsafe { Sse41::new(ray) };
-    walk(&lanes, root, &tree.nodes, &tree.blocks, visitor);
+    walk(&lanes, ray, root, &tree.nodes, &tree.blocks, visitor);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
-fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
     // SAFETY: this function runs only where AVX2 is.
     let lanes = unsafe { Avx2::new(ray) };
-    walk(&lanes, root, &tree.nodes, &tree.blocks, visitor);
+    walk(&lanes, ray, root, &tree.nodes, &tree.blocks, visitor);
 }

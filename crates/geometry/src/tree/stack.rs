@@ -6,46 +6,57 @@ use super::build::MAX_DEPTH;
 use super::node::{Child, WIDTH};
 use std::mem::MaybeUninit;
 
-/// Each level leaves all but one of its boxes behind.
-const ROOM: usize = (WIDTH - 1) * MAX_DEPTH + 1;
-
-/// A box, and where the ray enters it.
-type Waiting = (f32, Child);
+/// Each level leaves all but one of its boxes behind; the last has room for all
+/// lanes of a node, used or not.
+const ROOM: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
 
 /// Room for the deepest tree. It is not cleared, which would take longer than many
 /// a walk.
 pub(crate) struct Stack {
-    /// The first `len` are there.
-    waiting: [MaybeUninit<Waiting>; ROOM],
+    /// Where the ray enters the boxes. The first `len` are there, as in `children`.
+    enter: [MaybeUninit<f32>; ROOM],
+    children: [MaybeUninit<Child>; ROOM],
     len: usize,
 }
 
 impl Stack {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self { waiting: [const { MaybeUninit::uninit() }; ROOM], len: 0 }
-    }
-
-    #[inline(always)]
-    pub(crate) fn len(&self) -> usize {
-        self.len
-    }
-
-    /// Puts a box among those above `bottom`, which are sorted, the nearest on top.
-    #[inline(always)]
-    pub(crate) fn insert(&mut self, bottom: usize, new: Waiting) {
-        let mut place = self.len;
-        while place > bottom {
-            // SAFETY: `place` is at most `len`, so what is below is there.
-            let below = unsafe { self.waiting[place - 1].assume_init() };
-            if below.0 >= new.0 {
-                break;
-            }
-            self.waiting[place].write(below);
-            place -= 1;
+        Self {
+            enter: [const { MaybeUninit::uninit() }; ROOM],
+            children: [const { MaybeUninit::uninit() }; ROOM],
+            len: 0,
         }
-        self.waiting[place].write(new);
+    }
+
+    #[inline(always)]
+    pub(crate) fn push(&mut self, enter: f32, child: Child) {
+        self.enter[self.len].write(enter);
+        self.children[self.len].write(child);
         self.len += 1;
+    }
+
+    /// The room for the next eight.
+    #[inline(always)]
+    pub(crate) fn spare(
+        &mut self,
+    ) -> (&mut [MaybeUninit<f32>; WIDTH], &mut [MaybeUninit<Child>; WIDTH]) {
+        let room = self.len..self.len + WIDTH;
+        let (enter, children) = (&mut self.enter[room.clone()], &mut self.children[room]);
+        // Never fails: both have this length.
+        let (Ok(enter), Ok(children)) = (enter.try_into(), children.try_into()) else {
+            unreachable!()
+        };
+        (enter, children)
+    }
+
+    /// Takes over the first `count` of the spare room.
+    ///
+    /// # Safety
+    /// They have been written.
+    #[inline(always)]
+    pub(crate) unsafe fn grow(&mut self, count: usize) {
+        self.len += count;
     }
 
     /// The topmost box that begins before `limit`; those beyond are dropped.
@@ -54,9 +65,10 @@ impl Stack {
         while self.len > 0 {
             self.len -= 1;
             // SAFETY: the first `len` are there, and it was one more.
-            let (enter, child) = unsafe { self.waiting[self.len].assume_init() };
+            let enter = unsafe { self.enter[self.len].assume_init() };
             if enter <= limit {
-                return Some(child);
+                // SAFETY: as above.
+                return Some(unsafe { self.children[self.len].assume_init() });
             }
         }
         None

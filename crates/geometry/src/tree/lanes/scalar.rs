@@ -1,28 +1,15 @@
 //! The kernel for any machine, which is what the others are checked against.
 
-use super::{Lanes, Passed};
-use crate::watertight::Shear;
-use crate::{Ray, Vec3};
+use super::{Lanes, Passed, push};
 use crate::tree::block::Block;
-use crate::tree::boxes::BoxRay;
 use crate::tree::node::{LEAF, Node, WIDTH};
+use crate::tree::prepared::Prepared;
+use crate::tree::stack::Stack;
+use crate::watertight::is_inside;
 
-pub(crate) struct Scalar {
-    boxes: BoxRay,
-    shear: Shear,
-    origin: Vec3,
-}
-
-impl Scalar {
+impl Lanes for Prepared<'_> {
     #[inline]
-    pub(crate) fn new(ray: &Ray) -> Self {
-        Self { boxes: BoxRay::new(ray), shear: Shear::along(ray.direction), origin: ray.origin }
-    }
-}
-
-impl Lanes for Scalar {
-    #[inline]
-    fn enter(&self, node: &Node, limit: f32) -> ([f32; WIDTH], u32) {
+    fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
         let ray = &self.boxes;
         let mut enter = [0.0; WIDTH];
         let mut mask = 0;
@@ -37,21 +24,17 @@ impl Lanes for Scalar {
             }
             mask |= u32::from(enter[lane] <= leave) << lane;
         }
-        (enter, mask)
+        push(node, ray.octant, &enter, mask, stack);
     }
 
     #[inline]
-    fn pass(&self, block: &Block, limit: f32) -> Passed {
-        let mut passed =
-            Passed { mask: 0, edges: [[0.0; LEAF]; 3], depths: [[0.0; LEAF]; 3] };
+    fn pass(&self, block: &Block) -> Passed {
+        let mut passed = Passed { mask: 0, edges: [[0.0; LEAF]; 3] };
         for lane in 0..LEAF {
-            let flat = self.shear.flatten(block.triangle(lane), self.origin);
-            let [ta, tb, tc] = flat.depths;
-            let reaches = ta.max(tb).max(tc) > 0.0 && ta.min(tb).min(tc) < limit;
-            passed.mask |= u32::from(flat.is_inside() && reaches) << lane;
-            for i in 0..3 {
-                passed.edges[i][lane] = flat.edges[i];
-                passed.depths[i][lane] = flat.depths[i];
+            let edges = self.shear.edges(block.triangle(lane), self.ray.origin);
+            passed.mask |= u32::from(is_inside(edges)) << lane;
+            for (row, edge) in passed.edges.iter_mut().zip(edges) {
+                row[lane] = edge;
             }
         }
         passed
