@@ -11,6 +11,7 @@ pub use shapes::Shapes;
 pub use triangles::Triangles;
 
 use crate::tree::Tree;
+use crate::tree::batch::Batch;
 use crate::tree::build::Quality;
 use crate::tree::query::{All, Any, Nearest, Query};
 use crate::{Aabb, Error, Hit, Ray, Vec3};
@@ -78,6 +79,18 @@ impl<C: Contents> Bvh<C> {
         query.found
     }
 
+    /// [`nearest`](Self::nearest) for each ray of a list, in less time than one by one.
+    pub fn nearest_each(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        hits.fill(None);
+        self.tree.walk_each(&mut NearestEach { bvh: self, rays, hits });
+    }
+
+    /// [`any_hit`](Self::any_hit) for each ray of a list, in less time than one by one.
+    pub fn any_hit_each(&self, rays: &[Ray], hits: &mut [bool]) {
+        hits.fill(false);
+        self.tree.walk_each(&mut AnyEach { bvh: self, rays, hits });
+    }
+
     /// The box around all shapes; empty without shapes.
     pub fn bounds(&self) -> Aabb {
         self.bounds
@@ -90,9 +103,50 @@ impl<C: Contents> Bvh<C> {
 
     #[inline]
     fn ask<Q: Query>(&self, ray: &Ray, query: &mut Q) {
-        let mut leaves =
-            Leaves { contents: &self.contents, order: &self.tree.order, ray, query };
+        let mut leaves = Leaves { contents: &self.contents, order: &self.tree.order, ray, query };
         self.tree.walk(ray, &mut leaves);
+    }
+}
+
+struct NearestEach<'a, C> {
+    bvh: &'a Bvh<C>,
+    rays: &'a [Ray],
+    hits: &'a mut [Option<Hit>],
+}
+
+impl<'a, C: Contents> Batch<'a> for NearestEach<'a, C> {
+    type Visitor = Leaves<'a, C, Nearest>;
+    fn rays(&self) -> &'a [Ray] {
+        self.rays
+    }
+    #[inline(always)]
+    fn begin(&self, ray: &'a Ray) -> Self::Visitor {
+        Leaves { contents: &self.bvh.contents, order: &self.bvh.tree.order, ray, query: Nearest::new(ray) }
+    }
+    #[inline(always)]
+    fn end(&mut self, index: usize, visitor: &Self::Visitor) {
+        self.hits[index] = visitor.query.found();
+    }
+}
+
+struct AnyEach<'a, C> {
+    bvh: &'a Bvh<C>,
+    rays: &'a [Ray],
+    hits: &'a mut [bool],
+}
+
+impl<'a, C: Contents> Batch<'a> for AnyEach<'a, C> {
+    type Visitor = Leaves<'a, C, Any>;
+    fn rays(&self) -> &'a [Ray] {
+        self.rays
+    }
+    #[inline(always)]
+    fn begin(&self, ray: &'a Ray) -> Self::Visitor {
+        Leaves { contents: &self.bvh.contents, order: &self.bvh.tree.order, ray, query: Any { limit: ray.t_max, found: false } }
+    }
+    #[inline(always)]
+    fn end(&mut self, index: usize, visitor: &Self::Visitor) {
+        self.hits[index] = visitor.query.found;
     }
 }
 

@@ -3,6 +3,7 @@
 //! A tree holds numbers that the caller gave, and the corners of triangles; what
 //! the numbers stand for it does not know.
 
+pub(crate) mod batch;
 pub(crate) mod block;
 pub(crate) mod build;
 mod kernel;
@@ -63,6 +64,26 @@ impl Tree {
     pub(crate) fn walk<V: Visitor>(&self, ray: &Ray, visitor: &mut V) {
         if let Some(root) = self.root.filter(|_| ray.is_traceable()) {
             self.kernel.walk(self, root, &Prepared::new(ray), visitor);
+        }
+    }
+
+    pub(crate) fn walk_each<'a, B: batch::Batch<'a>>(&self, batch: &mut B) {
+        if let Some(root) = self.root {
+            self.kernel.walk_each(self, root, batch);
+        }
+    }
+
+    #[inline(always)]
+    #[allow(unsafe_code)]
+    pub(crate) fn prefetch(&self, child: Child) {
+        use std::arch::x86_64::*;
+        let (p, n): (*const i8, usize) = match child.open() {
+            node::Content::Node(i) => (self.nodes.as_ptr().wrapping_add(i).cast(), 4),
+            node::Content::Block(i) => (self.blocks.as_ptr().wrapping_add(i).cast(), 3),
+            node::Content::Shapes(_) => return,
+        };
+        for i in 0..n {
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(p.wrapping_add(64 * i)) };
         }
     }
 

@@ -41,7 +41,7 @@ pub(crate) struct Leaves<'a, C, Q> {
     pub(crate) contents: &'a C,
     pub(crate) order: &'a [u32],
     pub(crate) ray: &'a Ray,
-    pub(crate) query: &'a mut Q,
+    pub(crate) query: Q,
 }
 
 impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
@@ -86,7 +86,7 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()> {
         for &number in &self.order[places] {
             let ray = self.ray();
-            self.contents.shape(number, &ray, self.query)?;
+            self.contents.shape(number, &ray, &mut self.query)?;
         }
         ControlFlow::Continue(())
     }

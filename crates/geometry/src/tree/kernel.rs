@@ -3,6 +3,7 @@
 #![allow(unsafe_code)]
 
 use super::Tree;
+use super::batch::{Batch, walk_each};
 use super::node::Child;
 use super::walk::{Visitor, walk};
 use super::prepared::Prepared;
@@ -61,6 +62,29 @@ impl Kernel {
             Set::Avx2 => unsafe { walk_avx2(tree, root, ray, visitor) },
         }
     }
+}
+
+impl Kernel {
+    pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
+        match self.0 {
+            Set::Scalar => walk_each(tree, root, |ray| *ray, batch),
+            #[cfg(target_arch = "x86_64")]
+            Set::Sse41 => unsafe { each_sse41(tree, root, batch) },
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx2 => unsafe { each_avx2(tree, root, batch) },
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+fn each_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+    walk_each(tree, root, |ray| unsafe { Avx2::new(ray) }, batch);
+}
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "sse4.1")]
+fn each_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+    walk_each(tree, root, |ray| unsafe { Sse41::new(ray) }, batch);
 }
 
 #[cfg(target_arch = "x86_64")]

@@ -12,6 +12,18 @@ pub(crate) trait Query {
     fn offer(&mut self, hit: Hit) -> ControlFlow<()>;
 }
 
+impl<Q: Query> Query for &mut Q {
+    #[inline]
+    fn limit(&self) -> f32 {
+        (**self).limit()
+    }
+
+    #[inline]
+    fn offer(&mut self, hit: Hit) -> ControlFlow<()> {
+        (**self).offer(hit)
+    }
+}
+
 /// Which hit comes first?
 ///
 /// Of hits at the same t the one with the lowest number counts: so the answer does
@@ -28,7 +40,7 @@ impl Nearest {
     }
 
     #[inline]
-    pub(crate) fn found(self) -> Option<Hit> {
+    pub(crate) fn found(&self) -> Option<Hit> {
         (self.found.primitive != u32::MAX).then_some(self.found)
     }
 }

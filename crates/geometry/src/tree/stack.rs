@@ -30,6 +30,11 @@ impl Stack {
     }
 
     #[inline(always)]
+    pub(crate) fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    #[inline(always)]
     pub(crate) fn push(&mut self, enter: f32, child: Child) {
         self.enter[self.len].write(enter);
         self.children[self.len].write(child);
