@@ -11,6 +11,7 @@ mod lanes;
 pub(crate) mod node;
 pub(crate) mod prepared;
 pub(crate) mod query;
+pub(crate) mod parallel;
 mod stack;
 pub(crate) mod walk;
 
@@ -21,7 +22,6 @@ use crate::{Aabb, Ray, Vec3};
 use block::Block;
 use build::Quality;
 use node::{Child, Node};
-use prepared::Prepared;
 use walk::Visitor;
 
 /// Boxes in boxes, with numbers in the innermost.
@@ -63,7 +63,7 @@ impl Tree {
     #[inline]
     pub(crate) fn walk<V: Visitor>(&self, ray: &Ray, visitor: &mut V) {
         if let Some(root) = self.root.filter(|_| ray.is_traceable()) {
-            self.kernel.walk(self, root, &Prepared::new(ray), visitor);
+            self.kernel.walk(self, root, ray, visitor);
         }
     }
 
