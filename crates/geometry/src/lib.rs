@@ -35,6 +35,8 @@ mod precise;
 mod primitive;
 mod ray;
 mod shape;
+#[cfg_attr(not(test), expect(dead_code, reason = "nothing is walked through it yet"))]
+mod tree;
 
 pub use aabb::Aabb;
 pub use bvh::Bvh;
