@@ -5,7 +5,7 @@ use crate::Vec3;
 use crate::precise::DVec3;
 
 /// The corners of up to four triangles: 160 bytes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct Block {
     /// By corner, by axis, by triangle. Where there is none they are not numbers,
