@@ -37,6 +37,7 @@ pub(crate) struct Tree {
     /// Levels of nodes.
     pub(crate) depth: usize,
     pub(crate) kernel: Kernel,
+    pub(crate) large: bool,
 }
 
 impl Tree {
@@ -58,6 +59,7 @@ impl Tree {
             root: built.root,
             depth: built.depth,
             kernel: Kernel::best(),
+            large: boxes.len() > 10_000,
         }
     }
 

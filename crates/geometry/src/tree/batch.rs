@@ -29,6 +29,7 @@ struct Slot<'a, 'r, L, V> {
     lanes: L,
     visitor: V,
     stack: Stack<'r>,
+    done: bool,
 }
 
 #[inline(always)]
@@ -55,28 +56,29 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     };
     for room in &mut rooms {
         let Some((index, ray, lanes, visitor)) = more(batch) else { break };
-        slots.push(Slot { index, current: root, ray, lanes, visitor, stack: Stack::new(room) });
+        slots.push(Slot { index, current: root, ray, lanes, visitor, stack: Stack::new(room), done: false });
     }
-    while !slots.is_empty() {
+    let mut under_way = slots.len();
+    while under_way > 0 {
         let mut k = 0;
-        while k < slots.len() {
-            let slot = &mut slots[k];
-            let done = step(tree, slot);
-            if done {
-                batch.end(slot.index, &slot.visitor);
-                if let Some((index, ray, lanes, visitor)) = more(batch) {
-                    slot.index = index;
-                    slot.current = root;
-                    slot.ray = ray;
-                    slot.lanes = lanes;
-                    slot.visitor = visitor;
-                    slot.stack.clear();
-                } else {
-                    slots.swap_remove(k);
-                    continue;
-                }
+        for slot in &mut slots[..under_way] {
+            if !step(tree, slot) { continue; }
+            batch.end(slot.index, &slot.visitor);
+            if let Some((index, ray, lanes, visitor)) = more(batch) {
+                slot.index = index;
+                slot.current = root;
+                slot.ray = ray;
+                slot.lanes = lanes;
+                slot.visitor = visitor;
+                slot.stack.clear();
+            } else {
+                slot.done = true;
+                k += 1;
             }
-            k += 1;
+        }
+        if k > 0 {
+            slots.retain(|slot| !slot.done);
+            under_way = slots.len();
         }
     }
 }
@@ -103,7 +105,7 @@ fn step<L: Lanes, V: Visitor>(tree: &Tree, slot: &mut Slot<L, V>) -> bool {
     match slot.stack.pop(slot.visitor.limit()) {
         Some(next) => {
             slot.current = next;
-            tree.prefetch(next);
+            if tree.large { tree.prefetch(next); }
             false
         }
         None => true,

@@ -18,7 +18,9 @@ pub(crate) struct Avx2 {
     origin: [__m256; 3],
     near: [__m256; 3],
     far: [__m256; 3],
-    near_row: [usize; 3],
+    /// Where in a node, in bytes, the near plane of each axis is, and the far one.
+    near_plane: [usize; 3],
+    far_plane: [usize; 3],
     /// Three times its number, in each lane.
     octant: __m256i,
     triangles: TriangleRay,
@@ -54,7 +56,8 @@ impl Avx2 {
             origin: splat(boxes.origin),
             near: splat(boxes.near),
             far: splat(boxes.far),
-            near_row: boxes.near_row,
+            near_plane: boxes.near_row.map(|row| row * 32),
+            far_plane: boxes.near_row.map(|row| (row ^ 1) * 32),
             octant: unsafe { _mm256_set1_epi32(3 * boxes.octant as i32) },
             // SAFETY: AVX2 includes SSE4.1.
             triangles: unsafe { TriangleRay::new(ray) },
@@ -66,12 +69,16 @@ impl Lanes for Avx2 {
     #[inline(always)]
     fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
         // SAFETY: `self` shows that the machine has AVX2; a node is aligned to 64
-        // bytes and has six rows of 32, which `near_row` counts.
+        // bytes and has six rows of 32, at whose starts the offsets are.
         unsafe {
-            let rows = node.planes.as_ptr().cast::<__m256>();
-            let plane = |row: usize, axis: usize| _mm256_sub_ps(*rows.add(row), self.origin[axis]);
-            let near = |axis: usize| _mm256_mul_ps(plane(self.near_row[axis], axis), self.near[axis]);
-            let far = |axis: usize| _mm256_mul_ps(plane(self.near_row[axis] ^ 1, axis), self.far[axis]);
+            let planes = node.planes.as_ptr();
+            let from_origin = |offset: usize, axis: usize| {
+                _mm256_sub_ps(*planes.byte_add(offset).cast::<__m256>(), self.origin[axis])
+            };
+            let near =
+                |axis: usize| _mm256_mul_ps(from_origin(self.near_plane[axis], axis), self.near[axis]);
+            let far =
+                |axis: usize| _mm256_mul_ps(from_origin(self.far_plane[axis], axis), self.far[axis]);
             // What is not a number leaves the second operand.
             let enter = _mm256_max_ps(
                 _mm256_max_ps(near(0), near(1)),
@@ -177,8 +184,10 @@ impl Lanes for Sse41 {
 
 /// Four triangles at once. Exists only where SSE4.1 does.
 struct TriangleRay {
+    /// Where among the coordinates of a corner, in bytes, those are that stay, and
+    /// that of depth.
     axes: [usize; 3],
-    /// In the order of `axes`.
+    /// In the same order.
     origin: [__m128; 3],
     slope: [__m128; 2],
 }
@@ -193,7 +202,7 @@ impl TriangleRay {
         let splat = |x: f32| unsafe { _mm_set1_ps(x) };
         let origin: &[f32; 3] = ray.ray.origin.as_ref();
         Self {
-            axes: shear.axes,
+            axes: shear.axes.map(|axis| axis * 16),
             origin: shear.axes.map(|axis| splat(origin[axis])),
             slope: shear.slope.map(splat),
         }
@@ -205,13 +214,17 @@ impl TriangleRay {
     #[inline(always)]
     fn pass(&self, block: &Block) -> Passed {
         // SAFETY: `self` shows that the machine has SSE4.1; a block is aligned to 32
-        // bytes, and each of its corners has three rows of 16, which `axes` counts.
+        // bytes, and each of its corners has three rows of 16, at whose starts the
+        // offsets are.
         unsafe {
             let zero = _mm_setzero_ps();
-            let rows = block.corners.as_ptr().cast::<__m128>();
+            let rows = block.corners.as_ptr();
             let corner = |number: usize| {
                 let coordinate =
-                    |i: usize| _mm_sub_ps(*rows.add(3 * number + self.axes[i]), self.origin[i]);
+                    |i: usize| {
+                    let row = rows.add(number).byte_add(self.axes[i]).cast::<__m128>();
+                    _mm_sub_ps(*row, self.origin[i])
+                };
                 let (x, y, depth) = (coordinate(0), coordinate(1), coordinate(2));
                 let x = _mm_sub_ps(x, _mm_mul_ps(self.slope[0], depth));
                 let y = _mm_sub_ps(y, _mm_mul_ps(self.slope[1], depth));
