@@ -92,8 +92,7 @@ impl Quality {
     fn radius(self) -> usize {
         match self {
             Self::Fast => 4,
-            Self::Balanced => 10,
-            Self::Best => 24,
+            Self::Balanced | Self::Best => 10,
         }
     }
 
@@ -107,7 +106,8 @@ impl Quality {
                 let first = count / 10 + count.min(20_000);
                 (1..=8).map(|round| first / round).collect()
             }
-            Self::Best => vec![2 * count; 16],
+            // On from where the others stop, so that more work is never worse.
+            Self::Best => [Self::Balanced.candidates(count), vec![2 * count; 16]].concat(),
         }
     }
 }

@@ -69,7 +69,9 @@ impl Optimiser<'_> {
         if affected.iter().any(|&i| touched[i as usize]) || !self.fits(node, to) {
             return false;
         }
-        affected.iter().for_each(|&i| touched[i as usize] = true);
+        for i in affected {
+            touched[i as usize] = true;
+        }
         self.take_out(parent, sibling);
         self.put_in(parent, node, to);
         true

@@ -119,11 +119,15 @@ impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
         let parts = self.children(part);
         let mut size = Size { nodes: 1, ..Size::default() };
         if part.count < SERIAL {
-            parts.iter().for_each(|&part| size.add(&self.size(part)));
+            for &part in &parts {
+                size.add(&self.size(part));
+            }
         } else {
             size.children = parallel::map(parts.len(), 1, |i| self.size(parts[i]));
             let children = std::mem::take(&mut size.children);
-            children.iter().for_each(|child| size.add(child));
+            for child in &children {
+                size.add(child);
+            }
             size.children = children;
         }
         size.depth += 1;
