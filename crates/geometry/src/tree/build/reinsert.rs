@@ -26,7 +26,8 @@ pub(super) fn improve(tree: &mut Binary, candidates: impl IntoIterator<Item = us
     let parents = tree.parents();
     let mut optimiser = Optimiser { tree, parents };
     for candidates in candidates {
-        if optimiser.round(candidates) == 0 {
+        let all = candidates >= optimiser.parents.len();
+        if optimiser.round(candidates) == 0 && all {
             break;
         }
     }
