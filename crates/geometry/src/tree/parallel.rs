@@ -54,6 +54,7 @@ pub(crate) fn sort<T: Ord + Send>(keys: &mut [T]) {
 }
 
 /// Cuts the first `count` elements off.
+#[expect(clippy::mut_mut, reason = "the rest is left in the place of the whole")]
 pub(crate) fn cut<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     let (front, rest) = std::mem::take(slice).split_at_mut(count);
     *slice = rest;

@@ -62,12 +62,13 @@ fn leaf(area: f32, kind: Kind, count: usize) -> Option<f32> {
 }
 
 /// The least cost of two subtrees that share 2 to 8 places, and how many of these
-/// the first one gets.
+/// the first one gets; where costs are equal, about half.
 pub(super) fn shared(a: &Costs, b: &Costs, places: usize) -> (f32, usize) {
-    let mut best = (a[0] + b[places - 2], 1);
+    let cost = |first: usize| a[first - 1] + b[places - first - 1];
+    let mut best = (cost(1), 1);
     for first in 2..places {
-        let cost = a[first - 1] + b[places - first - 1];
-        if cost < best.0 {
+        let cost = cost(first);
+        if cost < best.0 || (cost == best.0 && 2 * first <= places) {
             best = (cost, first);
         }
     }

@@ -26,7 +26,8 @@ pub(super) fn improve(tree: &mut Binary, candidates: impl IntoIterator<Item = us
     let parents = tree.parents();
     let mut optimiser = Optimiser { tree, parents };
     for candidates in candidates {
-        if optimiser.round(candidates) == 0 {
+        let all = candidates >= optimiser.parents.len();
+        if optimiser.round(candidates) == 0 && all {
             break;
         }
     }
@@ -69,7 +70,9 @@ impl Optimiser<'_> {
         if affected.iter().any(|&i| touched[i as usize]) || !self.fits(node, to) {
             return false;
         }
-        affected.iter().for_each(|&i| touched[i as usize] = true);
+        for i in affected {
+            touched[i as usize] = true;
+        }
         self.take_out(parent, sibling);
         self.put_in(parent, node, to);
         true

@@ -119,11 +119,15 @@ impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
         let parts = self.children(part);
         let mut size = Size { nodes: 1, ..Size::default() };
         if part.count < SERIAL {
-            parts.iter().for_each(|&part| size.add(&self.size(part)));
+            for &part in &parts {
+                size.add(&self.size(part));
+            }
         } else {
             size.children = parallel::map(parts.len(), 1, |i| self.size(parts[i]));
             let children = std::mem::take(&mut size.children);
-            children.iter().for_each(|child| size.add(child));
+            for child in &children {
+                size.add(child);
+            }
             size.children = children;
         }
         size.depth += 1;
@@ -168,21 +172,35 @@ impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
     /// The parts that get the eight places of a part that is not a leaf.
     fn children(&self, part: Part) -> Vec<Part> {
         let mut parts = Vec::with_capacity(WIDTH);
-        self.divide(part, WIDTH, &mut parts);
+        self.split(part, WIDTH, &mut parts);
         parts
     }
 
-    fn divide(&self, part: Part, places: usize, parts: &mut Vec<Part>) {
-        let halves = self.halves(part);
-        let costs = halves.map(|half| self.costs(half));
-        let first = cost::shared(&costs[0], &costs[1], places).1;
-        for ((half, costs), places) in halves.into_iter().zip(costs).zip([first, places - first]) {
-            // As few places as cost no more.
-            match (0..places).find(|&i| costs[i] == costs[places - 1]) {
-                Some(fewer @ 1..) => self.divide(half, fewer + 1, parts),
-                _ => parts.push(half),
-            }
+    fn split(&self, part: Part, places: usize, parts: &mut Vec<Part>) {
+        let first = self.shared(part, places).1;
+        let [a, b] = self.halves(part);
+        self.place(a, first, parts);
+        self.place(b, places - first, parts);
+    }
+
+    /// Puts a part into as many of these places as are best.
+    fn place(&self, part: Part, places: usize, parts: &mut Vec<Part>) {
+        let Some(flat) = self.flat(part).filter(|_| places > 1) else {
+            parts.push(part);
+            return;
+        };
+        let (cost, fewer) = (self.shared(part, places).0, flat.costs[places - 2]);
+        // Of what costs the same: whole leaves, but full nodes.
+        if cost < fewer || (cost == fewer && !flat.is_leaf) {
+            self.split(part, places, parts);
+        } else {
+            self.place(part, places - 1, parts);
         }
+    }
+
+    fn shared(&self, part: Part, places: usize) -> (f32, usize) {
+        let [a, b] = self.halves(part).map(|half| self.costs(half));
+        cost::shared(&a, &b, places)
     }
 
     fn flat(&self, part: Part) -> Option<&FlatNode> {
