@@ -8,7 +8,7 @@ use crate::tree::Tree;
 use crate::tree::build::Quality;
 use crate::tree::query::Query;
 use crate::watertight::Flat;
-use crate::{Aabb, Error, Hit, Ray, Vec3};
+use crate::{Aabb, Error, Hit, Ray};
 use std::ops::ControlFlow;
 
 /// What a [`Bvh`] of shapes holds: spheres, quads, disks, triangles, or whatever a

@@ -7,7 +7,7 @@ use crate::shape::ShapeHit;
 use crate::tree::Tree;
 use crate::tree::query::Query;
 use crate::watertight::{self, Flat};
-use crate::{Aabb, Error, Mesh, Ray, Triangle, Vec3};
+use crate::{Aabb, Error, Mesh, Ray, Triangle};
 use std::ops::ControlFlow;
 
 /// What a [`Bvh`] of a mesh holds: its triangles, whose corners are in the tree.
