@@ -1,0 +1,52 @@
+//! Embree 4, if the machine has it.
+#![allow(unsafe_code, reason = "Embree is spoken to in C")]
+
+mod library;
+
+use super::{Built, Contestant, Found};
+use library::{Library, RayHit, Scene};
+use std::sync::Arc;
+use traylib_geometry::{Mesh, Ray};
+
+/// Builders and modes, as the library numbers them.
+const MEDIUM: u32 = 1;
+const HIGH: u32 = 2;
+const FAST: u32 = 0;
+const ROBUST: u32 = 1 << 2;
+
+/// Nobody, without a library.
+pub(super) fn all() -> Vec<Contestant> {
+    let Some(library) = Library::find().map(Arc::new) else {
+        return Vec::new();
+    };
+    let settings = [
+        ("Embree, medium, fast", MEDIUM, FAST),
+        ("Embree, medium, robust", MEDIUM, ROBUST),
+        ("Embree, high, robust", HIGH, ROBUST),
+    ];
+    let contestant = |(name, quality, flags)| {
+        let library = Arc::clone(&library);
+        Contestant::new(name, move |mesh| Scene::new(&library, mesh, quality, flags))
+    };
+    settings.map(contestant).into()
+}
+
+impl Built for Scene {
+    fn nearest(&mut self, rays: &[Ray], found: &mut [Found]) {
+        for (ray, found) in rays.iter().zip(found) {
+            let mut query = RayHit::new(ray);
+            self.intersect(&mut query);
+            *found = query.found();
+        }
+    }
+
+    fn any_hit(&mut self, rays: &[Ray], found: &mut [bool]) {
+        for (ray, found) in rays.iter().zip(found) {
+            *found = self.occluded(&mut RayHit::new(ray));
+        }
+    }
+
+    fn bytes_elsewhere(&self) -> usize {
+        self.bytes()
+    }
+}
