@@ -1,86 +1,165 @@
 //! Bounding volume hierarchies: which of many shapes does a ray meet?
 
-mod build;
-mod node;
-mod walk;
+mod contents;
+mod instances;
+mod shapes;
+mod triangles;
 
-use crate::{Aabb, Error, Hit, Ray, Shape};
-use node::{Child, Node};
-use std::ops::ControlFlow;
-use walk::Order;
+pub use contents::Contents;
+pub use instances::{Instance, Instances};
+pub use shapes::Shapes;
+pub use triangles::Triangles;
 
-/// Shapes in a tree of boxes.
+use crate::tree::Tree;
+use crate::tree::batch::Batch;
+use crate::tree::build::Quality;
+use crate::tree::query::{All, Any, Nearest, Query};
+use crate::{Aabb, Error, Hit, Ray, Vec3};
+use contents::Leaves;
+
+/// Shapes in a tree of boxes: the [`Triangles`] of a mesh, [`Shapes`] of any kind,
+/// or [`Instances`] of other trees.
 ///
-/// Built with the surface-area heuristic, four boxes a node; the same shapes
-/// give the same tree. A ray passes boxes that it misses, or that begin beyond
-/// the nearest hit so far. Boxes are a little wider than the shapes and box
-/// tests err towards a hit, by more than intersections round, so the tree loses
-/// no hit.
+/// A ray passes boxes that it misses, or that begin beyond the nearest hit so far.
+/// Boxes are a little wider than the shapes and box tests err towards a hit, by
+/// more than intersections round, so the tree loses no hit. The same shapes give the
+/// same tree on any number of threads, and the answers depend on the shapes alone:
+/// of several hits at the same t, the one with the lowest number is the nearest.
 #[derive(Clone, Debug)]
-pub struct Bvh<S> {
-    shapes: Vec<S>,
-    nodes: Vec<Node>,
-    /// Shapes in the order the leaves list them.
-    order: Vec<u32>,
-    root: Option<Child>,
-    /// Levels of nodes.
-    depth: usize,
+pub struct Bvh<C = Triangles> {
+    tree: Tree,
+    contents: C,
     bounds: Aabb,
 }
 
-impl<S: Shape> Bvh<S> {
-    /// A tree over the shapes, of which there may be none.
-    ///
-    /// # Errors
-    /// [`Error::UnboundedShape`] when bounds are infinite or not numbers,
-    /// [`Error::TooMany`] for more than 2²⁸ shapes.
-    pub fn build(shapes: Vec<S>) -> Result<Self, Error> {
-        if shapes.len() > Child::MAX_SHAPES {
-            return Err(Error::TooMany);
-        }
-        let bounds: Vec<Aabb> = shapes.iter().map(S::bounds).collect();
-        if let Some(index) = bounds.iter().position(|b| !b.is_finite() || b.is_empty()) {
-            return Err(Error::UnboundedShape { index });
-        }
-        let build::Tree { nodes, order, root, depth } = build::tree(&bounds);
-        let bounds = bounds.into_iter().fold(Aabb::EMPTY, Aabb::union);
-        Ok(Self { shapes, nodes, order, root, depth, bounds })
-    }
+/// How a tree is built and asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// How much time goes into the tree.
+    pub quality: Quality,
+    /// How exactly triangles are met.
+    pub precision: Precision,
+}
 
+/// How exactly the triangles of a mesh are met.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// t is right to the last bits of an `f32` whatever the triangle's form, and no
+    /// ray slips through between two triangles that share an edge or a corner.
+    #[default]
+    Watertight,
+    /// t is rounded as a sum of the corners', which is coarser on long thin
+    /// triangles.
+    Fast,
+}
+
+impl<C: Contents> Bvh<C> {
     /// The first hit with 0 < t < `ray.t_max`.
+    #[inline]
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
-        let mut nearest = None;
-        self.walk(ray, Order::NearestFirst, |ray, shapes| {
-            for &primitive in shapes {
-                if let Some(hit) = self.shapes[primitive as usize].intersect(ray) {
-                    ray.t_max = hit.t;
-                    nearest = Some(Hit { t: hit.t, primitive, u: hit.u, v: hit.v });
-                }
-            }
-            ControlFlow::Continue(())
-        });
-        nearest
+        let mut query = Nearest::new(ray);
+        self.ask(ray, &mut query);
+        query.found()
     }
 
     /// Whether there is any hit with 0 < t < `ray.t_max`.
+    #[inline]
     pub fn any_hit(&self, ray: &Ray) -> bool {
-        let mut found = false;
-        self.walk(ray, Order::Any, |ray, shapes| {
-            found = shapes.iter().any(|&i| self.shapes[i as usize].intersect(ray).is_some());
-            if found { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
-        found
+        let mut query = Any { limit: ray.t_max, found: false };
+        self.ask(ray, &mut query);
+        query.found
     }
 
-    /// The shapes in the caller's order, which [`Hit::primitive`] counts in.
-    pub fn shapes(&self) -> &[S] {
-        &self.shapes
+    /// All hits with 0 < t < `ray.t_max`, the nearest first. Where two triangles
+    /// share an edge that the ray meets there may be one for each.
+    pub fn all_hits(&self, ray: &Ray) -> Vec<Hit> {
+        let mut query = All { limit: ray.t_max, found: Vec::new() };
+        self.ask(ray, &mut query);
+        query.found.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive)));
+        query.found
+    }
+
+    /// [`nearest`](Self::nearest) for each ray of a list, in less time than one by one.
+    pub fn nearest_each(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        hits.fill(None);
+        self.tree.walk_each(&mut NearestEach { bvh: self, rays, hits });
+    }
+
+    /// [`any_hit`](Self::any_hit) for each ray of a list, in less time than one by one.
+    pub fn any_hit_each(&self, rays: &[Ray], hits: &mut [bool]) {
+        hits.fill(false);
+        self.tree.walk_each(&mut AnyEach { bvh: self, rays, hits });
     }
 
     /// The box around all shapes; empty without shapes.
     pub fn bounds(&self) -> Aabb {
         self.bounds
     }
+
+    /// Bytes that the tree takes, without the caller's own shapes.
+    pub fn memory(&self) -> usize {
+        self.tree.memory()
+    }
+
+    #[inline]
+    fn ask<Q: Query>(&self, ray: &Ray, query: &mut Q) {
+        let mut leaves = Leaves { contents: &self.contents, order: &self.tree.order, ray, query };
+        self.tree.walk(ray, &mut leaves);
+    }
+}
+
+struct NearestEach<'a, C> {
+    bvh: &'a Bvh<C>,
+    rays: &'a [Ray],
+    hits: &'a mut [Option<Hit>],
+}
+
+impl<'a, C: Contents> Batch<'a> for NearestEach<'a, C> {
+    type Visitor = Leaves<'a, C, Nearest>;
+    fn rays(&self) -> &'a [Ray] {
+        self.rays
+    }
+    #[inline(always)]
+    fn begin(&self, ray: &'a Ray) -> Self::Visitor {
+        Leaves { contents: &self.bvh.contents, order: &self.bvh.tree.order, ray, query: Nearest::new(ray) }
+    }
+    #[inline(always)]
+    fn end(&mut self, index: usize, visitor: &Self::Visitor) {
+        self.hits[index] = visitor.query.found();
+    }
+}
+
+struct AnyEach<'a, C> {
+    bvh: &'a Bvh<C>,
+    rays: &'a [Ray],
+    hits: &'a mut [bool],
+}
+
+impl<'a, C: Contents> Batch<'a> for AnyEach<'a, C> {
+    type Visitor = Leaves<'a, C, Any>;
+    fn rays(&self) -> &'a [Ray] {
+        self.rays
+    }
+    #[inline(always)]
+    fn begin(&self, ray: &'a Ray) -> Self::Visitor {
+        Leaves { contents: &self.bvh.contents, order: &self.bvh.tree.order, ray, query: Any { limit: ray.t_max, found: false } }
+    }
+    #[inline(always)]
+    fn end(&mut self, index: usize, visitor: &Self::Visitor) {
+        self.hits[index] = visitor.query.found;
+    }
+}
+
+/// The box with room for the rounding of intersections, which is a few units in
+/// the last place of the shape's size however near the ray starts.
+fn widened(bounds: &Aabb) -> Aabb {
+    let margin = bounds.extent().max_element() * (8.0 * f32::EPSILON);
+    bounds.grown(Vec3::splat(margin))
+}
+
+/// The most shapes that a tree can number.
+fn check_count(count: usize) -> Result<(), Error> {
+    if count > crate::tree::node::Child::MAX { Err(Error::TooMany) } else { Ok(()) }
 }
 
 #[cfg(test)]

@@ -35,15 +35,18 @@ mod precise;
 mod primitive;
 mod ray;
 mod shape;
+mod tree;
+mod watertight;
 
 pub use aabb::Aabb;
-pub use bvh::Bvh;
+pub use bvh::{Bvh, Contents, Instance, Instances, Options, Precision, Shapes, Triangles};
 pub use error::Error;
 pub use mesh::Mesh;
 pub use point::SurfaceSite;
 pub use primitive::{Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
 pub use shape::{Cone, Disk, Facing, Quad, Shape, ShapeHit, Sides, Sphere, Triangle};
+pub use tree::build::Quality;
 pub use traylib_math::{Vec2, Vec3, glam};
 
 #[cfg(test)]

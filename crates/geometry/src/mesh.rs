@@ -90,6 +90,12 @@ impl Mesh {
         Triangle::new(a, b, c).ok()
     }
 
+    /// The corners of triangle `index`, which must exist.
+    #[inline]
+    pub(crate) fn corner_positions(&self, index: usize) -> [Vec3; 3] {
+        self.triangles[index].map(|corner| self.positions[corner as usize])
+    }
+
     /// The unit shading normal of triangle `index` at barycentric coordinates
     /// `u`, `v` (of its second and third corner).
     ///

@@ -110,6 +110,24 @@ impl Primitive {
     }
 }
 
+impl Shape for Primitive {
+    fn bounds(&self) -> Aabb {
+        self.bounds()
+    }
+
+    #[inline]
+    fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
+        self.intersect(ray, Sides::Both)
+    }
+
+    fn corners(&self) -> Option<[Vec3; 3]> {
+        match self {
+            Self::Triangle(triangle) => Some(triangle.corners()),
+            _ => None,
+        }
+    }
+}
+
 /// A primitive with the sides it can be met from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SidedPrimitive {
@@ -127,6 +145,10 @@ impl Shape for SidedPrimitive {
     #[inline]
     fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
         self.primitive.intersect(ray, self.sides)
+    }
+
+    fn corners(&self) -> Option<[Vec3; 3]> {
+        Shape::corners(&self.primitive)
     }
 }
 

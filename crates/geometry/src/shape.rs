@@ -34,6 +34,12 @@ pub trait Shape: Send + Sync {
 
     /// The first hit with 0 < t < `ray.t_max`.
     fn intersect(&self, ray: &Ray) -> Option<ShapeHit>;
+
+    /// The corners, if it is a triangle that [`Triangle::intersect`] or something
+    /// stricter meets: it is then asked only where a ray passes inside.
+    fn corners(&self) -> Option<[Vec3; 3]> {
+        None
+    }
 }
 
 impl<S: Shape + ?Sized> Shape for Box<S> {
@@ -43,6 +49,10 @@ impl<S: Shape + ?Sized> Shape for Box<S> {
 
     fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
         (**self).intersect(ray)
+    }
+
+    fn corners(&self) -> Option<[Vec3; 3]> {
+        (**self).corners()
     }
 }
 
@@ -82,7 +92,23 @@ macro_rules! shape_from_both_sides {
     )*};
 }
 
-shape_from_both_sides!(Cone, Disk, Quad, Sphere, Triangle, crate::Primitive);
+shape_from_both_sides!(Cone, Disk, Quad, Sphere);
+
+impl Shape for Triangle {
+    #[inline]
+    fn bounds(&self) -> Aabb {
+        self.bounds()
+    }
+
+    #[inline]
+    fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
+        self.intersect(ray, Sides::Both)
+    }
+
+    fn corners(&self) -> Option<[Vec3; 3]> {
+        Some(self.corners())
+    }
+}
 
 /// Refuses areas that are zero or whose reciprocal is not a number.
 fn sound_area(area: f64) -> Result<f32, Error> {

@@ -1,7 +1,94 @@
 //! Trees of boxes, eight a node: how they are built and how a ray walks them.
 //!
-//! What lies in the leaves is numbered by the caller; a tree holds no shape, only
-//! the corners of triangles.
+//! A tree holds numbers that the caller gave, and the corners of triangles; what
+//! the numbers stand for it does not know.
 
-mod build;
-mod node;
+pub(crate) mod batch;
+pub(crate) mod block;
+pub(crate) mod build;
+mod kernel;
+mod lanes;
+pub(crate) mod node;
+pub(crate) mod prepared;
+pub(crate) mod query;
+mod stack;
+pub(crate) mod walk;
+
+pub(crate) use kernel::Kernel;
+pub(crate) use lanes::Passed;
+
+use crate::{Aabb, Ray, Vec3};
+use block::Block;
+use build::Quality;
+use node::{Child, Node};
+use prepared::Prepared;
+use walk::Visitor;
+
+/// Boxes in boxes, with numbers in the innermost.
+#[derive(Clone, Debug)]
+pub(crate) struct Tree {
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) blocks: Vec<Block>,
+    /// Numbers of what is no triangle, in the order the leaves list them.
+    pub(crate) order: Vec<u32>,
+    root: Option<Child>,
+    /// Levels of nodes.
+    pub(crate) depth: usize,
+    pub(crate) kernel: Kernel,
+}
+
+impl Tree {
+    /// The tree over the `items`, whose bounds are `boxes[item]`, finite and not
+    /// empty. What `corners` knows is a triangle.
+    pub(crate) fn new(
+        boxes: &[Aabb],
+        items: Vec<u32>,
+        corners: impl Fn(u32) -> Option<[Vec3; 3]> + Sync,
+        quality: Quality,
+    ) -> Self {
+        let built = build::build(boxes, items, |item| corners(item).is_some(), quality);
+        let corners_of = |item| corners(item).unwrap_or([Vec3::NAN; 3]);
+        let blocks = built.blocks.iter().map(|&numbers| Block::new(numbers, corners_of)).collect();
+        Self {
+            nodes: built.nodes,
+            blocks,
+            order: built.shapes,
+            root: built.root,
+            depth: built.depth,
+            kernel: Kernel::best(),
+        }
+    }
+
+    /// Takes a ray to the leaves it meets.
+    #[inline]
+    pub(crate) fn walk<V: Visitor>(&self, ray: &Ray, visitor: &mut V) {
+        if let Some(root) = self.root.filter(|_| ray.is_traceable()) {
+            self.kernel.walk(self, root, &Prepared::new(ray), visitor);
+        }
+    }
+
+    pub(crate) fn walk_each<'a, B: batch::Batch<'a>>(&self, batch: &mut B) {
+        if let Some(root) = self.root {
+            self.kernel.walk_each(self, root, batch);
+        }
+    }
+
+    #[inline(always)]
+    #[allow(unsafe_code)]
+    pub(crate) fn prefetch(&self, child: Child) {
+        use std::arch::x86_64::*;
+        let (p, n): (*const i8, usize) = match child.open() {
+            node::Content::Node(i) => (self.nodes.as_ptr().wrapping_add(i).cast(), 4),
+            node::Content::Block(i) => (self.blocks.as_ptr().wrapping_add(i).cast(), 3),
+            node::Content::Shapes(_) => return,
+        };
+        for i in 0..n {
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(p.wrapping_add(64 * i)) };
+        }
+    }
+
+    /// Bytes on the heap.
+    pub(crate) fn memory(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.blocks) + size_of_val(&*self.order)
+    }
+}

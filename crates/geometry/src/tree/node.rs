@@ -1,6 +1,6 @@
 //! Eight boxes side by side, and what lies in them.
 
-use crate::Aabb;
+use crate::{Aabb, Vec3};
 
 /// Boxes in a node.
 pub(crate) const WIDTH: usize = 8;
@@ -12,6 +12,7 @@ pub(crate) const LEAF: usize = 4;
 ///
 /// The two highest bits tell which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(transparent)]
 pub(crate) struct Child(u32);
 
 /// A child, opened.
@@ -71,6 +72,9 @@ pub(crate) struct Node {
     /// at infinity.
     pub(crate) planes: [[f32; WIDTH]; 6],
     pub(crate) children: [Child; WIDTH],
+    /// In which order rays of each octant open the boxes, the farthest first: the
+    /// k-th box for octant i is in bits 3i to 3i + 2 of `order[k]`.
+    pub(crate) order: [u32; WIDTH],
 }
 
 impl Node {
@@ -84,6 +88,27 @@ impl Node {
             })
         };
         let child = |i: usize| boxes.get(i).map_or(Child::NOTHING, |b| b.1);
-        Self { planes: std::array::from_fn(plane), children: std::array::from_fn(child) }
+        Self {
+            planes: std::array::from_fn(plane),
+            children: std::array::from_fn(child),
+            order: order(boxes),
+        }
     }
+}
+
+/// See [`Node::order`]. Octants are numbered by the axes along which rays go
+/// backward, 1, 2 and 4.
+fn order(boxes: &[(Aabb, Child)]) -> [u32; WIDTH] {
+    let mut packed = [0; WIDTH];
+    for octant in 0..8 {
+        let sign = |axis: usize| if octant >> axis & 1 == 0 { 1.0 } else { -1.0 };
+        let toward = Vec3::new(sign(0), sign(1), sign(2));
+        let depth = |lane: usize| boxes.get(lane).map_or(f32::INFINITY, |b| b.0.centre().dot(toward));
+        let mut lanes: [usize; WIDTH] = std::array::from_fn(|lane| lane);
+        lanes.sort_by(|&i, &j| depth(j).total_cmp(&depth(i)));
+        for (word, lane) in packed.iter_mut().zip(lanes) {
+            *word |= (lane as u32) << (3 * octant);
+        }
+    }
+    packed
 }

@@ -1,0 +1,93 @@
+//! What a tree can hold.
+
+use crate::shape::ShapeHit;
+use crate::tree::Passed;
+use crate::tree::block::Block;
+use crate::tree::node::LEAF;
+use crate::tree::prepared::Prepared;
+use crate::tree::query::Query;
+use crate::tree::walk::Visitor;
+use crate::watertight::Flat;
+use crate::{Hit, Ray, Vec3};
+use std::ops::{ControlFlow, Range};
+
+/// What a [`Bvh`](crate::Bvh) can hold: [`Triangles`](crate::Triangles),
+/// [`Shapes`](crate::Shapes) or [`Instances`](crate::Instances).
+#[expect(private_bounds, reason = "there are these three; others come as shapes")]
+pub trait Contents: Holds {}
+
+impl<C: Holds> Contents for C {}
+
+pub(crate) trait Holds: Send + Sync {
+    /// Numbers of shapes are below this.
+    fn count(&self) -> u32;
+
+    /// Where the ray meets triangle `number`, which it passes inside, at
+    /// 0 < t < `ray.t_max`.
+    fn triangle(
+        &self,
+        number: u32,
+        corners: [Vec3; 3],
+        flat: &Flat,
+        ray: &Ray,
+    ) -> Option<ShapeHit>;
+
+    /// Offers the hits with shape `number`, which is no triangle.
+    fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()>;
+}
+
+/// Asks the contents of the leaves that a ray comes to.
+pub(crate) struct Leaves<'a, C, Q> {
+    pub(crate) contents: &'a C,
+    pub(crate) order: &'a [u32],
+    pub(crate) ray: &'a Ray,
+    pub(crate) query: Q,
+}
+
+impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
+    /// The ray as far as anything counts.
+    #[inline]
+    fn ray(&self) -> Ray {
+        Ray { t_max: self.query.limit(), ..*self.ray }
+    }
+}
+
+impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
+    #[inline]
+    fn limit(&self) -> f32 {
+        self.query.limit()
+    }
+
+    /// Rare: kept out of the loop that comes here.
+    #[inline(never)]
+    fn triangles(&mut self, ray: &Prepared, block: &Block, passed: &Passed) -> ControlFlow<()> {
+        let mut mask = passed.mask;
+        while mask != 0 {
+            let lane = mask.trailing_zeros() as usize % LEAF;
+            mask &= mask - 1;
+            let corners = block.triangle(lane);
+            let flat = Flat {
+                edges: passed.edges.each_ref().map(|row| row[lane]),
+                depths: ray.shear.depths(corners, ray.ray.origin),
+            };
+            if !flat.reaches(self.limit()) {
+                continue;
+            }
+            let primitive = block.numbers[lane];
+            let hit = self.contents.triangle(primitive, corners, &flat, &self.ray());
+            if let Some(ShapeHit { t, u, v }) = hit {
+                self.query.offer(Hit { t, primitive, u, v })?;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    #[inline]
+    fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()> {
+        for &number in &self.order[places] {
+            let ray = self.ray();
+            self.contents.shape(number, &ray, &mut self.query)?;
+        }
+        ControlFlow::Continue(())
+    }
+}

@@ -1,0 +1,144 @@
+//! Trees placed in a larger one.
+
+use super::contents::{Contents, Holds};
+use super::Bvh;
+use super::widened;
+use crate::shape::ShapeHit;
+use crate::tree::Tree;
+use crate::tree::build::Quality;
+use crate::tree::query::Query;
+use crate::watertight::Flat;
+use crate::{Aabb, Error, Hit, Ray, Vec3};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use traylib_math::glam::Affine3A;
+
+/// A tree somewhere else, turned and stretched.
+#[derive(Clone, Debug)]
+pub struct Instance<C = super::Triangles> {
+    tree: Arc<Bvh<C>>,
+    to_tree: Affine3A,
+    bounds: Aabb,
+}
+
+impl<C: Contents> Instance<C> {
+    /// The shapes of `tree`, moved by `placement`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the placement is not finite or cannot be undone.
+    pub fn new(tree: Arc<Bvh<C>>, placement: Affine3A) -> Result<Self, Error> {
+        let to_tree = placement.inverse();
+        if !placement.is_finite() || !to_tree.is_finite() {
+            return Err(Error::NotFinite);
+        }
+        let bounds = placed(&tree.bounds, &placement);
+        Ok(Self { tree, to_tree, bounds })
+    }
+}
+
+/// The box around the corners of a box, moved.
+fn placed(bounds: &Aabb, placement: &Affine3A) -> Aabb {
+    if bounds.is_empty() {
+        return Aabb::EMPTY;
+    }
+    let pick = |high: bool, axis: usize| if high { bounds.max[axis] } else { bounds.min[axis] };
+    let corner = |i: u32| Vec3::new(pick(i & 1 != 0, 0), pick(i & 2 != 0, 1), pick(i & 4 != 0, 2));
+    let around = Aabb::around((0..8).map(|i| placement.transform_point3(corner(i))));
+    // Rays are moved into the tree, which rounds in the size of their origins.
+    around.grown(around.min.abs().max(around.max.abs()) * (16.0 * f32::EPSILON))
+}
+
+/// What a [`Bvh`] of instances holds.
+///
+/// Shapes are numbered as though all copies were listed one after the other.
+#[derive(Clone, Debug)]
+pub struct Instances<C = super::Triangles> {
+    instances: Vec<Instance<C>>,
+    /// The number of the first shape of each instance, and that after the last.
+    first: Vec<u32>,
+}
+
+impl<C: Contents> Bvh<Instances<C>> {
+    /// A tree over instances of other trees. Those of empty trees are left out.
+    ///
+    /// # Errors
+    /// [`Error::UnboundedShape`] when bounds are infinite or not numbers,
+    /// [`Error::TooMany`] when the copies have 2³² shapes or more.
+    pub fn of_instances(instances: Vec<Instance<C>>) -> Result<Self, Error> {
+        let first = numbers(&instances)?;
+        let is_filled = |i: &Instance<C>| !i.bounds.is_empty();
+        if let Some(index) = instances.iter().position(|i| is_filled(i) && !i.bounds.is_finite()) {
+            return Err(Error::UnboundedShape { index });
+        }
+        let filled = instances.iter().enumerate().filter(|(_, i)| is_filled(i));
+        let items = filled.map(|(number, _)| number as u32).collect();
+        let boxes: Vec<Aabb> = instances.iter().map(|i| widened(&i.bounds)).collect();
+        let tree = Tree::new(&boxes, items, |_| None, Quality::default());
+        let bounds = instances.iter().map(|i| i.bounds).fold(Aabb::EMPTY, Aabb::union);
+        Ok(Self { tree, contents: Instances { instances, first }, bounds })
+    }
+
+    /// The instance and the shape within it that a [`Hit::primitive`] stands for.
+    pub fn locate(&self, primitive: u32) -> Option<(usize, u32)> {
+        let first = &self.contents.first;
+        let instance = first.partition_point(|&f| f <= primitive).checked_sub(1)?;
+        (instance + 1 < first.len()).then(|| (instance, primitive - first[instance]))
+    }
+}
+
+/// Running sums of how many shapes there are.
+fn numbers<C: Contents>(instances: &[Instance<C>]) -> Result<Vec<u32>, Error> {
+    let mut first = vec![0_u32];
+    for instance in instances {
+        let sum = first.last().and_then(|f| f.checked_add(instance.tree.contents.count()));
+        first.push(sum.ok_or(Error::TooMany)?);
+    }
+    Ok(first)
+}
+
+/// A question to one of many trees, whose shapes are numbered from `first`.
+struct Within<'a, Q> {
+    query: &'a mut Q,
+    first: u32,
+    done: bool,
+}
+
+impl<Q: Query> Query for Within<'_, Q> {
+    #[inline]
+    fn limit(&self) -> f32 {
+        self.query.limit()
+    }
+
+    #[inline]
+    fn offer(&mut self, hit: Hit) -> ControlFlow<()> {
+        let asked = self.query.offer(Hit { primitive: self.first + hit.primitive, ..hit });
+        self.done = asked.is_break();
+        asked
+    }
+}
+
+impl<C: Contents> Holds for Instances<C> {
+    fn count(&self) -> u32 {
+        self.first.last().copied().unwrap_or(0)
+    }
+
+    /// There are no triangles but those within.
+    #[inline]
+    fn triangle(&self, _: u32, _: [Vec3; 3], _: &Flat, _: &Ray) -> Option<ShapeHit> {
+        None
+    }
+
+    #[inline]
+    fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()> {
+        let Instance { tree, to_tree, .. } = &self.instances[number as usize];
+        // Its direction is not made unit: t is the same within and without.
+        let inner = Ray {
+            origin: to_tree.transform_point3(ray.origin),
+            direction: to_tree.transform_vector3(ray.direction),
+            t_max: ray.t_max,
+        };
+        let mut within = Within { query, first: self.first[number as usize], done: false };
+        tree.ask(&inner, &mut within);
+        if within.done { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}

@@ -1,0 +1,66 @@
+//! Shapes of any kind.
+
+use super::contents::Holds;
+use super::{Bvh, check_count, widened};
+use crate::shape::{Shape, ShapeHit};
+use crate::tree::Tree;
+use crate::tree::build::Quality;
+use crate::tree::query::Query;
+use crate::watertight::Flat;
+use crate::{Aabb, Error, Hit, Ray, Vec3};
+use std::ops::ControlFlow;
+
+/// What a [`Bvh`] of shapes holds: spheres, quads, disks, triangles, or whatever a
+/// guest brings.
+#[derive(Clone, Debug)]
+pub struct Shapes<S>(Vec<S>);
+
+impl<S: Shape> Bvh<Shapes<S>> {
+    /// A tree over shapes, of which there may be none.
+    ///
+    /// # Errors
+    /// [`Error::UnboundedShape`] when bounds are infinite or not numbers,
+    /// [`Error::TooMany`] for more than 2²⁸ shapes.
+    pub fn of_shapes(shapes: Vec<S>) -> Result<Self, Error> {
+        check_count(shapes.len())?;
+        let bounds: Vec<Aabb> = shapes.iter().map(S::bounds).collect();
+        let (boxes, bounds) = sound(&bounds)?;
+        let items = (0..shapes.len() as u32).collect();
+        let tree =
+            Tree::new(&boxes, items, |i| shapes[i as usize].corners(), Quality::default());
+        Ok(Self { tree, contents: Shapes(shapes), bounds })
+    }
+
+    /// The shapes in the caller's order, which [`Hit::primitive`] counts in.
+    pub fn shapes(&self) -> &[S] {
+        &self.contents.0
+    }
+}
+
+/// The boxes widened, and the box around them all.
+fn sound(bounds: &[Aabb]) -> Result<(Vec<Aabb>, Aabb), Error> {
+    if let Some(index) = bounds.iter().position(|b| !b.is_finite() || b.is_empty()) {
+        return Err(Error::UnboundedShape { index });
+    }
+    let all = bounds.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+    Ok((bounds.iter().map(widened).collect(), all))
+}
+
+impl<S: Shape> Holds for Shapes<S> {
+    fn count(&self) -> u32 {
+        self.0.len() as u32
+    }
+
+    #[inline]
+    fn triangle(&self, number: u32, _: [Vec3; 3], _: &Flat, ray: &Ray) -> Option<ShapeHit> {
+        self.0[number as usize].intersect(ray)
+    }
+
+    #[inline]
+    fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()> {
+        match self.0[number as usize].intersect(ray) {
+            Some(ShapeHit { t, u, v }) => query.offer(Hit { t, primitive: number, u, v }),
+            None => ControlFlow::Continue(()),
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! The triangles of a mesh.
+
+use super::contents::Holds;
+use super::{Bvh, Options, Precision, check_count, widened};
+use crate::shape::ShapeHit;
+use crate::tree::Tree;
+use crate::tree::query::Query;
+use crate::watertight::{self, Flat};
+use crate::{Aabb, Error, Mesh, Ray, Triangle, Vec3};
+use std::ops::ControlFlow;
+
+/// What a [`Bvh`] of a mesh holds: its triangles, whose corners are in the tree.
+#[derive(Clone, Copy, Debug)]
+pub struct Triangles {
+    count: u32,
+    precision: Precision,
+}
+
+impl Bvh {
+    /// A tree over the triangles of a mesh, of which there may be none. Those
+    /// without area are never hit.
+    ///
+    /// # Errors
+    /// [`Error::TooMany`] for more than 2²⁸ triangles.
+    pub fn build(mesh: &Mesh) -> Result<Self, Error> {
+        Self::build_with(mesh, Options::default())
+    }
+
+    /// A tree over the triangles of a mesh, built and asked as the options say.
+    ///
+    /// # Errors
+    /// [`Error::TooMany`] for more than 2²⁸ triangles.
+    pub fn build_with(mesh: &Mesh, options: Options) -> Result<Self, Error> {
+        check_count(mesh.triangle_count())?;
+        let corners = |i: u32| mesh.corner_positions(i as usize);
+        let count = mesh.triangle_count() as u32;
+        let boxes: Vec<Aabb> = (0..count).map(|i| widened(&Aabb::around(corners(i)))).collect();
+        let items: Vec<u32> =
+            (0..count).filter(|&i| Triangle::has_area(corners(i))).collect();
+        let bounds = Aabb::around(items.iter().flat_map(|&i| corners(i)));
+        let tree = Tree::new(&boxes, items, |i| Some(corners(i)), options.quality);
+        Ok(Self { tree, contents: Triangles { count, precision: options.precision }, bounds })
+    }
+}
+
+impl Holds for Triangles {
+    fn count(&self) -> u32 {
+        self.count
+    }
+
+    #[inline]
+    fn triangle(&self, _: u32, corners: [Vec3; 3], flat: &Flat, ray: &Ray) -> Option<ShapeHit> {
+        match self.precision {
+            Precision::Watertight => watertight::meet(ray, corners, flat),
+            Precision::Fast => watertight::meet_coarsely(ray, flat),
+        }
+    }
+
+    /// There is nothing but triangles.
+    #[inline]
+    fn shape<Q: Query>(&self, _: u32, _: &Ray, _: &mut Q) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}

@@ -1,0 +1,104 @@
+//! Which instruction set walks the tree: told once, when the tree is built.
+
+#![allow(unsafe_code)]
+
+use super::Tree;
+use super::batch::{Batch, walk_each};
+use super::node::Child;
+use super::walk::{Visitor, walk};
+use super::prepared::Prepared;
+
+#[cfg(target_arch = "x86_64")]
+use super::lanes::{Avx2, Sse41};
+
+/// An instruction set that this machine has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Kernel(Set);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Set {
+    Scalar,
+    #[cfg(target_arch = "x86_64")]
+    Sse41,
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+}
+
+impl Kernel {
+    /// All that this machine can run, the slowest first.
+    pub(crate) fn available() -> Vec<Self> {
+        let mut sets = vec![Set::Scalar];
+        #[cfg(all(target_arch = "x86_64", not(miri)))]
+        {
+            if is_x86_feature_detected!("sse4.1") {
+                sets.push(Set::Sse41);
+            }
+            if is_x86_feature_detected!("avx2")
+                && is_x86_feature_detected!("bmi1")
+                && is_x86_feature_detected!("bmi2")
+                && is_x86_feature_detected!("lzcnt")
+                && is_x86_feature_detected!("popcnt")
+            {
+                sets.push(Set::Avx2);
+            }
+        }
+        sets.into_iter().map(Self).collect()
+    }
+
+    /// The fastest that this machine can run.
+    pub(crate) fn best() -> Self {
+        Self::available().pop().unwrap_or(Self(Set::Scalar))
+    }
+
+    #[inline]
+    pub(crate) fn walk<V: Visitor>(self, tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
+        match self.0 {
+            Set::Scalar => walk(ray, ray, root, &tree.nodes, &tree.blocks, visitor),
+            // SAFETY: `available` has seen that the machine has these instructions.
+            #[cfg(target_arch = "x86_64")]
+            Set::Sse41 => unsafe { walk_sse41(tree, root, ray, visitor) },
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Set::Avx2 => unsafe { walk_avx2(tree, root, ray, visitor) },
+        }
+    }
+}
+
+impl Kernel {
+    pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
+        match self.0 {
+            Set::Scalar => walk_each(tree, root, |ray| *ray, batch),
+            #[cfg(target_arch = "x86_64")]
+            Set::Sse41 => unsafe { each_sse41(tree, root, batch) },
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx2 => unsafe { each_avx2(tree, root, batch) },
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+fn each_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+    walk_each(tree, root, |ray| unsafe { Avx2::new(ray) }, batch);
+}
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "sse4.1")]
+fn each_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+    walk_each(tree, root, |ray| unsafe { Sse41::new(ray) }, batch);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "sse4.1")]
+fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
+    // SAFETY: this function runs only where SSE4.1 is.
+    let lanes = unsafe { Sse41::new(ray) };
+    walk(&lanes, ray, root, &tree.nodes, &tree.blocks, visitor);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
+    // SAFETY: this function runs only where AVX2 is.
+    let lanes = unsafe { Avx2::new(ray) };
+    walk(&lanes, ray, root, &tree.nodes, &tree.blocks, visitor);
+}

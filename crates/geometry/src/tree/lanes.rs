@@ -1,0 +1,46 @@
+//! One ray against eight boxes or four triangles, for each instruction set.
+//!
+//! All do the same operations in the same order, so they agree to the bit.
+
+mod scalar;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+#[cfg(target_arch = "x86_64")]
+pub(crate) use x86::{Avx2, Sse41};
+
+use super::block::Block;
+use super::node::{LEAF, Node, WIDTH};
+use super::stack::Stack;
+
+/// A ray prepared for tests of many boxes and triangles at once.
+pub(crate) trait Lanes {
+    /// Puts the boxes that the ray meets before `limit` on the stack, in the order
+    /// of its octant.
+    ///
+    /// A ray parallel to a plane and in it gets 0 · ∞ here, which must not count
+    /// against the box: a minimum or a maximum with what is not a number is the
+    /// other operand.
+    fn open(&self, node: &Node, limit: f32, stack: &mut Stack);
+
+    /// One bit for each triangle that the line of the ray passes, with the edge
+    /// functions.
+    fn pass(&self, block: &Block) -> Passed;
+}
+
+/// The triangles of a block that a ray passes, one bit each.
+pub(crate) struct Passed {
+    pub(crate) mask: u32,
+    pub(crate) edges: [[f32; LEAF]; 3],
+}
+
+/// Puts the boxes whose bit is set on the stack.
+#[inline(always)]
+fn push(node: &Node, octant: usize, enter: &[f32; WIDTH], mask: u32, stack: &mut Stack) {
+    for word in node.order {
+        let lane = (word >> (3 * octant)) as usize % WIDTH;
+        if mask >> lane & 1 != 0 {
+            stack.push(enter[lane], node.children[lane]);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! What is asked of the shapes along a ray.
+
+use crate::{Hit, Ray};
+use std::ops::ControlFlow;
+
+/// A question that is answered hit by hit.
+pub(crate) trait Query {
+    /// Hits count below this t.
+    fn limit(&self) -> f32;
+
+    /// Takes a hit with t below the limit; breaks when nothing more is asked.
+    fn offer(&mut self, hit: Hit) -> ControlFlow<()>;
+}
+
+impl<Q: Query> Query for &mut Q {
+    #[inline]
+    fn limit(&self) -> f32 {
+        (**self).limit()
+    }
+
+    #[inline]
+    fn offer(&mut self, hit: Hit) -> ControlFlow<()> {
+        (**self).offer(hit)
+    }
+}
+
+/// Which hit comes first?
+///
+/// Of hits at the same t the one with the lowest number counts: so the answer does
+/// not depend on the order in which shapes are tried.
+pub(crate) struct Nearest {
+    limit: f32,
+    found: Hit,
+}
+
+impl Nearest {
+    #[inline]
+    pub(crate) fn new(ray: &Ray) -> Self {
+        Self { limit: ray.t_max, found: Hit { t: ray.t_max, primitive: u32::MAX, u: 0.0, v: 0.0 } }
+    }
+
+    #[inline]
+    pub(crate) fn found(&self) -> Option<Hit> {
+        (self.found.primitive != u32::MAX).then_some(self.found)
+    }
+}
+
+impl Query for Nearest {
+    #[inline]
+    fn limit(&self) -> f32 {
+        self.limit
+    }
+
+    #[inline]
+    fn offer(&mut self, hit: Hit) -> ControlFlow<()> {
+        if hit.t < self.found.t || hit.primitive < self.found.primitive {
+            self.found = hit;
+            // A tie may still come with a lower number.
+            self.limit = hit.t.next_up();
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Is there a hit?
+pub(crate) struct Any {
+    pub(crate) limit: f32,
+    pub(crate) found: bool,
+}
+
+impl Query for Any {
+    #[inline]
+    fn limit(&self) -> f32 {
+        self.limit
+    }
+
+    #[inline]
+    fn offer(&mut self, _: Hit) -> ControlFlow<()> {
+        self.found = true;
+        ControlFlow::Break(())
+    }
+}
+
+/// Which hits are there?
+pub(crate) struct All {
+    pub(crate) limit: f32,
+    pub(crate) found: Vec<Hit>,
+}
+
+impl Query for All {
+    #[inline]
+    fn limit(&self) -> f32 {
+        self.limit
+    }
+
+    fn offer(&mut self, hit: Hit) -> ControlFlow<()> {
+        self.found.push(hit);
+        ControlFlow::Continue(())
+    }
+}
