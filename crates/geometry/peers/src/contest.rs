@@ -145,13 +145,7 @@ pub(crate) fn run(entries: &mut [Entry], set: &RaySet, runs: u16) -> Vec<Score> 
     entries.iter().enumerate().map(score).collect()
 }
 
-fn score(
-    name: &'static str,
-    times: &[Vec<f64>],
-    who: usize,
-    set: &RaySet,
-    wrong: usize,
-) -> Score {
+fn score(name: &'static str, times: &[Vec<f64>], who: usize, set: &RaySet, wrong: usize) -> Score {
     let rate = times[who].iter().map(|time| set.len() as f64 * 1e-6 / time).collect();
     // Of the same round: what disturbs the machine longer than that disturbs both.
     let ratio = |ours: usize| {

@@ -2,16 +2,16 @@
 //! often wrong, how tight, how soon built, how large.
 
 mod clock;
-mod contestant;
 mod contest;
+mod contestant;
 mod heap;
 mod leaks;
 mod options;
 mod reference;
 mod statistics;
-mod table;
 #[path = "../../benches/support/support.rs"]
 mod support;
+mod table;
 
 use clap::Parser;
 use contestant::Contestant;

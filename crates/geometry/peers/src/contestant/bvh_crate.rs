@@ -89,7 +89,9 @@ impl Tree {
                         }
                     }
                 }
-                BvhNode::Node { child_l_index, child_l_aabb, child_r_index, child_r_aabb, .. } => {
+                BvhNode::Node {
+                    child_l_index, child_l_aabb, child_r_index, child_r_aabb, ..
+                } => {
                     let enter = |aabb| line.intersection_slice_for_aabb(aabb).map(|t| t.0);
                     let left = enter(child_l_aabb).map(|t| (t, *child_l_index));
                     let right = enter(child_r_aabb).map(|t| (t, *child_r_index));

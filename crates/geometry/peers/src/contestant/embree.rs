@@ -6,7 +6,7 @@ mod library;
 use super::{Built, Contestant, Found};
 use library::{Library, RayHit, Scene};
 use std::sync::Arc;
-use traylib_geometry::{Mesh, Ray};
+use traylib_geometry::Ray;
 
 /// Builders and modes, as the library numbers them.
 const MEDIUM: u32 = 1;

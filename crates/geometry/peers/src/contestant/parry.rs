@@ -4,7 +4,7 @@
 use super::{Built, Contestant, Found};
 use parry3d::math::Vector;
 use parry3d::shape::{CompositeShapeRef, TriMesh};
-use traylib_geometry::{Mesh, Ray, Vec3};
+use traylib_geometry::{Ray, Vec3};
 
 pub(super) fn new() -> Contestant {
     Contestant::new("parry3d", |mesh| {

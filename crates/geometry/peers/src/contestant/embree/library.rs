@@ -223,7 +223,9 @@ impl Scene {
 unsafe fn monitor(library: &Library, device: Handle, sum: &AtomicIsize) -> Result<(), String> {
     type SetMonitor = unsafe extern "C" fn(Handle, Option<Monitor>, *mut c_void);
     let sum = std::ptr::from_ref(sum).cast_mut().cast();
-    unsafe { library.get::<SetMonitor>("rtcSetDeviceMemoryMonitorFunction")?(device, Some(count), sum) };
+    unsafe {
+        library.get::<SetMonitor>("rtcSetDeviceMemoryMonitorFunction")?(device, Some(count), sum)
+    };
     Ok(())
 }
 
