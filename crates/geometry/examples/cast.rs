@@ -68,7 +68,8 @@ fn position<'a>(words: impl Iterator<Item = &'a str>) -> Option<Vec3> {
 fn face<'a>(words: impl Iterator<Item = &'a str>, positions: usize) -> Option<Vec<u32>> {
     let corner = |word: &str| {
         let index: i64 = word.split('/').next()?.parse().ok()?;
-        u32::try_from(if index < 0 { positions as i64 + index } else { index - 1 }).ok()
+        u32::try_from(if index < 0 { i64::try_from(positions).ok()? + index } else { index - 1 })
+            .ok()
     };
     words.map(corner).collect()
 }

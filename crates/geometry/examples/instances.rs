@@ -12,7 +12,8 @@ use traylib_geometry::{Bvh, Instance, Mesh, Ray, Vec3};
 fn main() -> Result<(), Box<dyn Error>> {
     let chair = chair()?;
     let one = Arc::new(Bvh::build(&chair)?);
-    let room = Bvh::of_instances(places().map(|at| Instance::new(one.clone(), at)).collect())?;
+    let chairs: Result<_, _> = places().map(|at| Instance::new(one.clone(), at)).collect();
+    let room = Bvh::of_instances(chairs?)?;
     let copied = Bvh::build(&copies(&chair)?)?;
     println!("one chair:             {:7} bytes", one.memory());
     println!("forty, stored once:    {:7} bytes and the chair", room.memory());
@@ -23,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let Some(hit) = room.nearest(&ray) else { continue };
         // Copies are numbered one after the other, here as there.
         assert_eq!(copied.nearest(&ray).map(|hit| hit.primitive), Some(hit.primitive));
-        let (instance, triangle) = room.locate(hit.primitive);
+        let Some((instance, triangle)) = room.locate(hit.primitive) else { continue };
         println!("triangle {triangle} of chair {instance}, at {}", ray.at(hit.t));
     }
     Ok(())
