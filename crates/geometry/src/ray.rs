@@ -51,8 +51,9 @@ impl Ray {
     /// positive length.
     #[inline]
     pub(crate) fn is_traceable(&self) -> bool {
-        self.origin.is_finite()
-            && self.direction.is_finite()
+        // Zero for all numbers, and not a number for what is none or infinite.
+        let nothing = 0.0 * self.origin + 0.0 * self.direction;
+        nothing.x + nothing.y + nothing.z == 0.0
             && self.direction != Vec3::ZERO
             && self.t_max > 0.0
     }

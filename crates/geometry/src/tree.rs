@@ -11,6 +11,8 @@ mod lanes;
 pub(crate) mod node;
 pub(crate) mod prepared;
 pub(crate) mod query;
+pub(crate) mod pages;
+mod parallel;
 mod stack;
 pub(crate) mod walk;
 
@@ -21,14 +23,14 @@ use crate::{Aabb, Ray, Vec3};
 use block::Block;
 use build::Quality;
 use node::{Child, Node};
-use prepared::Prepared;
+use pages::Pages;
 use walk::Visitor;
 
 /// Boxes in boxes, with numbers in the innermost.
 #[derive(Clone, Debug)]
 pub(crate) struct Tree {
-    pub(crate) nodes: Vec<Node>,
-    pub(crate) blocks: Vec<Block>,
+    pub(crate) nodes: Pages<Node>,
+    pub(crate) blocks: Pages<Block>,
     /// Numbers of what is no triangle, in the order the leaves list them.
     pub(crate) order: Vec<u32>,
     root: Option<Child>,
@@ -50,8 +52,8 @@ impl Tree {
         let corners_of = |item| corners(item).unwrap_or([Vec3::NAN; 3]);
         let blocks = built.blocks.iter().map(|&numbers| Block::new(numbers, corners_of)).collect();
         Self {
-            nodes: built.nodes,
-            blocks,
+            nodes: Pages::new(built.nodes),
+            blocks: Pages::new(blocks),
             order: built.shapes,
             root: built.root,
             depth: built.depth,
@@ -63,7 +65,7 @@ impl Tree {
     #[inline]
     pub(crate) fn walk<V: Visitor>(&self, ray: &Ray, visitor: &mut V) {
         if let Some(root) = self.root.filter(|_| ray.is_traceable()) {
-            self.kernel.walk(self, root, &Prepared::new(ray), visitor);
+            self.kernel.walk(self, root, ray, visitor);
         }
     }
 

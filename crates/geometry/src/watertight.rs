@@ -28,7 +28,7 @@ pub(crate) struct Shear {
 
 impl Shear {
     #[inline]
-    pub(crate) fn along(direction: Vec3) -> Self {
+    pub(crate) fn along(direction: &Vec3) -> Self {
         let size = direction.abs();
         let axes = if size.x > size.y && size.x > size.z {
             [1, 2, 0]
@@ -45,35 +45,51 @@ impl Shear {
     /// The edge functions of a triangle: twice the areas between the ray and the
     /// edge opposite to each corner.
     #[inline]
-    pub(crate) fn edges(&self, corners: [Vec3; 3], origin: Vec3) -> [f32; 3] {
-        let [a, b, c] = corners.map(|corner| {
-            let [x, y, depth] = pick(corner - origin, self.axes);
+    pub(crate) fn edges(&self, corners: &[Vec3; 3], origin: &Vec3) -> [f32; 3] {
+        let origin = pick(origin, self.axes);
+        let [a, b, c] = corners.each_ref().map(|corner| {
+            let corner = pick(corner, self.axes);
+            let [x, y, depth] = std::array::from_fn(|i| corner[i] - origin[i]);
             [x - self.slope[0] * depth, y - self.slope[1] * depth]
         });
         let cross = |p: [f32; 2], q: [f32; 2]| p[0] * q[1] - p[1] * q[0];
         [cross(b, c), cross(c, a), cross(a, b)]
     }
 
-    /// t of the points of the ray beside the corners.
+    /// t of the points of the ray beside corners with these coordinates along the
+    /// axis of depth.
     #[inline]
-    pub(crate) fn depths(&self, corners: [Vec3; 3], origin: Vec3) -> [f32; 3] {
-        corners.map(|corner| pick(corner - origin, self.axes)[2] * self.reciprocal)
+    pub(crate) fn depths(&self, corners: [f32; 3], origin: &Vec3) -> [f32; 3] {
+        let origin = pick(origin, self.axes)[2];
+        corners.map(|corner| (corner - origin) * self.reciprocal)
     }
 }
 
-/// Three coordinates in another order, without a branch.
+/// Three coordinates in another order.
 #[inline]
-fn pick(v: Vec3, axes: [usize; 3]) -> [f32; 3] {
-    let v = v.to_array();
-    axes.map(|axis| v[axis % 3])
+fn pick(v: &Vec3, axes: [usize; 3]) -> [f32; 3] {
+    let v: &[f32; 3] = v.as_ref();
+    axes.map(|axis| v[axis])
+}
+
+/// The least; if `c` is not a number, that.
+#[inline]
+fn least([a, b, c]: [f32; 3]) -> f32 {
+    let least = if a < b { a } else { b };
+    if least < c { least } else { c }
+}
+
+/// The greatest; if `c` is not a number, that.
+#[inline]
+fn greatest([a, b, c]: [f32; 3]) -> f32 {
+    let greatest = if a > b { a } else { b };
+    if greatest > c { greatest } else { c }
 }
 
 /// Whether edge functions are those of a ray that passes the triangle or its border.
 #[inline]
-pub(crate) fn is_inside([of_a, of_b, of_c]: [f32; 3]) -> bool {
-    let least = of_a.min(of_b).min(of_c);
-    let most = of_a.max(of_b).max(of_c);
-    least >= 0.0 || most <= 0.0
+pub(crate) fn is_inside(edges: [f32; 3]) -> bool {
+    least(edges) >= 0.0 || greatest(edges) <= 0.0
 }
 
 /// A triangle as a ray that passes inside sees it.
@@ -89,8 +105,7 @@ impl Flat {
     /// Whether a point of it can be at 0 < t < `limit`.
     #[inline]
     pub(crate) fn reaches(&self, limit: f32) -> bool {
-        let [ta, tb, tc] = self.depths;
-        ta.max(tb).max(tc) > 0.0 && ta.min(tb).min(tc) < limit
+        greatest(self.depths) > 0.0 && least(self.depths) < limit
     }
 }
 
@@ -101,17 +116,19 @@ impl Flat {
 /// triangle is nearer or farther than its corners. In double precision, since the
 /// normal of a sliver of aspect 10⁵ is off by a percent in single.
 #[inline]
-pub(crate) fn meet(ray: &Ray, corners: [Vec3; 3], flat: &Flat) -> Option<ShapeHit> {
+pub(crate) fn meet(ray: &Ray, corners: [DVec3; 3], flat: &Flat) -> Option<ShapeHit> {
     let [of_a, of_b, of_c] = flat.edges;
     let sum = of_a + of_b + of_c;
-    let normal = normal(corners);
+    let [a, b, c] = corners;
+    let normal = (b - a).cross(c - a);
     let slope = ray.direction.as_dvec3().dot(normal);
     if sum == 0.0 || sum.is_nan() || slope == 0.0 {
         return None;
     }
-    let t = (difference(corners[0], ray.origin).dot(normal) / slope) as f32;
-    let [ta, tb, tc] = flat.depths;
-    let t = t.max(ta.min(tb).min(tc)).min(ta.max(tb).max(tc));
+    let t = ((a - ray.origin.as_dvec3()).dot(normal) / slope) as f32;
+    let (first, last) = (least(flat.depths), greatest(flat.depths));
+    let t = if t < first { first } else { t };
+    let t = if t > last { last } else { t };
     ray.contains(t).then(|| ShapeHit { t, u: of_b / sum, v: of_c / sum })
 }
 

@@ -8,7 +8,8 @@ use crate::tree::prepared::Prepared;
 use crate::tree::query::Query;
 use crate::tree::walk::Visitor;
 use crate::watertight::Flat;
-use crate::{Hit, Ray, Vec3};
+use crate::precise::DVec3;
+use crate::{Hit, Ray};
 use std::ops::{ControlFlow, Range};
 
 /// What a [`Bvh`](crate::Bvh) can hold: [`Triangles`](crate::Triangles),
@@ -27,7 +28,7 @@ pub(crate) trait Holds: Send + Sync {
     fn triangle(
         &self,
         number: u32,
-        corners: [Vec3; 3],
+        corners: [DVec3; 3],
         flat: &Flat,
         ray: &Ray,
     ) -> Option<ShapeHit>;
@@ -58,23 +59,26 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
         self.query.limit()
     }
 
-    /// Rare: kept out of the loop that comes here.
-    #[inline(never)]
-    fn triangles(&mut self, ray: &Prepared, block: &Block, passed: &Passed) -> ControlFlow<()> {
+    #[inline(always)]
+    fn triangles(
+        &mut self,
+        ray: &Prepared,
+        block: &Block,
+        passed: &Passed,
+    ) -> ControlFlow<()> {
         let mut mask = passed.mask;
         while mask != 0 {
             let lane = mask.trailing_zeros() as usize % LEAF;
             mask &= mask - 1;
-            let corners = block.triangle(lane);
-            let flat = Flat {
-                edges: passed.edges.each_ref().map(|row| row[lane]),
-                depths: ray.shear.depths(corners, ray.ray.origin),
-            };
+            let edges = passed.edges.each_ref().map(|row| row[lane]);
+            let depths = block.along(ray.shear.axes[2], lane);
+            let flat = Flat { edges, depths: ray.shear.depths(depths, &ray.ray.origin) };
             if !flat.reaches(self.limit()) {
                 continue;
             }
             let primitive = block.numbers[lane];
-            let hit = self.contents.triangle(primitive, corners, &flat, &self.ray());
+            let hit =
+                self.contents.triangle(primitive, block.triangle_f64(lane), &flat, &self.ray());
             if let Some(ShapeHit { t, u, v }) = hit {
                 self.query.offer(Hit { t, primitive, u, v })?;
             }

@@ -3,6 +3,7 @@
 use super::contents::{Contents, Holds};
 use super::Bvh;
 use super::widened;
+use crate::precise::DVec3;
 use crate::shape::ShapeHit;
 use crate::tree::Tree;
 use crate::tree::build::Quality;
@@ -124,7 +125,7 @@ impl<C: Contents> Holds for Instances<C> {
 
     /// There are no triangles but those within.
     #[inline]
-    fn triangle(&self, _: u32, _: [Vec3; 3], _: &Flat, _: &Ray) -> Option<ShapeHit> {
+    fn triangle(&self, _: u32, _: [DVec3; 3], _: &Flat, _: &Ray) -> Option<ShapeHit> {
         None
     }
 

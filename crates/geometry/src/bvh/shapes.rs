@@ -2,6 +2,7 @@
 
 use super::contents::Holds;
 use super::{Bvh, check_count, widened};
+use crate::precise::DVec3;
 use crate::shape::{Shape, ShapeHit};
 use crate::tree::Tree;
 use crate::tree::build::Quality;
@@ -52,7 +53,7 @@ impl<S: Shape> Holds for Shapes<S> {
     }
 
     #[inline]
-    fn triangle(&self, number: u32, _: [Vec3; 3], _: &Flat, ray: &Ray) -> Option<ShapeHit> {
+    fn triangle(&self, number: u32, _: [DVec3; 3], _: &Flat, ray: &Ray) -> Option<ShapeHit> {
         self.0[number as usize].intersect(ray)
     }
 

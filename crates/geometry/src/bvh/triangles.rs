@@ -2,6 +2,7 @@
 
 use super::contents::Holds;
 use super::{Bvh, Options, Precision, check_count, widened};
+use crate::precise::DVec3;
 use crate::shape::ShapeHit;
 use crate::tree::Tree;
 use crate::tree::query::Query;
@@ -49,7 +50,7 @@ impl Holds for Triangles {
     }
 
     #[inline]
-    fn triangle(&self, _: u32, corners: [Vec3; 3], flat: &Flat, ray: &Ray) -> Option<ShapeHit> {
+    fn triangle(&self, _: u32, corners: [DVec3; 3], flat: &Flat, ray: &Ray) -> Option<ShapeHit> {
         match self.precision {
             Precision::Watertight => watertight::meet(ray, corners, flat),
             Precision::Fast => watertight::meet_coarsely(ray, flat),

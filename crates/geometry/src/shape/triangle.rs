@@ -57,13 +57,13 @@ impl Triangle {
     /// the third corner; without gaps where triangles share their corners.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
-        let shear = Shear::along(ray.direction);
-        let edges = shear.edges(self.corners(), ray.origin);
+        let (shear, corners) = (Shear::along(&ray.direction), self.corners());
+        let edges = shear.edges(&corners, &ray.origin);
         if !(is_inside(edges) && sides.admit(ray.direction.dot(self.normal))) {
             return None;
         }
-        let depths = shear.depths(self.corners(), ray.origin);
-        watertight::meet(ray, self.corners(), &Flat { edges, depths })
+        let depths = shear.depths(corners.map(|c| c[shear.axes[2]]), &ray.origin);
+        watertight::meet(ray, corners.map(Vec3::as_dvec3), &Flat { edges, depths })
     }
 
     /// The site at barycentric coordinates `u`, `v`.

@@ -4,7 +4,7 @@ use super::Tree;
 use super::lanes::Lanes;
 use super::node::{Child, Content};
 use super::prepared::Prepared;
-use super::stack::Stack;
+use super::stack::{Room, Stack};
 use super::walk::Visitor;
 use crate::Ray;
 
@@ -22,13 +22,13 @@ pub(crate) trait Batch<'a> {
     fn end(&mut self, index: usize, visitor: &Self::Visitor);
 }
 
-struct Slot<'a, L, V> {
+struct Slot<'a, 'r, L, V> {
     index: usize,
     current: Child,
     ray: Prepared<'a>,
     lanes: L,
     visitor: V,
-    stack: Stack,
+    stack: Stack<'r>,
 }
 
 #[inline(always)]
@@ -40,7 +40,9 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
 ) {
     let rays = batch.rays();
     let mut next = 0;
-    let mut slots: Vec<Slot<'a, L, B::Visitor>> = Vec::with_capacity(SLOTS);
+    let mut rooms = [const { Room::new() }; SLOTS];
+    let mut rooms = rooms.iter_mut();
+    let mut slots: Vec<Slot<L, B::Visitor>> = Vec::with_capacity(SLOTS);
     let mut more = |batch: &B| {
         while next < rays.len() {
             next += 1;
@@ -51,9 +53,9 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
         }
         None
     };
-    while slots.len() < SLOTS {
+    for room in &mut rooms {
         let Some((index, ray, lanes, visitor)) = more(batch) else { break };
-        slots.push(Slot { index, current: root, ray, lanes, visitor, stack: Stack::new() });
+        slots.push(Slot { index, current: root, ray, lanes, visitor, stack: Stack::new(room) });
     }
     while !slots.is_empty() {
         let mut k = 0;

@@ -2,9 +2,10 @@
 
 use super::node::LEAF;
 use crate::Vec3;
+use crate::precise::DVec3;
 
 /// The corners of up to four triangles: 160 bytes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct Block {
     /// By corner, by axis, by triangle. Where there is none they are not numbers,
@@ -29,6 +30,21 @@ impl Block {
             }
         }
         Self { corners, numbers }
+    }
+
+    /// The coordinates along an axis of the corners of one of its triangles.
+    #[inline]
+    pub(crate) fn along(&self, axis: usize, lane: usize) -> [f32; 3] {
+        self.corners.each_ref().map(|rows| rows[axis][lane])
+    }
+
+    /// [`triangle`](Self::triangle) in double precision.
+    #[inline]
+    pub(crate) fn triangle_f64(&self, lane: usize) -> [DVec3; 3] {
+        let corner = |rows: &[[f32; LEAF]; 3]| {
+            DVec3::new(rows[0][lane].into(), rows[1][lane].into(), rows[2][lane].into())
+        };
+        self.corners.each_ref().map(corner)
     }
 
     /// The corners of one of its triangles.

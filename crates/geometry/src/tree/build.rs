@@ -1,1 +1,109 @@
 //! Building a tree.
+//!
+//! Items are put along a curve through space (`morton`), merged to a binary tree
+//! from the leaves up (`cluster`), of which subtrees then move to better places
+//! (`reinsert`); last, nodes are left out until eight boxes are side by side and
+//! up to four items in a leaf (`flat`, `wide`).
+
+mod binary;
+mod bounds;
+mod choice;
+mod cluster;
+mod cost;
+mod flat;
+mod morton;
+mod reinsert;
+mod search;
+mod wide;
+
+use super::node::{Child, LEAF, Node};
+use crate::Aabb;
+use cost::Kind;
+
+/// No tree has more levels of nodes.
+pub(crate) const MAX_DEPTH: usize = 32;
+
+/// Items that a thread takes at once.
+const GRAIN: usize = 1 << 12;
+
+/// How much work building a tree takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quality {
+    /// For shapes that are looked at once.
+    Fast,
+    /// For most things.
+    #[default]
+    Balanced,
+    /// For pictures that take long.
+    Best,
+}
+
+/// Boxes in boxes, eight a node.
+#[derive(Debug)]
+pub(crate) struct Tree {
+    /// Depth first, in the order in which a walk meets them.
+    pub(crate) nodes: Vec<Node>,
+    /// The numbers of the triangles of each block, [`u32::MAX`] where there is
+    /// none; depth first. There always is a block.
+    pub(crate) blocks: Vec<[u32; LEAF]>,
+    /// The numbers of all other shapes in leaf order.
+    pub(crate) shapes: Vec<u32>,
+    /// A node or a leaf; `None` where there is nothing.
+    pub(crate) root: Option<Child>,
+    /// Levels of nodes.
+    pub(crate) depth: usize,
+}
+
+/// A tree over `items`, which are numbers of boxes; boxes must be finite and not
+/// empty.
+///
+/// The result is the same for any number of threads, and has at most
+/// [`MAX_DEPTH`] levels.
+pub(crate) fn build(
+    boxes: &[Aabb],
+    items: Vec<u32>,
+    is_triangle: impl Fn(u32) -> bool + Sync,
+    quality: Quality,
+) -> Tree {
+    if items.is_empty() {
+        let blocks = vec![[u32::MAX; LEAF]];
+        return Tree { nodes: Vec::new(), blocks, shapes: Vec::new(), root: None, depth: 0 };
+    }
+    let order = morton::order(boxes, &items);
+    drop(items);
+    let item = |node: u32| {
+        let item = order[node as usize];
+        (item, if is_triangle(item) { Kind::Triangles } else { Kind::Others })
+    };
+    let mut binary = cluster::tree(boxes, &order, quality.radius());
+    reinsert::improve(&mut binary, quality.candidates(order.len()));
+    let tree = wide::tree(&binary, item);
+    if tree.depth <= MAX_DEPTH {
+        return tree;
+    }
+    // Nodes of two boxes are the worst that can happen: 28 levels.
+    wide::tree(&cluster::tree(boxes, &order, 0), item)
+}
+
+impl Quality {
+    /// How far away, along the curve, a partner may be.
+    fn radius(self) -> usize {
+        match self {
+            Self::Fast => 4,
+            Self::Balanced => 10,
+            Self::Best => 24,
+        }
+    }
+
+    /// How many subtrees may look for a better place in each round.
+    fn candidates(self, count: usize) -> Vec<usize> {
+        match self {
+            Self::Fast => Vec::new(),
+            Self::Balanced => (0..8).map(|round| count / 10 / (2 * round + 1)).collect(),
+            Self::Best => vec![2 * count; 16],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -5,8 +5,10 @@
 use super::Tree;
 use super::batch::{Batch, walk_each};
 use super::node::Child;
+use std::hint::black_box;
 use super::walk::{Visitor, walk};
 use super::prepared::Prepared;
+use crate::Ray;
 
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Sse41};
@@ -51,9 +53,12 @@ impl Kernel {
     }
 
     #[inline]
-    pub(crate) fn walk<V: Visitor>(self, tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
+    pub(crate) fn walk<V: Visitor>(self, tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
         match self.0 {
-            Set::Scalar => walk(ray, ray, root, &tree.nodes, &tree.blocks, visitor),
+            Set::Scalar => {
+                let ray = Prepared::new(ray);
+                walk(&ray, &ray, root, &tree.nodes, &tree.blocks, visitor);
+            }
             // SAFETY: `available` has seen that the machine has these instructions.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe { walk_sse41(tree, root, ray, visitor) },
@@ -89,16 +94,18 @@ fn each_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "sse4.1")]
-fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
+fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+    let ray = Prepared::new(ray);
     // SAFETY: this function runs only where SSE4.1 is.
-    let lanes = unsafe { Sse41::new(ray) };
-    walk(&lanes, ray, root, &tree.nodes, &tree.blocks, visitor);
+    let lanes = unsafe { Sse41::new(&ray) };
+    walk(black_box(&lanes), &ray, root, &tree.nodes, &tree.blocks, visitor);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
-fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Prepared, visitor: &mut V) {
+fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+    let ray = Prepared::new(ray);
     // SAFETY: this function runs only where AVX2 is.
-    let lanes = unsafe { Avx2::new(ray) };
-    walk(&lanes, ray, root, &tree.nodes, &tree.blocks, visitor);
+    let lanes = unsafe { Avx2::new(&ray) };
+    walk(black_box(&lanes), &ray, root, &tree.nodes, &tree.blocks, visitor);
 }

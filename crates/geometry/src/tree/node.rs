@@ -65,7 +65,7 @@ impl Child {
 }
 
 /// Up to eight boxes and what lies in them: 256 bytes, four lines of the cache.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
     /// Lowest and highest x of each box, then y, then z. An empty box is lowest

@@ -14,7 +14,7 @@ pub(crate) struct Prepared<'a> {
 impl<'a> Prepared<'a> {
     #[inline(always)]
     pub(crate) fn new(ray: &'a Ray) -> Self {
-        Self { ray, boxes: BoxRay::new(ray), shear: Shear::along(ray.direction) }
+        Self { ray, boxes: BoxRay::new(ray), shear: Shear::along(&ray.direction) }
     }
 }
 

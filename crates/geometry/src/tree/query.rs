@@ -56,7 +56,8 @@ impl Query for Nearest {
         if hit.t < self.found.t || hit.primitive < self.found.primitive {
             self.found = hit;
             // A tie may still come with a lower number.
-            self.limit = hit.t.next_up();
+            // t is below a limit, so the next number is its next bits.
+            self.limit = f32::from_bits(hit.t.to_bits() + 1);
         }
         ControlFlow::Continue(())
     }

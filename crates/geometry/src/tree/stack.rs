@@ -10,23 +10,34 @@ use std::mem::MaybeUninit;
 /// lanes of a node, used or not.
 const ROOM: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
 
-/// Room for the deepest tree. It is not cleared, which would take longer than many
-/// a walk.
-pub(crate) struct Stack {
-    /// Where the ray enters the boxes. The first `len` are there, as in `children`.
+/// Room for the boxes of the deepest tree. It is not cleared, which would take
+/// longer than many a walk.
+pub(crate) struct Room {
     enter: [MaybeUninit<f32>; ROOM],
     children: [MaybeUninit<Child>; ROOM],
-    len: usize,
 }
 
-impl Stack {
+impl Room {
     #[inline(always)]
-    pub(crate) fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self {
             enter: [const { MaybeUninit::uninit() }; ROOM],
             children: [const { MaybeUninit::uninit() }; ROOM],
-            len: 0,
         }
+    }
+}
+
+/// The boxes that wait, with where the ray enters them.
+pub(crate) struct Stack<'a> {
+    room: &'a mut Room,
+    /// So many are there. Not beside the boxes, so that it can stay in a register.
+    len: usize,
+}
+
+impl<'a> Stack<'a> {
+    #[inline(always)]
+    pub(crate) fn new(room: &'a mut Room) -> Self {
+        Self { room, len: 0 }
     }
 
     #[inline(always)]
@@ -36,8 +47,8 @@ impl Stack {
 
     #[inline(always)]
     pub(crate) fn push(&mut self, enter: f32, child: Child) {
-        self.enter[self.len].write(enter);
-        self.children[self.len].write(child);
+        self.room.enter[self.len].write(enter);
+        self.room.children[self.len].write(child);
         self.len += 1;
     }
 
@@ -47,7 +58,7 @@ impl Stack {
         &mut self,
     ) -> (&mut [MaybeUninit<f32>; WIDTH], &mut [MaybeUninit<Child>; WIDTH]) {
         let room = self.len..self.len + WIDTH;
-        let (enter, children) = (&mut self.enter[room.clone()], &mut self.children[room]);
+        let (enter, children) = (&mut self.room.enter[room.clone()], &mut self.room.children[room]);
         // Never fails: both have this length.
         let (Ok(enter), Ok(children)) = (enter.try_into(), children.try_into()) else {
             unreachable!()
@@ -70,10 +81,10 @@ impl Stack {
         while self.len > 0 {
             self.len -= 1;
             // SAFETY: the first `len` are there, and it was one more.
-            let enter = unsafe { self.enter[self.len].assume_init() };
+            let enter = unsafe { self.room.enter[self.len].assume_init() };
             if enter <= limit {
                 // SAFETY: as above.
-                return Some(unsafe { self.children[self.len].assume_init() });
+                return Some(unsafe { self.room.children[self.len].assume_init() });
             }
         }
         None

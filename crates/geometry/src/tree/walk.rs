@@ -4,7 +4,7 @@ use super::block::Block;
 use super::lanes::{Lanes, Passed};
 use super::node::{Child, Content, Node};
 use super::prepared::Prepared;
-use super::stack::Stack;
+use super::stack::{Room, Stack};
 use std::ops::ControlFlow;
 
 /// What a ray does in the leaves it comes to.
@@ -30,7 +30,8 @@ pub(crate) fn walk<L: Lanes, V: Visitor>(
     blocks: &[Block],
     visitor: &mut V,
 ) {
-    let mut stack = Stack::new();
+    let mut room = Room::new();
+    let mut stack = Stack::new(&mut room);
     let mut current = root;
     loop {
         match current.open() {

@@ -11,27 +11,24 @@ impl Lanes for Prepared<'_> {
     #[inline]
     fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
         let ray = &self.boxes;
-        let mut enter = [0.0; WIDTH];
+        let mut entries = [0.0; WIDTH];
         let mut mask = 0;
-        for lane in 0..WIDTH {
-            let mut leave = limit;
-            for axis in 0..3 {
-                let row = ray.near_row[axis];
-                let near = (node.planes[row][lane] - ray.origin[axis]) * ray.near[axis];
-                let far = (node.planes[row ^ 1][lane] - ray.origin[axis]) * ray.far[axis];
-                enter[lane] = if near > enter[lane] { near } else { enter[lane] };
-                leave = if far < leave { far } else { leave };
-            }
-            mask |= u32::from(enter[lane] <= leave) << lane;
+        for (lane, entry) in entries.iter_mut().enumerate() {
+            let plane = |row: usize, axis: usize| node.planes[row][lane] - ray.origin[axis];
+            let near = |axis: usize| plane(ray.near_row[axis], axis) * ray.near[axis];
+            let far = |axis: usize| plane(ray.near_row[axis] ^ 1, axis) * ray.far[axis];
+            *entry = greater(greater(near(0), near(1)), greater(near(2), 0.0));
+            let leave = lesser(lesser(far(0), far(1)), lesser(far(2), limit));
+            mask |= u32::from(*entry <= leave) << lane;
         }
-        push(node, ray.octant, &enter, mask, stack);
+        push(node, ray.octant, &entries, mask, stack);
     }
 
     #[inline]
     fn pass(&self, block: &Block) -> Passed {
         let mut passed = Passed { mask: 0, edges: [[0.0; LEAF]; 3] };
         for lane in 0..LEAF {
-            let edges = self.shear.edges(block.triangle(lane), self.ray.origin);
+            let edges = self.shear.edges(&block.triangle(lane), &self.ray.origin);
             passed.mask |= u32::from(is_inside(edges)) << lane;
             for (row, edge) in passed.edges.iter_mut().zip(edges) {
                 row[lane] = edge;
@@ -39,4 +36,15 @@ impl Lanes for Prepared<'_> {
         }
         passed
     }
+}
+
+/// What is not a number loses; of two, the second stays.
+#[inline]
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+#[inline]
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
 }

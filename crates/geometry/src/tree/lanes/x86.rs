@@ -65,21 +65,22 @@ impl Avx2 {
 impl Lanes for Avx2 {
     #[inline(always)]
     fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
-        // SAFETY: `self` shows that the machine has AVX2; rows are 32 bytes long
-        // and, in a node, lie at multiples of 32.
+        // SAFETY: `self` shows that the machine has AVX2; a node is aligned to 64
+        // bytes and has six rows of 32, which `near_row` counts.
         unsafe {
-            let distance = |row: usize, axis: usize| {
-                let plane = _mm256_load_ps(node.planes[row].as_ptr());
-                _mm256_sub_ps(plane, self.origin[axis])
-            };
-            let mut enter = _mm256_setzero_ps();
-            let mut leave = _mm256_set1_ps(limit);
-            for axis in 0..3 {
-                let row = self.near_row[axis];
-                // What is not a number leaves the second operand.
-                enter = _mm256_max_ps(_mm256_mul_ps(distance(row, axis), self.near[axis]), enter);
-                leave = _mm256_min_ps(_mm256_mul_ps(distance(row ^ 1, axis), self.far[axis]), leave);
-            }
+            let rows = node.planes.as_ptr().cast::<__m256>();
+            let plane = |row: usize, axis: usize| _mm256_sub_ps(*rows.add(row), self.origin[axis]);
+            let near = |axis: usize| _mm256_mul_ps(plane(self.near_row[axis], axis), self.near[axis]);
+            let far = |axis: usize| _mm256_mul_ps(plane(self.near_row[axis] ^ 1, axis), self.far[axis]);
+            // What is not a number leaves the second operand.
+            let enter = _mm256_max_ps(
+                _mm256_max_ps(near(0), near(1)),
+                _mm256_max_ps(near(2), _mm256_setzero_ps()),
+            );
+            let leave = _mm256_min_ps(
+                _mm256_min_ps(far(0), far(1)),
+                _mm256_min_ps(far(2), _mm256_set1_ps(limit)),
+            );
             let met = _mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave);
             let order = _mm256_load_si256(node.order.as_ptr().cast());
             let order = _mm256_srlv_epi32(order, self.octant);
@@ -132,24 +133,22 @@ impl Sse41 {
         }
     }
 
-    /// Boxes `first` to `first + 3` of a node; `first` is 0 or 4.
+    /// The first four boxes of a node, or, for `half` 1, the others.
     #[inline(always)]
-    fn enter_half(&self, node: &Node, limit: f32, first: usize) -> (__m128, u32) {
-        // SAFETY: `self` shows that the machine has SSE4.1; half a row is 16 bytes
-        // long and, in a node, lies at a multiple of 16.
+    fn enter_half(&self, node: &Node, limit: f32, half: usize) -> (__m128, u32) {
+        // SAFETY: `self` shows that the machine has SSE4.1; a node is aligned to 64
+        // bytes and has six rows of twice 16, which `near_row` counts.
         unsafe {
-            let distance = |row: usize, axis: usize| {
-                let plane = _mm_load_ps(node.planes[row][first..][..4].as_ptr());
-                _mm_sub_ps(plane, self.origin[axis])
-            };
-            let mut enter = _mm_setzero_ps();
-            let mut leave = _mm_set1_ps(limit);
-            for axis in 0..3 {
-                let row = self.near_row[axis];
-                // What is not a number leaves the second operand.
-                enter = _mm_max_ps(_mm_mul_ps(distance(row, axis), self.near[axis]), enter);
-                leave = _mm_min_ps(_mm_mul_ps(distance(row ^ 1, axis), self.far[axis]), leave);
-            }
+            let rows = node.planes.as_ptr().cast::<__m128>().add(half);
+            let plane =
+                |row: usize, axis: usize| _mm_sub_ps(*rows.add(2 * row), self.origin[axis]);
+            let near = |axis: usize| _mm_mul_ps(plane(self.near_row[axis], axis), self.near[axis]);
+            let far = |axis: usize| _mm_mul_ps(plane(self.near_row[axis] ^ 1, axis), self.far[axis]);
+            // What is not a number leaves the second operand.
+            let enter =
+                _mm_max_ps(_mm_max_ps(near(0), near(1)), _mm_max_ps(near(2), _mm_setzero_ps()));
+            let leave =
+                _mm_min_ps(_mm_min_ps(far(0), far(1)), _mm_min_ps(far(2), _mm_set1_ps(limit)));
             (enter, _mm_movemask_ps(_mm_cmple_ps(enter, leave)) as u32)
         }
     }
@@ -159,7 +158,7 @@ impl Lanes for Sse41 {
     #[inline(always)]
     fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
         let (low, low_mask) = self.enter_half(node, limit, 0);
-        let (high, high_mask) = self.enter_half(node, limit, 4);
+        let (high, high_mask) = self.enter_half(node, limit, 1);
         let mut entries = [0.0; WIDTH];
         // SAFETY: `self` shows that the machine has SSE4.1; both halves have room
         // for four numbers.
@@ -192,10 +191,10 @@ impl TriangleRay {
         let shear = &ray.shear;
         // SAFETY: the caller promises SSE4.1.
         let splat = |x: f32| unsafe { _mm_set1_ps(x) };
-        let origin = ray.boxes.origin;
+        let origin: &[f32; 3] = ray.ray.origin.as_ref();
         Self {
             axes: shear.axes,
-            origin: shear.axes.map(|axis| splat(origin[axis % 3])),
+            origin: shear.axes.map(|axis| splat(origin[axis])),
             slope: shear.slope.map(splat),
         }
     }
@@ -205,15 +204,15 @@ impl TriangleRay {
     /// triangles of a block.
     #[inline(always)]
     fn pass(&self, block: &Block) -> Passed {
-        // SAFETY: `self` shows that the machine has SSE4.1; rows are 16 bytes long
-        // and, in a block, lie at multiples of 16.
+        // SAFETY: `self` shows that the machine has SSE4.1; a block is aligned to 32
+        // bytes, and each of its corners has three rows of 16, which `axes` counts.
         unsafe {
             let zero = _mm_setzero_ps();
-            let corner = |rows: &[[f32; LEAF]; 3]| {
-                let [x, y, depth] = std::array::from_fn(|i| {
-                    let row = _mm_load_ps(rows[self.axes[i]].as_ptr());
-                    _mm_sub_ps(row, self.origin[i])
-                });
+            let rows = block.corners.as_ptr().cast::<__m128>();
+            let corner = |number: usize| {
+                let coordinate =
+                    |i: usize| _mm_sub_ps(*rows.add(3 * number + self.axes[i]), self.origin[i]);
+                let (x, y, depth) = (coordinate(0), coordinate(1), coordinate(2));
                 let x = _mm_sub_ps(x, _mm_mul_ps(self.slope[0], depth));
                 let y = _mm_sub_ps(y, _mm_mul_ps(self.slope[1], depth));
                 (x, y)
@@ -221,7 +220,7 @@ impl TriangleRay {
             let cross = |(px, py): (__m128, __m128), (qx, qy): (__m128, __m128)| {
                 _mm_sub_ps(_mm_mul_ps(px, qy), _mm_mul_ps(py, qx))
             };
-            let [a, b, c] = [0, 1, 2].map(|i| corner(&block.corners[i]));
+            let [a, b, c] = [corner(0), corner(1), corner(2)];
             let of_a = cross(b, c);
             let of_b = cross(c, a);
             let of_c = cross(a, b);
@@ -229,14 +228,12 @@ impl TriangleRay {
             let most = _mm_max_ps(_mm_max_ps(of_a, of_b), of_c);
             let inside = _mm_or_ps(_mm_cmpge_ps(least, zero), _mm_cmple_ps(most, zero));
             let mask = _mm_movemask_ps(inside) as u32;
-            let rows = |rows: [__m128; 3]| {
-                rows.map(|row| {
-                    let mut lanes = [0.0; LEAF];
-                    _mm_storeu_ps(lanes.as_mut_ptr(), row);
-                    lanes
-                })
+            let lanes = |row: __m128| {
+                let mut lanes = [0.0; LEAF];
+                _mm_storeu_ps(lanes.as_mut_ptr(), row);
+                lanes
             };
-            Passed { mask, edges: rows([of_a, of_b, of_c]) }
+            Passed { mask, edges: [lanes(of_a), lanes(of_b), lanes(of_c)] }
         }
     }
 }

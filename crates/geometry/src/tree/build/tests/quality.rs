@@ -1,0 +1,44 @@
+//! What rays would pay.
+
+use super::audit::lanes;
+use super::{QUALITIES, crowd, tree};
+use crate::Aabb;
+use crate::tree::build::cost::Kind;
+use crate::tree::build::{Tree, cluster, morton, wide};
+use crate::tree::node::Content;
+
+/// Nodes and blocks that a random ray through the whole meets on average, a block
+/// counted as 0.6 nodes.
+fn cost(tree: &Tree) -> f64 {
+    let all = tree
+        .nodes
+        .first()
+        .map_or(Aabb::EMPTY, |root| lanes(root).fold(Aabb::EMPTY, |all, lane| all.union(lane.0)));
+    let lane = |(bounds, child): (Aabb, crate::tree::node::Child)| {
+        let weight = if matches!(child.open(), Content::Node(_)) { 1.0 } else { 0.6 };
+        weight * f64::from(bounds.surface_area())
+    };
+    let sum: f64 = tree.nodes.iter().flat_map(lanes).map(lane).sum();
+    1.0 + sum / f64::from(all.surface_area())
+}
+
+#[test]
+fn more_work_makes_better_trees() {
+    for count in [50, 500, 5000] {
+        let boxes = crowd(count);
+        let [fast, balanced, best] = QUALITIES.map(|quality| cost(&tree(&boxes, quality)));
+        assert!(balanced <= fast && best <= balanced, "{count}: {fast} {balanced} {best}");
+    }
+}
+
+#[test]
+fn all_trees_are_better_than_halving() {
+    let boxes = crowd(5000);
+    let items: Vec<u32> = (0..5000).collect();
+    let order = morton::order(&boxes, &items);
+    let binary = cluster::tree(&boxes, &order, 0);
+    let halved = wide::tree(&binary, |node| (order[node as usize], Kind::Triangles));
+    let [fast, balanced, _] = QUALITIES.map(|quality| cost(&tree(&boxes, quality)));
+    assert!(fast < 0.8 * cost(&halved), "{fast} against {}", cost(&halved));
+    assert!(balanced < 0.75 * cost(&halved), "{balanced} against {}", cost(&halved));
+}

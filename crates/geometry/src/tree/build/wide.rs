@@ -1,0 +1,223 @@
+//! Trees with eight children a node, from binary ones.
+
+use super::Tree;
+use super::binary::Binary;
+use super::cost::{self, Costs, Kind};
+use super::flat::{Flat, FlatNode};
+use crate::Aabb;
+use crate::tree::node::{Child, LEAF, Node, WIDTH};
+use crate::tree::parallel::{self, cut};
+
+/// Subtrees of fewer items are not worth a thread.
+const SERIAL: usize = 1 << 12;
+
+/// The tree that costs least among those that leave out nodes of the binary one.
+/// `item` is the number and the kind of each node that is an item.
+pub(super) fn tree(binary: &Binary, item: impl Fn(u32) -> (u32, Kind) + Sync) -> Tree {
+    let flat = Flat::new(binary, |node| item(node).1);
+    let widener = Widener { binary, flat, item };
+    let all = Part { node: 0, first: 0, count: binary.count() };
+    let size = widener.size(all);
+    let mut tree = Tree {
+        nodes: vec![Node::new(&[]); size.nodes],
+        blocks: vec![[u32::MAX; LEAF]; size.blocks.max(1)],
+        shapes: vec![0; size.shapes],
+        root: None,
+        depth: size.depth,
+    };
+    let (nodes, blocks, shapes) = (&mut tree.nodes, &mut tree.blocks, &mut tree.shapes);
+    let mut out = Out { nodes, blocks, shapes, used: [0; 3] };
+    tree.root = Some(widener.emit(all, &size, &mut out));
+    tree
+}
+
+/// A subtree of the binary tree.
+#[derive(Clone, Copy)]
+struct Part {
+    /// Its first node in depth-first order, if it has any.
+    node: usize,
+    first: usize,
+    count: usize,
+}
+
+/// How much there is below something.
+#[derive(Default)]
+struct Size {
+    nodes: usize,
+    blocks: usize,
+    shapes: usize,
+    depth: usize,
+    /// Of the children, where each is worth a thread.
+    children: Vec<Self>,
+}
+
+impl Size {
+    fn add(&mut self, other: &Self) {
+        self.nodes += other.nodes;
+        self.blocks += other.blocks;
+        self.shapes += other.shapes;
+        self.depth = self.depth.max(other.depth);
+    }
+}
+
+/// Room for a subtree, and how much of the tree lies before it.
+struct Out<'a> {
+    nodes: &'a mut [Node],
+    blocks: &'a mut [[u32; LEAF]],
+    shapes: &'a mut [u32],
+    used: [usize; 3],
+}
+
+impl<'a> Out<'a> {
+    fn cut(&mut self, size: &Size) -> Self {
+        let used = self.used;
+        self.used = [used[0] + size.nodes, used[1] + size.blocks, used[2] + size.shapes];
+        Self {
+            nodes: cut(&mut self.nodes, size.nodes),
+            blocks: cut(&mut self.blocks, size.blocks),
+            shapes: cut(&mut self.shapes, size.shapes),
+            used,
+        }
+    }
+
+    fn node(&mut self) -> (&'a mut Node, Child) {
+        self.used[0] += 1;
+        (&mut cut(&mut self.nodes, 1)[0], Child::node(self.used[0] - 1))
+    }
+
+    fn block(&mut self, items: impl Iterator<Item = u32>) -> Child {
+        let block = &mut cut(&mut self.blocks, 1)[0];
+        block.iter_mut().zip(items).for_each(|(slot, item)| *slot = item);
+        self.used[1] += 1;
+        Child::block(self.used[1] - 1)
+    }
+
+    fn shapes(&mut self, items: impl ExactSizeIterator<Item = u32>) -> Child {
+        let (first, count) = (self.used[2], items.len());
+        let shapes = cut(&mut self.shapes, count);
+        shapes.iter_mut().zip(items).for_each(|(slot, item)| *slot = item);
+        self.used[2] += count;
+        Child::shapes(first, count)
+    }
+}
+
+struct Widener<'a, I> {
+    binary: &'a Binary,
+    flat: Flat,
+    item: I,
+}
+
+impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
+    /// How much a part needs if it gets one place.
+    fn size(&self, part: Part) -> Size {
+        if self.is_leaf(part) {
+            return match self.kind(part) {
+                Kind::Triangles => Size { blocks: 1, ..Size::default() },
+                _ => Size { shapes: part.count, ..Size::default() },
+            };
+        }
+        let parts = self.children(part);
+        let mut size = Size { nodes: 1, ..Size::default() };
+        if part.count < SERIAL {
+            parts.iter().for_each(|&part| size.add(&self.size(part)));
+        } else {
+            size.children = parallel::map(parts.len(), 1, |i| self.size(parts[i]));
+            let children = std::mem::take(&mut size.children);
+            children.iter().for_each(|child| size.add(child));
+            size.children = children;
+        }
+        size.depth += 1;
+        size
+    }
+
+    /// Writes a part that gets one place.
+    fn emit(&self, part: Part, size: &Size, out: &mut Out) -> Child {
+        if self.is_leaf(part) {
+            return self.leaf(part, out);
+        }
+        let (node, child) = out.node();
+        let parts = self.children(part);
+        let mut boxes = [(Aabb::EMPTY, child); WIDTH];
+        for (slot, &part) in boxes.iter_mut().zip(&parts) {
+            slot.0 = self.bounds(part);
+        }
+        if size.children.is_empty() {
+            for (slot, &part) in boxes.iter_mut().zip(&parts) {
+                slot.1 = self.emit(part, size, out);
+            }
+        } else {
+            let tasks = boxes.iter_mut().zip(&parts).zip(&size.children);
+            let tasks = tasks.map(|((slot, &part), size)| (slot, part, size, out.cut(size)));
+            parallel::run(tasks.collect(), |(slot, part, size, mut out)| {
+                slot.1 = self.emit(part, size, &mut out);
+            });
+        }
+        *node = Node::new(&boxes[..parts.len()]);
+        child
+    }
+
+    fn leaf(&self, part: Part, out: &mut Out) -> Child {
+        let items = self.flat.items[part.first..part.first + part.count].iter();
+        let items = items.map(|&node| (self.item)(node).0);
+        match self.kind(part) {
+            Kind::Triangles => out.block(items),
+            _ => out.shapes(items),
+        }
+    }
+
+    /// The parts that get the eight places of a part that is not a leaf.
+    fn children(&self, part: Part) -> Vec<Part> {
+        let mut parts = Vec::with_capacity(WIDTH);
+        self.divide(part, WIDTH, &mut parts);
+        parts
+    }
+
+    fn divide(&self, part: Part, places: usize, parts: &mut Vec<Part>) {
+        let halves = self.halves(part);
+        let costs = halves.map(|half| self.costs(half));
+        let first = cost::shared(&costs[0], &costs[1], places).1;
+        for ((half, costs), places) in halves.into_iter().zip(costs).zip([first, places - first]) {
+            // As few places as cost no more.
+            match (0..places).find(|&i| costs[i] == costs[places - 1]) {
+                Some(fewer @ 1..) => self.divide(half, fewer + 1, parts),
+                _ => parts.push(half),
+            }
+        }
+    }
+
+    fn flat(&self, part: Part) -> Option<&FlatNode> {
+        (part.count > 1).then(|| &self.flat.nodes[part.node])
+    }
+
+    fn is_leaf(&self, part: Part) -> bool {
+        self.flat(part).is_none_or(|node| node.is_leaf)
+    }
+
+    /// The two parts of one that has more than one item.
+    fn halves(&self, part: Part) -> [Part; 2] {
+        let Part { node, first, count } = part;
+        let split = self.flat.nodes[node].split as usize;
+        [
+            Part { node: node + 1, first, count: split },
+            Part { node: node + split, first: first + split, count: count - split },
+        ]
+    }
+
+    fn costs(&self, part: Part) -> Costs {
+        match self.flat(part) {
+            Some(node) => node.costs,
+            None => cost::of_item(self.binary.area(self.flat.items[part.first]), self.kind(part)),
+        }
+    }
+
+    /// The node of the binary tree.
+    fn bounds(&self, part: Part) -> Aabb {
+        let node = self.flat(part).map_or(self.flat.items[part.first], |node| node.node);
+        self.binary.bounds[node as usize].into()
+    }
+
+    /// What the first item is, and in a leaf all.
+    fn kind(&self, part: Part) -> Kind {
+        (self.item)(self.flat.items[part.first]).1
+    }
+}
