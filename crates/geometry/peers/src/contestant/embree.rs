@@ -5,7 +5,6 @@ mod library;
 
 use super::{Built, Contestant, Found};
 use library::{Library, RayHit, Scene};
-use std::sync::Arc;
 use traylib_geometry::Ray;
 
 /// Builders and modes, as the library numbers them.
@@ -16,7 +15,7 @@ const ROBUST: u32 = 1 << 2;
 
 /// Nobody, without a library.
 pub(super) fn all() -> Vec<Contestant> {
-    let Some(library) = Library::find().map(Arc::new) else {
+    let Some(library) = Library::find() else {
         return Vec::new();
     };
     // In robust mode it builds the same tree for either quality.
@@ -26,8 +25,7 @@ pub(super) fn all() -> Vec<Contestant> {
         ("Embree, medium, robust", MEDIUM, ROBUST),
     ];
     let contestant = |(name, quality, flags)| {
-        let library = Arc::clone(&library);
-        Contestant::new(name, move |mesh| Scene::new(&library, mesh, quality, flags))
+        Contestant::new(name, move |mesh| Scene::new(library, mesh, quality, flags))
     };
     settings.map(contestant).into()
 }

@@ -5,7 +5,7 @@ use super::Found;
 use libloading::{Library as Shared, Symbol};
 use std::ffi::{c_char, c_uint, c_void};
 use std::ptr::null;
-use std::sync::Arc;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicIsize, Ordering::Relaxed};
 use traylib_geometry::{Mesh, Ray, Vec3};
 
@@ -71,13 +71,19 @@ impl RayHit {
     }
 }
 
-/// The loaded library; its functions stay as long as it does.
+/// The loaded library. It stays: threads of its own may run on when its scenes are
+/// gone.
 pub(super) struct Library(Shared);
 
 impl Library {
     /// The file that the environment names in `EMBREE4_LIB`, or what the system
     /// finds by the usual names.
-    pub(super) fn find() -> Option<Self> {
+    pub(super) fn find() -> Option<&'static Self> {
+        static LIBRARY: OnceLock<Option<Library>> = OnceLock::new();
+        LIBRARY.get_or_init(Self::load).as_ref()
+    }
+
+    fn load() -> Option<Self> {
         let named = std::env::var("EMBREE4_LIB").ok();
         let usual = ["libembree4.so.4", "libembree4.so", "libembree4.dylib", "embree4.dll"];
         let names = named.map_or(usual.map(String::from).to_vec(), |name| vec![name]);
@@ -95,7 +101,7 @@ impl Library {
 
 /// A committed scene of one mesh, on a device of its own.
 pub(super) struct Scene {
-    library: Arc<Library>,
+    library: &'static Library,
     device: Handle,
     scene: Handle,
     intersect: Query,
@@ -113,7 +119,7 @@ impl Scene {
     /// # Errors
     /// Names of functions that the library lacks, and Embree's own error numbers.
     pub(super) fn new(
-        library: &Arc<Library>,
+        library: &'static Library,
         mesh: &Mesh,
         quality: c_uint,
         flags: c_uint,
@@ -129,7 +135,7 @@ impl Scene {
             }
             let bytes = Box::new(AtomicIsize::new(0));
             let scene = Self {
-                library: Arc::clone(library),
+                library,
                 device,
                 intersect: library.get("rtcIntersect1")?,
                 occluded: library.get("rtcOccluded1")?,
@@ -147,7 +153,7 @@ impl Scene {
     unsafe fn fill(&self, mesh: &Mesh, quality: c_uint, flags: c_uint) -> Result<(), String> {
         type Set = unsafe extern "C" fn(Handle, c_uint);
         type Do = unsafe extern "C" fn(Handle);
-        let library = &self.library;
+        let library = self.library;
         unsafe {
             library.get::<Set>("rtcSetSceneBuildQuality")?(self.scene, quality);
             library.get::<Set>("rtcSetSceneFlags")?(self.scene, flags);
