@@ -4,6 +4,7 @@
 mod check_data;
 mod ci;
 mod compare_integrators;
+mod count_instructions;
 mod layers;
 mod planted;
 mod proofs;
@@ -29,6 +30,8 @@ Usage: cargo xtask TASK [ARGUMENTS]
            every program over every failure scene, judged; --help for more
   compare-integrators [SCENE…] [OPTIONS]
            which integrator reaches which error in which time; --help for more
+  count-instructions [PART…] [OPTIONS]
+           instructions a ray and a triangle, by valgrind; --help for more
   ci       format, clippy, layers, tests, docs and a first picture; stops at
            the first step that fails
 
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         ["prove"] => prove::run(),
         ["planted", ref defects @ ..] => planted::run(defects),
         ["stability", ref arguments @ ..] => stability::run(arguments),
+        ["count-instructions", ref arguments @ ..] => count_instructions::run(arguments),
         ["compare-integrators", ref arguments @ ..] => {
             return compare_integrators::run(arguments).unwrap_or_else(|error| failed(&error));
         }

@@ -19,7 +19,7 @@ fn help_names_every_task() {
     assert!(output.status.success());
     let help = String::from_utf8(output.stdout).unwrap();
     assert!(
-        ["layers", "prove", "planted", "ci"]
+        ["layers", "prove", "planted", "count-instructions", "ci"]
             .iter()
             .all(|task| help.contains(&format!("\n  {task} "))),
         "{help}"
