@@ -98,7 +98,7 @@ impl<C: Contents> Bvh<C> {
 
     /// Bytes that the tree takes, without the caller's own shapes.
     pub fn memory(&self) -> usize {
-        self.tree.memory()
+        self.tree.memory
     }
 
     #[inline]
@@ -120,7 +120,8 @@ impl<'a, C: Contents> Batch<'a> for NearestEach<'a, C> {
         self.rays
     }
     #[inline(always)]
-    fn begin(&self, ray: &'a Ray) -> Self::Visitor {
+    fn begin(&self, index: usize) -> Self::Visitor {
+        let ray = &self.rays[index];
         Leaves { contents: &self.bvh.contents, order: &self.bvh.tree.order, ray, query: Nearest::new(ray) }
     }
     #[inline(always)]
@@ -141,7 +142,8 @@ impl<'a, C: Contents> Batch<'a> for AnyEach<'a, C> {
         self.rays
     }
     #[inline(always)]
-    fn begin(&self, ray: &'a Ray) -> Self::Visitor {
+    fn begin(&self, index: usize) -> Self::Visitor {
+        let ray = &self.rays[index];
         Leaves { contents: &self.bvh.contents, order: &self.bvh.tree.order, ray, query: Any { limit: ray.t_max, found: false } }
     }
     #[inline(always)]

@@ -9,6 +9,7 @@ pub(crate) mod build;
 mod kernel;
 mod lanes;
 pub(crate) mod node;
+mod prefetch;
 pub(crate) mod prepared;
 pub(crate) mod query;
 pub(crate) mod pages;
@@ -22,9 +23,16 @@ pub(crate) use lanes::Passed;
 use crate::{Aabb, Ray, Vec3};
 use block::Block;
 use build::Quality;
-use node::{Child, Node};
+use node::{Child, Content, Node};
+use prefetch::prefetch;
 use pages::Pages;
 use walk::Visitor;
+
+/// Trees of up to so many bytes stay in the cache that a core has for itself.
+const CACHED: usize = 1 << 20;
+
+/// Beyond so many bytes more rays under way at once still gain.
+const LARGE: usize = 16 << 20;
 
 /// Boxes in boxes, with numbers in the innermost.
 #[derive(Clone, Debug)]
@@ -37,7 +45,8 @@ pub(crate) struct Tree {
     /// Levels of nodes.
     pub(crate) depth: usize,
     pub(crate) kernel: Kernel,
-    pub(crate) large: bool,
+    /// Bytes on the heap.
+    pub(crate) memory: usize,
 }
 
 impl Tree {
@@ -51,7 +60,11 @@ impl Tree {
     ) -> Self {
         let built = build::build(boxes, items, |item| corners(item).is_some(), quality);
         let corners_of = |item| corners(item).unwrap_or([Vec3::NAN; 3]);
-        let blocks = built.blocks.iter().map(|&numbers| Block::new(numbers, corners_of)).collect();
+        let blocks: Vec<Block> =
+            built.blocks.iter().map(|&numbers| Block::new(numbers, corners_of)).collect();
+        let memory = size_of_val(&*built.nodes)
+            + size_of_val(&*blocks)
+            + size_of_val(&*built.shapes);
         Self {
             nodes: Pages::new(built.nodes),
             blocks: Pages::new(blocks),
@@ -59,7 +72,7 @@ impl Tree {
             root: built.root,
             depth: built.depth,
             kernel: Kernel::best(),
-            large: boxes.len() > 10_000,
+            memory,
         }
     }
 
@@ -77,22 +90,22 @@ impl Tree {
         }
     }
 
-    #[inline(always)]
-    #[allow(unsafe_code)]
-    pub(crate) fn prefetch(&self, child: Child) {
-        use std::arch::x86_64::*;
-        let (p, n): (*const i8, usize) = match child.open() {
-            node::Content::Node(i) => (self.nodes.as_ptr().wrapping_add(i).cast(), 4),
-            node::Content::Block(i) => (self.blocks.as_ptr().wrapping_add(i).cast(), 3),
-            node::Content::Shapes(_) => return,
-        };
-        for i in 0..n {
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(p.wrapping_add(64 * i)) };
-        }
+    /// Whether it is far larger than what is near a processor, so that rays wait
+    /// for memory more than for anything else.
+    #[inline]
+    pub(crate) fn is_large(&self) -> bool {
+        self.memory > LARGE
     }
 
-    /// Bytes on the heap.
-    pub(crate) fn memory(&self) -> usize {
-        size_of_val(&*self.nodes) + size_of_val(&*self.blocks) + size_of_val(&*self.order)
+    /// Asks for what is in a box, which will be opened soon.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, child: Child) {
+        if self.memory > CACHED {
+            match child.open() {
+                Content::Node(index) => prefetch(&self.nodes[index]),
+                Content::Block(index) => prefetch(&self.blocks[index]),
+                Content::Shapes(_) => {}
+            }
+        }
     }
 }

@@ -1,15 +1,18 @@
-//! Many rays at a time: while one waits for memory, the others go on.
+//! Many rays at a time: while one waits for memory or for a result, others go on.
 
 use super::Tree;
 use super::lanes::Lanes;
-use super::node::{Child, Content};
+use super::node::Child;
 use super::prepared::Prepared;
 use super::stack::{Room, Stack};
-use super::walk::Visitor;
+use super::walk::{Visitor, visit};
 use crate::Ray;
 
-/// Rays that are under way at once.
-pub(crate) const SLOTS: usize = 4;
+/// The most rays under way at once.
+const MOST: usize = 8;
+
+/// So many are best where the tree fits into the caches.
+const FEW: usize = 4;
 
 /// Questions about many rays, and where the answers go.
 pub(crate) trait Batch<'a> {
@@ -17,11 +20,14 @@ pub(crate) trait Batch<'a> {
 
     fn rays(&self) -> &'a [Ray];
 
-    fn begin(&self, ray: &'a Ray) -> Self::Visitor;
+    /// What ray `index` asks of the leaves.
+    fn begin(&self, index: usize) -> Self::Visitor;
 
+    /// Takes the answer for ray `index`, once all its leaves have been visited.
     fn end(&mut self, index: usize, visitor: &Self::Visitor);
 }
 
+/// A ray under way.
 struct Slot<'a, 'r, L, V> {
     index: usize,
     current: Child,
@@ -29,9 +35,9 @@ struct Slot<'a, 'r, L, V> {
     lanes: L,
     visitor: V,
     stack: Stack<'r>,
-    done: bool,
 }
 
+/// Takes all rays to their leaves, each one box further in turn.
 #[inline(always)]
 pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     tree: &Tree,
@@ -40,74 +46,47 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     batch: &mut B,
 ) {
     let rays = batch.rays();
-    let mut next = 0;
-    let mut rooms = [const { Room::new() }; SLOTS];
-    let mut rooms = rooms.iter_mut();
-    let mut slots: Vec<Slot<L, B::Visitor>> = Vec::with_capacity(SLOTS);
-    let mut more = |batch: &B| {
-        while next < rays.len() {
-            next += 1;
-            if rays[next - 1].is_traceable() {
-                let ray = Prepared::new(&rays[next - 1]);
-                return Some((next - 1, ray, lanes(&ray), batch.begin(&rays[next - 1])));
-            }
-        }
-        None
-    };
-    for room in &mut rooms {
-        let Some((index, ray, lanes, visitor)) = more(batch) else { break };
-        slots.push(Slot { index, current: root, ray, lanes, visitor, stack: Stack::new(room), done: false });
+    let mut waiting = (0..rays.len()).filter(|&index| rays[index].is_traceable());
+    let mut rooms = [const { Room::new() }; MOST];
+    let mut slots = Vec::with_capacity(MOST);
+    for room in rooms.iter_mut().take(if tree.is_large() { MOST } else { FEW }) {
+        let Some(index) = waiting.next() else { break };
+        let ray = Prepared::new(&rays[index]);
+        let (lanes, visitor) = (lanes(&ray), batch.begin(index));
+        slots.push(Slot { index, current: root, ray, lanes, visitor, stack: Stack::new(room) });
     }
-    let mut under_way = slots.len();
-    while under_way > 0 {
-        let mut k = 0;
-        for slot in &mut slots[..under_way] {
-            if !step(tree, slot) { continue; }
+    let mut turn = 0;
+    while let Some(slot) = slots.get_mut(turn) {
+        if step(tree, slot) {
+            turn += 1;
+        } else {
             batch.end(slot.index, &slot.visitor);
-            if let Some((index, ray, lanes, visitor)) = more(batch) {
+            if let Some(index) = waiting.next() {
                 slot.index = index;
                 slot.current = root;
-                slot.ray = ray;
-                slot.lanes = lanes;
-                slot.visitor = visitor;
+                slot.ray = Prepared::new(&rays[index]);
+                slot.lanes = lanes(&slot.ray);
+                slot.visitor = batch.begin(index);
                 slot.stack.clear();
             } else {
-                slot.done = true;
-                k += 1;
+                slots.swap_remove(turn);
             }
         }
-        if k > 0 {
-            slots.retain(|slot| !slot.done);
-            under_way = slots.len();
+        if turn >= slots.len() {
+            turn = 0;
         }
     }
 }
 
+/// Opens one box; tells whether there is another.
 #[inline(always)]
 fn step<L: Lanes, V: Visitor>(tree: &Tree, slot: &mut Slot<L, V>) -> bool {
-    match slot.current.open() {
-        Content::Node(index) => {
-            slot.lanes.open(&tree.nodes[index], slot.visitor.limit(), &mut slot.stack);
-        }
-        Content::Block(index) => {
-            let block = &tree.blocks[index];
-            let passed = slot.lanes.pass(block);
-            if passed.mask != 0 && slot.visitor.triangles(&slot.ray, block, &passed).is_break() {
-                return true;
-            }
-        }
-        Content::Shapes(places) => {
-            if slot.visitor.shapes(places).is_break() {
-                return true;
-            }
-        }
+    let Slot { current, ray, lanes, visitor, stack, .. } = slot;
+    if visit(tree, *current, lanes, ray, visitor, stack).is_break() {
+        return false;
     }
-    match slot.stack.pop(slot.visitor.limit()) {
-        Some(next) => {
-            slot.current = next;
-            if tree.large { tree.prefetch(next); }
-            false
-        }
-        None => true,
-    }
+    let Some(next) = stack.pop(visitor.limit()) else { return false };
+    *current = next;
+    tree.prefetch(next);
+    true
 }

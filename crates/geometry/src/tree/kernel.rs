@@ -57,7 +57,7 @@ impl Kernel {
         match self.0 {
             Set::Scalar => {
                 let ray = Prepared::new(ray);
-                walk(&ray, &ray, root, &tree.nodes, &tree.blocks, visitor);
+                walk(tree, root, &ray, &ray, visitor);
             }
             // SAFETY: `available` has seen that the machine has these instructions.
             #[cfg(target_arch = "x86_64")]
@@ -98,7 +98,7 @@ fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) 
     let ray = Prepared::new(ray);
     // SAFETY: this function runs only where SSE4.1 is.
     let lanes = unsafe { Sse41::new(&ray) };
-    walk(black_box(&lanes), &ray, root, &tree.nodes, &tree.blocks, visitor);
+    walk(tree, root, black_box(&lanes), &ray, visitor);
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -107,5 +107,5 @@ fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
     let ray = Prepared::new(ray);
     // SAFETY: this function runs only where AVX2 is.
     let lanes = unsafe { Avx2::new(&ray) };
-    walk(black_box(&lanes), &ray, root, &tree.nodes, &tree.blocks, visitor);
+    walk(tree, root, black_box(&lanes), &ray, visitor);
 }

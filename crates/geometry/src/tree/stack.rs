@@ -81,10 +81,11 @@ impl<'a> Stack<'a> {
         while self.len > 0 {
             self.len -= 1;
             // SAFETY: the first `len` are there, and it was one more.
-            let enter = unsafe { self.room.enter[self.len].assume_init() };
+            let enter = unsafe { self.room.enter.get_unchecked(self.len).assume_init() };
             if enter <= limit {
                 // SAFETY: as above.
-                return Some(unsafe { self.room.children[self.len].assume_init() });
+                let child = unsafe { self.room.children.get_unchecked(self.len).assume_init() };
+                return Some(child);
             }
         }
         None

@@ -1,57 +1,66 @@
 //! The way of a ray through a tree.
 
+use super::Tree;
 use super::block::Block;
 use super::lanes::{Lanes, Passed};
-use super::node::{Child, Content, Node};
+use super::node::{Child, Content};
 use super::prepared::Prepared;
 use super::stack::{Room, Stack};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 /// What a ray does in the leaves it comes to.
 pub(crate) trait Visitor {
     /// Boxes that begin beyond it are left out.
     fn limit(&self) -> f32;
 
-    /// A block of which the ray passes some triangles.
+    /// A block of which the line of the ray passes some triangles.
     fn triangles(&mut self, ray: &Prepared, block: &Block, passed: &Passed) -> ControlFlow<()>;
 
     /// A run of other shapes, as places in the order of the leaves.
-    fn shapes(&mut self, places: std::ops::Range<usize>) -> ControlFlow<()>;
+    fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
 }
 
 /// Takes a ray to all leaves it meets, the nearer boxes of a node first, until the
 /// visitor breaks.
 #[inline(always)]
 pub(crate) fn walk<L: Lanes, V: Visitor>(
+    tree: &Tree,
+    root: Child,
     lanes: &L,
     ray: &Prepared,
-    root: Child,
-    nodes: &[Node],
-    blocks: &[Block],
     visitor: &mut V,
 ) {
     let mut room = Room::new();
     let mut stack = Stack::new(&mut room);
-    let mut current = root;
-    loop {
-        match current.open() {
-            Content::Node(index) => {
-                lanes.open(&nodes[index], visitor.limit(), &mut stack);
-            }
-            Content::Block(index) => {
-                let block = &blocks[index];
-                let passed = lanes.pass(block);
-                if passed.mask != 0 && visitor.triangles(ray, block, &passed).is_break() {
-                    return;
-                }
-            }
-            Content::Shapes(places) => {
-                if visitor.shapes(places).is_break() {
-                    return;
-                }
+    let mut next = Some(root);
+    while let Some(current) = next {
+        if visit(tree, current, lanes, ray, visitor, &mut stack).is_break() {
+            return;
+        }
+        next = stack.pop(visitor.limit());
+    }
+}
+
+/// Opens a box: the boxes in it go on the stack, shapes to the visitor.
+#[inline(always)]
+pub(super) fn visit<L: Lanes, V: Visitor>(
+    tree: &Tree,
+    child: Child,
+    lanes: &L,
+    ray: &Prepared,
+    visitor: &mut V,
+    stack: &mut Stack,
+) -> ControlFlow<()> {
+    match child.open() {
+        Content::Node(index) => lanes.open(&tree.nodes[index], visitor.limit(), stack),
+        Content::Block(index) => {
+            let block = &tree.blocks[index];
+            let passed = lanes.pass(block);
+            if passed.mask != 0 {
+                visitor.triangles(ray, block, &passed)?;
             }
         }
-        let Some(next) = stack.pop(visitor.limit()) else { return };
-        current = next;
+        Content::Shapes(places) => visitor.shapes(places)?,
     }
+    ControlFlow::Continue(())
 }
