@@ -30,6 +30,7 @@ pub(crate) trait Batch<'a> {
 /// A ray under way.
 struct Slot<'a, 'r, L, V> {
     index: usize,
+    next: Option<usize>,
     current: Child,
     ray: Prepared<'a>,
     lanes: L,
@@ -53,15 +54,17 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
         let Some(index) = waiting.next() else { break };
         let ray = Prepared::new(&rays[index]);
         let (lanes, visitor) = (lanes(&ray), batch.begin(index));
-        slots.push(Slot { index, current: root, ray, lanes, visitor, stack: Stack::new(room) });
+        slots.push(Slot { index, next: Some(index), current: root, ray, lanes, visitor, stack: Stack::new(room) });
     }
-    let mut turn = 0;
-    while let Some(slot) = slots.get_mut(turn) {
-        if step(tree, slot) {
-            turn += 1;
-        } else {
+    while !slots.is_empty() {
+        let mut done = false;
+        for slot in &mut slots {
+            if step(tree, slot) {
+                continue;
+            }
             batch.end(slot.index, &slot.visitor);
-            if let Some(index) = waiting.next() {
+            slot.next = waiting.next();
+            if let Some(index) = slot.next {
                 slot.index = index;
                 slot.current = root;
                 slot.ray = Prepared::new(&rays[index]);
@@ -69,11 +72,11 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
                 slot.visitor = batch.begin(index);
                 slot.stack.clear();
             } else {
-                slots.swap_remove(turn);
+                done = true;
             }
         }
-        if turn >= slots.len() {
-            turn = 0;
+        if done {
+            slots.retain(|slot| slot.next.is_some());
         }
     }
 }
