@@ -10,7 +10,7 @@ mod x86;
 pub(crate) use x86::{Avx2, Sse41};
 
 use super::block::Block;
-use super::node::{LEAF, Node, WIDTH};
+use super::node::{Child, LEAF, Node, WIDTH};
 use super::stack::Stack;
 
 /// A ray prepared for tests of many boxes and triangles at once.
@@ -22,6 +22,13 @@ pub(crate) trait Lanes {
     /// against the box: a minimum or a maximum with what is not a number is the
     /// other operand.
     fn open(&self, node: &Node, limit: f32, stack: &mut Stack);
+
+    /// [`open`](Self::open), and the box to open next.
+    #[inline(always)]
+    fn open_next(&self, node: &Node, limit: f32, stack: &mut Stack) -> Option<Child> {
+        self.open(node, limit, stack);
+        stack.pop(limit)
+    }
 
     /// One bit for each triangle that the line of the ray passes, with the edge
     /// functions.

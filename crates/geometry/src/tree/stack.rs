@@ -75,6 +75,14 @@ impl<'a> Stack<'a> {
         self.len += count;
     }
 
+    /// The topmost box.
+    #[inline(always)]
+    pub(crate) fn top(&self) -> Option<Child> {
+        let top = self.len.checked_sub(1)?;
+        // SAFETY: the first `len` are there.
+        Some(unsafe { self.room.children.get_unchecked(top).assume_init() })
+    }
+
     /// The topmost box that begins before `limit`; those beyond are dropped.
     #[inline(always)]
     pub(crate) fn pop(&mut self, limit: f32) -> Option<Child> {

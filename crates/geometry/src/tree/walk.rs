@@ -34,10 +34,16 @@ pub(crate) fn walk<L: Lanes, V: Visitor>(
     let mut stack = Stack::new(&mut room);
     let mut next = Some(root);
     while let Some(current) = next {
-        if visit(tree, current, lanes, ray, visitor, &mut stack).is_break() {
-            return;
+        next = if let Content::Node(index) = current.open() {
+            lanes.open_next(&tree.nodes[index], visitor.limit(), &mut stack)
+        } else if visit(tree, current, lanes, ray, visitor, &mut stack).is_break() {
+            None
+        } else {
+            stack.pop(visitor.limit())
+        };
+        if tree.is_large() && let Some(after_next) = stack.top() {
+            tree.prefetch(after_next);
         }
-        next = stack.pop(visitor.limit());
     }
 }
 

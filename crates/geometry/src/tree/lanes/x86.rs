@@ -8,7 +8,7 @@
 
 use super::{Lanes, Passed, push};
 use crate::tree::block::Block;
-use crate::tree::node::{LEAF, Node, WIDTH};
+use crate::tree::node::{Child, LEAF, Node, WIDTH};
 use crate::tree::prepared::Prepared;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
@@ -21,8 +21,8 @@ pub(crate) struct Avx2 {
     /// Where in a node, in bytes, the near plane of each axis is, and the far one.
     near_plane: [usize; 3],
     far_plane: [usize; 3],
-    /// Three times its number, in each lane.
-    octant: __m256i,
+    /// How far the order of its octant is shifted.
+    order_shift: usize,
     triangles: TriangleRay,
 }
 
@@ -58,16 +58,26 @@ impl Avx2 {
             far: splat(boxes.far),
             near_plane: boxes.near_row.map(|row| row * 32),
             far_plane: boxes.near_row.map(|row| (row ^ 1) * 32),
-            octant: unsafe { _mm256_set1_epi32(3 * boxes.octant as i32) },
+            order_shift: 3 * boxes.octant,
             // SAFETY: AVX2 includes SSE4.1.
             triangles: unsafe { TriangleRay::new(ray) },
         }
     }
 }
 
-impl Lanes for Avx2 {
+/// The boxes of a node that a ray meets, in the order of its octant.
+struct Met {
+    /// By box, not in that order.
+    enter: __m256,
+    /// Which box comes at which place, the farthest first.
+    order: __m256i,
+    /// One bit for each place whose box is met.
+    mask: u32,
+}
+
+impl Avx2 {
     #[inline(always)]
-    fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
+    fn meet(&self, node: &Node, limit: f32) -> Met {
         // SAFETY: `self` shows that the machine has AVX2; a node is aligned to 64
         // bytes and has six rows of 32, at whose starts the offsets are.
         unsafe {
@@ -75,10 +85,12 @@ impl Lanes for Avx2 {
             let from_origin = |offset: usize, axis: usize| {
                 _mm256_sub_ps(*planes.byte_add(offset).cast::<__m256>(), self.origin[axis])
             };
-            let near =
-                |axis: usize| _mm256_mul_ps(from_origin(self.near_plane[axis], axis), self.near[axis]);
-            let far =
-                |axis: usize| _mm256_mul_ps(from_origin(self.far_plane[axis], axis), self.far[axis]);
+            let near = |axis: usize| {
+                _mm256_mul_ps(from_origin(self.near_plane[axis], axis), self.near[axis])
+            };
+            let far = |axis: usize| {
+                _mm256_mul_ps(from_origin(self.far_plane[axis], axis), self.far[axis])
+            };
             // What is not a number leaves the second operand.
             let enter = _mm256_max_ps(
                 _mm256_max_ps(near(0), near(1)),
@@ -90,19 +102,52 @@ impl Lanes for Avx2 {
             );
             let met = _mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave);
             let order = _mm256_load_si256(node.order.as_ptr().cast());
-            let order = _mm256_srlv_epi32(order, self.octant);
-            let mask = _mm256_movemask_ps(_mm256_permutevar8x32_ps(met, order)) as usize;
-            let packed = _mm_cvtsi64_si128(PACK[mask & 0xff] as i64);
-            let order = _mm256_permutevar8x32_epi32(order, _mm256_cvtepu8_epi32(packed));
+            let order = _mm256_srl_epi32(order, _mm_cvtsi32_si128(self.order_shift as i32));
+            let mask = _mm256_movemask_ps(_mm256_permutevar8x32_ps(met, order)) as u32;
+            Met { enter, order, mask }
+        }
+    }
+
+    /// Writes the boxes that are met where the stack goes on, without taking them
+    /// over.
+    #[inline(always)]
+    fn write(node: &Node, met: &Met, stack: &mut Stack) {
+        // SAFETY: a `Met` shows that the machine has AVX2; children are 32 bytes
+        // aligned to 32, and there is spare room for eight numbers each.
+        unsafe {
+            let packed = _mm_cvtsi64_si128(PACK[met.mask as usize & 0xff] as i64);
+            let order = _mm256_permutevar8x32_epi32(met.order, _mm256_cvtepu8_epi32(packed));
             let children = _mm256_load_si256(node.children.as_ptr().cast());
             let (enter_room, child_room) = stack.spare();
-            _mm256_storeu_ps(enter_room.as_mut_ptr().cast(), _mm256_permutevar8x32_ps(enter, order));
-            _mm256_storeu_si256(
-                child_room.as_mut_ptr().cast(),
-                _mm256_permutevar8x32_epi32(children, order),
-            );
-            stack.grow(mask.count_ones() as usize);
+            let enter = _mm256_permutevar8x32_ps(met.enter, order);
+            _mm256_storeu_ps(enter_room.as_mut_ptr().cast(), enter);
+            let children = _mm256_permutevar8x32_epi32(children, order);
+            _mm256_storeu_si256(child_room.as_mut_ptr().cast(), children);
         }
+    }
+}
+
+impl Lanes for Avx2 {
+    #[inline(always)]
+    fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
+        let met = self.meet(node, limit);
+        Self::write(node, &met, stack);
+        // SAFETY: as many were written first as there are bits.
+        unsafe { stack.grow(met.mask.count_ones() as usize) };
+    }
+
+    /// The nearest box does not go through the stack, which would take longer.
+    #[inline(always)]
+    fn open_next(&self, node: &Node, limit: f32, stack: &mut Stack) -> Option<Child> {
+        let met = self.meet(node, limit);
+        let Some(nearest) = met.mask.checked_ilog2() else { return stack.pop(limit) };
+        let lane = (node.order[nearest as usize % WIDTH] >> self.order_shift) as usize % WIDTH;
+        if !met.mask.is_power_of_two() {
+            Self::write(node, &met, stack);
+            // SAFETY: one less than were written.
+            unsafe { stack.grow(met.mask.count_ones() as usize - 1) };
+        }
+        Some(node.children[lane])
     }
 
     #[inline(always)]
