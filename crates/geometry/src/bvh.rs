@@ -91,7 +91,7 @@ impl<C: Contents> Bvh<C> {
         self.tree.walk_each(&mut AnyEach { bvh: self, rays, hits });
     }
 
-    /// The box around all shapes; empty without shapes.
+    /// A box around all shapes; empty without shapes.
     pub fn bounds(&self) -> Aabb {
         self.bounds
     }
@@ -122,7 +122,12 @@ impl<'a, C: Contents> Batch<'a> for NearestEach<'a, C> {
     #[inline(always)]
     fn begin(&self, index: usize) -> Self::Visitor {
         let ray = &self.rays[index];
-        Leaves { contents: &self.bvh.contents, order: &self.bvh.tree.order, ray, query: Nearest::new(ray) }
+        Leaves {
+            contents: &self.bvh.contents,
+            order: &self.bvh.tree.order,
+            ray,
+            query: Nearest::new(ray),
+        }
     }
     #[inline(always)]
     fn end(&mut self, index: usize, visitor: &Self::Visitor) {
@@ -144,7 +149,12 @@ impl<'a, C: Contents> Batch<'a> for AnyEach<'a, C> {
     #[inline(always)]
     fn begin(&self, index: usize) -> Self::Visitor {
         let ray = &self.rays[index];
-        Leaves { contents: &self.bvh.contents, order: &self.bvh.tree.order, ray, query: Any { limit: ray.t_max, found: false } }
+        Leaves {
+            contents: &self.bvh.contents,
+            order: &self.bvh.tree.order,
+            ray,
+            query: Any { limit: ray.t_max, found: false },
+        }
     }
     #[inline(always)]
     fn end(&mut self, index: usize, visitor: &Self::Visitor) {

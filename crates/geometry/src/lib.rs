@@ -6,8 +6,7 @@
 //! // Two triangles: the unit square in the plane z = 0.
 //! let positions = vec![Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
 //! let mesh = Mesh::new(positions, vec![[0, 1, 2], [0, 2, 3]])?;
-//! let triangles = (0..mesh.triangle_count()).filter_map(|i| mesh.triangle(i)).collect();
-//! let bvh = Bvh::build(triangles)?;
+//! let bvh = Bvh::build(&mesh)?;
 //!
 //! let ray = Ray::new(Vec3::new(0.25, 0.75, 2.0), Vec3::NEG_Z);
 //! let hit = bvh.nearest(&ray).expect("the square lies below");
@@ -25,6 +24,10 @@
 //! A ray that leaves a surface starts at [`SurfaceSite::ray_origin`]; the one
 //! that asks whether two surfaces see each other is
 //! [`SurfaceSite::segment_to`].
+
+// The kernels must become part of the functions that are compiled for an instruction
+// set, or they could not use it.
+#![allow(clippy::inline_always)]
 
 mod aabb;
 mod bvh;
@@ -46,8 +49,8 @@ pub use point::SurfaceSite;
 pub use primitive::{Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
 pub use shape::{Cone, Disk, Facing, Quad, Shape, ShapeHit, Sides, Sphere, Triangle};
-pub use tree::build::Quality;
 pub use traylib_math::{Vec2, Vec3, glam};
+pub use tree::build::Quality;
 
 #[cfg(test)]
 mod testing;

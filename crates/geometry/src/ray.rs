@@ -53,9 +53,7 @@ impl Ray {
     pub(crate) fn is_traceable(&self) -> bool {
         // Zero for all numbers, and not a number for what is none or infinite.
         let nothing = 0.0 * self.origin + 0.0 * self.direction;
-        nothing.x + nothing.y + nothing.z == 0.0
-            && self.direction != Vec3::ZERO
-            && self.t_max > 0.0
+        nothing.x + nothing.y + nothing.z == 0.0 && self.direction != Vec3::ZERO && self.t_max > 0.0
     }
 }
 

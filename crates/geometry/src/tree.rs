@@ -9,11 +9,11 @@ pub(crate) mod build;
 mod kernel;
 mod lanes;
 pub(crate) mod node;
+pub(crate) mod pages;
+pub(crate) mod parallel;
 mod prefetch;
 pub(crate) mod prepared;
 pub(crate) mod query;
-pub(crate) mod pages;
-mod parallel;
 mod stack;
 pub(crate) mod walk;
 
@@ -24,9 +24,12 @@ use crate::{Aabb, Ray, Vec3};
 use block::Block;
 use build::Quality;
 use node::{Child, Content, Node};
-use prefetch::prefetch;
 use pages::Pages;
+use prefetch::prefetch;
 use walk::Visitor;
+
+/// Blocks, or triangles, that a thread takes at once.
+pub(crate) const GRAIN: usize = 1 << 12;
 
 /// Trees of up to so many bytes stay in the cache that a core has for itself.
 const CACHED: usize = 1 << 20;
@@ -43,6 +46,7 @@ pub(crate) struct Tree {
     pub(crate) order: Vec<u32>,
     root: Option<Child>,
     /// Levels of nodes.
+    #[cfg(test)]
     pub(crate) depth: usize,
     pub(crate) kernel: Kernel,
     /// Bytes on the heap.
@@ -55,21 +59,22 @@ impl Tree {
     pub(crate) fn new(
         boxes: &[Aabb],
         items: Vec<u32>,
-        corners: impl Fn(u32) -> Option<[Vec3; 3]> + Sync,
+        corners: impl Fn(u32) -> Option<[Vec3; 3]> + Send + Sync,
         quality: Quality,
     ) -> Self {
         let built = build::build(boxes, items, |item| corners(item).is_some(), quality);
         let corners_of = |item| corners(item).unwrap_or([Vec3::NAN; 3]);
-        let blocks: Vec<Block> =
-            built.blocks.iter().map(|&numbers| Block::new(numbers, corners_of)).collect();
-        let memory = size_of_val(&*built.nodes)
-            + size_of_val(&*blocks)
-            + size_of_val(&*built.shapes);
+        let blocks = parallel::map(built.blocks.len(), GRAIN, |block| {
+            Block::new(built.blocks[block], corners_of)
+        });
+        let memory =
+            size_of_val(&*built.nodes) + size_of_val(&*blocks) + size_of_val(&*built.shapes);
         Self {
             nodes: Pages::new(built.nodes),
             blocks: Pages::new(blocks),
             order: built.shapes,
             root: built.root,
+            #[cfg(test)]
             depth: built.depth,
             kernel: Kernel::best(),
             memory,

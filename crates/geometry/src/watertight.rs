@@ -107,6 +107,14 @@ impl Flat {
     pub(crate) fn reaches(&self, limit: f32) -> bool {
         greatest(self.depths) > 0.0 && least(self.depths) < limit
     }
+
+    /// `t`, or that of the nearest or farthest corner if it is beyond.
+    #[inline]
+    fn within(&self, t: f32) -> f32 {
+        let (first, last) = (least(self.depths), greatest(self.depths));
+        let t = if t < first { first } else { t };
+        if t > last { last } else { t }
+    }
 }
 
 /// Where a ray that passes inside a triangle meets it, with the barycentric
@@ -126,9 +134,7 @@ pub(crate) fn meet(ray: &Ray, corners: [DVec3; 3], flat: &Flat) -> Option<ShapeH
         return None;
     }
     let t = ((a - ray.origin.as_dvec3()).dot(normal) / slope) as f32;
-    let (first, last) = (least(flat.depths), greatest(flat.depths));
-    let t = if t < first { first } else { t };
-    let t = if t > last { last } else { t };
+    let t = flat.within(t);
     ray.contains(t).then(|| ShapeHit { t, u: of_b / sum, v: of_c / sum })
 }
 
@@ -138,8 +144,8 @@ pub(crate) fn meet_coarsely(ray: &Ray, flat: &Flat) -> Option<ShapeHit> {
     let [of_a, of_b, of_c] = flat.edges;
     let [ta, tb, tc] = flat.depths;
     let reciprocal = 1.0 / (of_a + of_b + of_c);
-    let t = (of_a * ta + of_b * tb + of_c * tc) * reciprocal;
-    ray.contains(t).then(|| ShapeHit { t, u: of_b * reciprocal, v: of_c * reciprocal })
+    let t = flat.within((of_a * ta + of_b * tb + of_c * tc) * reciprocal);
+    ray.contains(t).then_some(ShapeHit { t, u: of_b * reciprocal, v: of_c * reciprocal })
 }
 
 /// The normal of the front, as long as twice the area.

@@ -154,7 +154,7 @@ impl SceneBuilder {
         let powers: Vec<f32> = self.lights.iter().map(|l| l.power().luminance()).collect();
         let light_by_power = DiscreteDistribution::new(&powers).ok_or(Error::Dark)?;
         let light_tree = LightTree::new(&self.lights);
-        let shapes = Bvh::build(self.shapes)?;
+        let shapes = Bvh::of_shapes(self.shapes)?;
         let see_through = self.materials.iter().any(Material::is_see_through);
         Ok(Scene {
             camera: self.camera,

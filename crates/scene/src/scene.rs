@@ -2,7 +2,7 @@
 
 use crate::light_tree::LightTree;
 use crate::{Camera, Light, LightPoint, SurfacePoint};
-use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, SidedPrimitive};
+use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, Shapes, SidedPrimitive};
 use traylib_materials::{Material, Shading, Site};
 use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3, planted};
 
@@ -24,7 +24,7 @@ pub(crate) struct Surface {
 #[derive(Debug)]
 pub struct Scene {
     pub(crate) camera: Camera,
-    pub(crate) shapes: Bvh<SidedPrimitive>,
+    pub(crate) shapes: Bvh<Shapes<SidedPrimitive>>,
     pub(crate) surfaces: Vec<Surface>,
     pub(crate) materials: Vec<Material>,
     /// Whether light passes straight through any of them.

@@ -1,5 +1,6 @@
 //! What a tree can hold.
 
+use crate::precise::DVec3;
 use crate::shape::ShapeHit;
 use crate::tree::Passed;
 use crate::tree::block::Block;
@@ -8,7 +9,6 @@ use crate::tree::prepared::Prepared;
 use crate::tree::query::Query;
 use crate::tree::walk::Visitor;
 use crate::watertight::Flat;
-use crate::precise::DVec3;
 use crate::{Hit, Ray};
 use std::ops::{ControlFlow, Range};
 
@@ -60,12 +60,7 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
     }
 
     #[inline(always)]
-    fn triangles(
-        &mut self,
-        ray: &Prepared,
-        block: &Block,
-        passed: &Passed,
-    ) -> ControlFlow<()> {
+    fn triangles(&mut self, ray: &Prepared, block: &Block, passed: &Passed) -> ControlFlow<()> {
         let mut mask = passed.mask;
         while mask != 0 {
             let lane = mask.trailing_zeros() as usize % LEAF;

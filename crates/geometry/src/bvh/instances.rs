@@ -1,7 +1,7 @@
 //! Trees placed in a larger one.
 
-use super::contents::{Contents, Holds};
 use super::Bvh;
+use super::contents::{Contents, Holds};
 use super::widened;
 use crate::precise::DVec3;
 use crate::shape::ShapeHit;

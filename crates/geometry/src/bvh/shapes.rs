@@ -27,8 +27,7 @@ impl<S: Shape> Bvh<Shapes<S>> {
         let bounds: Vec<Aabb> = shapes.iter().map(S::bounds).collect();
         let (boxes, bounds) = sound(&bounds)?;
         let items = (0..shapes.len() as u32).collect();
-        let tree =
-            Tree::new(&boxes, items, |i| shapes[i as usize].corners(), Quality::default());
+        let tree = Tree::new(&boxes, items, |i| shapes[i as usize].corners(), Quality::default());
         Ok(Self { tree, contents: Shapes(shapes), bounds })
     }
 

@@ -4,10 +4,10 @@ use super::contents::Holds;
 use super::{Bvh, Options, Precision, check_count, widened};
 use crate::precise::DVec3;
 use crate::shape::ShapeHit;
-use crate::tree::Tree;
 use crate::tree::query::Query;
+use crate::tree::{GRAIN, Tree, parallel};
 use crate::watertight::{self, Flat};
-use crate::{Aabb, Error, Mesh, Ray, Triangle};
+use crate::{Aabb, Error, Mesh, Ray, Triangle, Vec3};
 use std::ops::ControlFlow;
 
 /// What a [`Bvh`] of a mesh holds: its triangles, whose corners are in the tree.
@@ -35,13 +35,17 @@ impl Bvh {
         check_count(mesh.triangle_count())?;
         let corners = |i: u32| mesh.corner_positions(i as usize);
         let count = mesh.triangle_count() as u32;
-        let boxes: Vec<Aabb> = (0..count).map(|i| widened(&Aabb::around(corners(i)))).collect();
-        let items: Vec<u32> =
-            (0..count).filter(|&i| Triangle::has_area(corners(i))).collect();
-        let bounds = Aabb::around(items.iter().flat_map(|&i| corners(i)));
+        let boxes = parallel::map(count as usize, GRAIN, |i| bounds(corners(i as u32)));
+        let items: Vec<u32> = (0..count).filter(|&i| !boxes[i as usize].is_empty()).collect();
+        let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
         let tree = Tree::new(&boxes, items, |i| Some(corners(i)), options.quality);
         Ok(Self { tree, contents: Triangles { count, precision: options.precision }, bounds })
     }
+}
+
+/// The box around a triangle, with room for rounding; empty without area.
+fn bounds(corners: [Vec3; 3]) -> Aabb {
+    if Triangle::has_area(corners) { widened(&Aabb::around(corners)) } else { Aabb::EMPTY }
 }
 
 impl Holds for Triangles {

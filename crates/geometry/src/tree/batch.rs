@@ -54,7 +54,15 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
         let Some(index) = waiting.next() else { break };
         let ray = Prepared::new(&rays[index]);
         let (lanes, visitor) = (lanes(&ray), batch.begin(index));
-        slots.push(Slot { index, next: Some(index), current: root, ray, lanes, visitor, stack: Stack::new(room) });
+        slots.push(Slot {
+            index,
+            next: Some(index),
+            current: root,
+            ray,
+            lanes,
+            visitor,
+            stack: Stack::new(room),
+        });
     }
     while !slots.is_empty() {
         let mut done = false;

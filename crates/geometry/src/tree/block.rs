@@ -50,7 +50,8 @@ impl Block {
     /// The corners of one of its triangles.
     #[inline]
     pub(crate) fn triangle(&self, lane: usize) -> [Vec3; 3] {
-        let corner = |rows: &[[f32; LEAF]; 3]| Vec3::from_array(rows.each_ref().map(|row| row[lane]));
+        let corner =
+            |rows: &[[f32; LEAF]; 3]| Vec3::from_array(rows.each_ref().map(|row| row[lane]));
         self.corners.each_ref().map(corner)
     }
 }

@@ -5,10 +5,10 @@
 use super::Tree;
 use super::batch::{Batch, walk_each};
 use super::node::Child;
-use std::hint::black_box;
-use super::walk::{Visitor, walk};
 use super::prepared::Prepared;
+use super::walk::{Visitor, walk};
 use crate::Ray;
+use std::hint::black_box;
 
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Sse41};

@@ -43,7 +43,7 @@ pub(crate) struct Passed {
 
 /// Puts the boxes whose bit is set on the stack.
 #[inline(always)]
-fn push(node: &Node, octant: usize, enter: &[f32; WIDTH], mask: u32, stack: &mut Stack) {
+fn push(node: &Node, octant: i32, enter: &[f32; WIDTH], mask: u32, stack: &mut Stack) {
     for word in node.order {
         let lane = (word >> (3 * octant)) as usize % WIDTH;
         if mask >> lane & 1 != 0 {

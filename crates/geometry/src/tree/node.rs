@@ -103,7 +103,8 @@ fn order(boxes: &[(Aabb, Child)]) -> [u32; WIDTH] {
     for octant in 0..8 {
         let sign = |axis: usize| if octant >> axis & 1 == 0 { 1.0 } else { -1.0 };
         let toward = Vec3::new(sign(0), sign(1), sign(2));
-        let depth = |lane: usize| boxes.get(lane).map_or(f32::INFINITY, |b| b.0.centre().dot(toward));
+        let depth =
+            |lane: usize| boxes.get(lane).map_or(f32::INFINITY, |b| b.0.centre().dot(toward));
         let mut lanes: [usize; WIDTH] = std::array::from_fn(|lane| lane);
         lanes.sort_by(|&i, &j| depth(j).total_cmp(&depth(i)));
         for (word, lane) in packed.iter_mut().zip(lanes) {

@@ -38,7 +38,9 @@ impl<T: Copy> Large<T> {
     /// A copy of `list`, which the layout has room for.
     fn new(list: &[T], layout: Layout) -> Self {
         // SAFETY: the layout is that of at least one page.
-        let Some(start) = NonNull::new(unsafe { alloc(layout) }) else { handle_alloc_error(layout) };
+        let Some(start) = NonNull::new(unsafe { alloc(layout) }) else {
+            handle_alloc_error(layout)
+        };
         advise(start, layout.size());
         let start = start.cast::<T>();
         // SAFETY: the new memory is as long as the list, aligned to a page, and

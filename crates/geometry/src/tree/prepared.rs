@@ -31,7 +31,7 @@ pub(crate) struct BoxRay {
     /// neighbour.
     pub(crate) near_row: [usize; 3],
     /// See [`Node::order`](super::node::Node).
-    pub(crate) octant: usize,
+    pub(crate) octant: i32,
 }
 
 impl BoxRay {
@@ -40,13 +40,15 @@ impl BoxRay {
         const MARGIN: f32 = 4.0 * f32::EPSILON;
         let reciprocal = ray.direction.recip();
         // The reciprocal of −0 is negative: sign and order agree.
-        let backward = reciprocal.to_array().map(|r| usize::from(r < 0.0));
+        let backward = reciprocal.to_array().map(|r| r < 0.0);
         Self {
             origin: ray.origin.to_array(),
             near: (reciprocal * (1.0 - MARGIN)).to_array(),
             far: (reciprocal * (1.0 + MARGIN)).to_array(),
-            near_row: std::array::from_fn(|axis| 2 * axis + backward[axis]),
-            octant: backward[0] | backward[1] << 1 | backward[2] << 2,
+            near_row: std::array::from_fn(|axis| 2 * axis + usize::from(backward[axis])),
+            octant: i32::from(backward[0])
+                | i32::from(backward[1]) << 1
+                | i32::from(backward[2]) << 2,
         }
     }
 }

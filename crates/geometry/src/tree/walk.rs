@@ -41,7 +41,9 @@ pub(crate) fn walk<L: Lanes, V: Visitor>(
         } else {
             stack.pop(visitor.limit())
         };
-        if tree.is_large() && let Some(after_next) = stack.top() {
+        if tree.is_large()
+            && let Some(after_next) = stack.top()
+        {
             tree.prefetch(after_next);
         }
     }

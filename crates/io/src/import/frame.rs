@@ -8,7 +8,7 @@
 use super::model::ModelCamera;
 use super::thing::Thing;
 use std::f32::consts::{PI, TAU};
-use traylib_geometry::{Aabb, Bvh, Primitive, Ray, SidedPrimitive, Vec2, Vec3};
+use traylib_geometry::{Aabb, Bvh, Primitive, Ray, Shapes, SidedPrimitive, Vec2, Vec3};
 use traylib_math::glam::DVec3;
 
 /// Of all directions from the middle, how many must meet something for it to be
@@ -70,12 +70,12 @@ pub(super) fn up(things: &[Thing], bounds: &Aabb) -> Vec3 {
 /// The camera, for a picture this much wider than high.
 pub(super) fn camera(things: &[Thing], bounds: &Aabb, up: Vec3, aspect: f32) -> ModelCamera {
     let primitives: Vec<SidedPrimitive> = things.iter().flat_map(Thing::primitives).collect();
-    let inside = Bvh::build(primitives).ok().and_then(|shapes| inside(&shapes, bounds, up));
+    let inside = Bvh::of_shapes(primitives).ok().and_then(|shapes| inside(&shapes, bounds, up));
     inside.unwrap_or_else(|| outside(bounds, up, aspect))
 }
 
 /// A camera among what is all around; `None` if that is not so.
-fn inside(shapes: &Bvh<SidedPrimitive>, bounds: &Aabb, up: Vec3) -> Option<ModelCamera> {
+fn inside(shapes: &Bvh<Shapes<SidedPrimitive>>, bounds: &Aabb, up: Vec3) -> Option<ModelCamera> {
     let centre = bounds.centre();
     let way = |direction| shapes.nearest(&Ray::new(centre, direction)).map(|hit| hit.t);
     let met = (0..DIRECTIONS).filter(|&index| way(direction(index, up)).is_some()).count();

@@ -5,7 +5,7 @@ use crate::{Bvh, Mesh};
 /// Rays from `origin` aimed exactly at corners and at points of edges of a
 /// closed mesh that do not find it.
 fn leaks(mesh: &Mesh, origin: Vec3, random: &mut Random) -> usize {
-    let bvh = Bvh::build(triangles(mesh)).unwrap();
+    let bvh = Bvh::of_shapes(triangles(mesh)).unwrap();
     let misses = |target: Vec3| usize::from(!bvh.any_hit(&Ray::new(origin, target - origin)));
     let corners = mesh.positions().iter().map(|&p| misses(p)).sum::<usize>();
     let mut edges = 0;

@@ -5,6 +5,9 @@
 //! is compiled for those instructions.
 
 #![allow(unsafe_code)]
+// Nodes and blocks are aligned to what is read of them; the names of the instructions
+// tell where they come from.
+#![allow(clippy::cast_ptr_alignment, clippy::wildcard_imports)]
 
 use super::{Lanes, Passed, push};
 use crate::tree::block::Block;
@@ -22,7 +25,7 @@ pub(crate) struct Avx2 {
     near_plane: [usize; 3],
     far_plane: [usize; 3],
     /// How far the order of its octant is shifted.
-    order_shift: usize,
+    order_shift: i32,
     triangles: TriangleRay,
 }
 
@@ -102,7 +105,7 @@ impl Avx2 {
             );
             let met = _mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave);
             let order = _mm256_load_si256(node.order.as_ptr().cast());
-            let order = _mm256_srl_epi32(order, _mm_cvtsi32_si128(self.order_shift as i32));
+            let order = _mm256_srl_epi32(order, _mm_cvtsi32_si128(self.order_shift));
             let mask = _mm256_movemask_ps(_mm256_permutevar8x32_ps(met, order)) as u32;
             Met { enter, order, mask }
         }
@@ -115,7 +118,7 @@ impl Avx2 {
         // SAFETY: a `Met` shows that the machine has AVX2; children are 32 bytes
         // aligned to 32, and there is spare room for eight numbers each.
         unsafe {
-            let packed = _mm_cvtsi64_si128(PACK[met.mask as usize & 0xff] as i64);
+            let packed = _mm_cvtsi64_si128(PACK[met.mask as usize & 0xff].cast_signed());
             let order = _mm256_permutevar8x32_epi32(met.order, _mm256_cvtepu8_epi32(packed));
             let children = _mm256_load_si256(node.children.as_ptr().cast());
             let (enter_room, child_room) = stack.spare();
@@ -162,7 +165,7 @@ pub(crate) struct Sse41 {
     near: [__m128; 3],
     far: [__m128; 3],
     near_row: [usize; 3],
-    octant: usize,
+    octant: i32,
     triangles: TriangleRay,
 }
 
@@ -192,10 +195,10 @@ impl Sse41 {
         // bytes and has six rows of twice 16, which `near_row` counts.
         unsafe {
             let rows = node.planes.as_ptr().cast::<__m128>().add(half);
-            let plane =
-                |row: usize, axis: usize| _mm_sub_ps(*rows.add(2 * row), self.origin[axis]);
+            let plane = |row: usize, axis: usize| _mm_sub_ps(*rows.add(2 * row), self.origin[axis]);
             let near = |axis: usize| _mm_mul_ps(plane(self.near_row[axis], axis), self.near[axis]);
-            let far = |axis: usize| _mm_mul_ps(plane(self.near_row[axis] ^ 1, axis), self.far[axis]);
+            let far =
+                |axis: usize| _mm_mul_ps(plane(self.near_row[axis] ^ 1, axis), self.far[axis]);
             // What is not a number leaves the second operand.
             let enter =
                 _mm_max_ps(_mm_max_ps(near(0), near(1)), _mm_max_ps(near(2), _mm_setzero_ps()));
@@ -265,8 +268,7 @@ impl TriangleRay {
             let zero = _mm_setzero_ps();
             let rows = block.corners.as_ptr();
             let corner = |number: usize| {
-                let coordinate =
-                    |i: usize| {
+                let coordinate = |i: usize| {
                     let row = rows.add(number).byte_add(self.axes[i]).cast::<__m128>();
                     _mm_sub_ps(*row, self.origin[i])
                 };

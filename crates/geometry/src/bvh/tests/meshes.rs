@@ -1,0 +1,101 @@
+//! Trees over meshes find what asking each triangle finds.
+
+use crate::bvh::*;
+use crate::testing::{Random, icosphere};
+use crate::{Mesh, Sides};
+
+fn brute_force(mesh: &Mesh, ray: &Ray) -> Option<Hit> {
+    let hits = (0..mesh.triangle_count()).filter_map(|i| {
+        let hit = mesh.triangle(i)?.intersect(ray, Sides::Both)?;
+        Some(Hit { t: hit.t, primitive: i as u32, u: hit.u, v: hit.v })
+    });
+    hits.min_by(|a, b| a.t.total_cmp(&b.t))
+}
+
+fn soup(count: usize, random: &mut Random) -> Mesh {
+    let positions: Vec<Vec3> = (0..count)
+        .flat_map(|_| {
+            let (place, size) = (random.point(), 0.01 + random.number());
+            [place, place + size * random.point(), place + size * random.point()]
+        })
+        .collect();
+    let triangles = (0..count as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    Mesh::new(positions, triangles).unwrap()
+}
+
+#[test]
+fn a_mesh_is_met_as_its_triangles_are() {
+    let mut random = Random::new(21);
+    for count in [0, 1, 2, 3, 4, 5, 9, 30, 300] {
+        let mesh = soup(count, &mut random);
+        for quality in [Quality::Fast, Quality::Balanced, Quality::Best] {
+            let options = Options { quality, ..Options::default() };
+            let bvh = Bvh::build_with(&mesh, options).unwrap();
+            for _ in 0..if cfg!(miri) { 5 } else { 1000 } {
+                let ray = Ray::new(random.point(), random.direction());
+                assert_eq!(bvh.nearest(&ray), brute_force(&mesh, &ray), "{ray:?}");
+            }
+        }
+    }
+}
+
+/// t of the fast form is a sum of three products over their sum.
+#[test]
+fn the_fast_form_finds_nearly_the_same() {
+    let mut random = Random::new(22);
+    let mesh = icosphere(3);
+    let fast = Options { precision: Precision::Fast, ..Options::default() };
+    let (exact, fast) = (Bvh::build(&mesh).unwrap(), Bvh::build_with(&mesh, fast).unwrap());
+    for _ in 0..if cfg!(miri) { 10 } else { 20_000 } {
+        let ray = Ray::new(0.5 * random.point(), random.direction());
+        let (Some(a), Some(b)) = (exact.nearest(&ray), fast.nearest(&ray)) else {
+            panic!("the ball is closed: {ray:?}")
+        };
+        assert!((a.t - b.t).abs() < 1e-5 * a.t, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn all_hits_come_in_order() {
+    let mesh = Mesh::new(
+        (0..4_u8)
+            .flat_map(|i| [0.0, 1.0, 2.0].map(|x| Vec3::new(x, x * x, f32::from(i % 3))))
+            .collect(),
+        (0..4).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
+    )
+    .unwrap();
+    let bvh = Bvh::build(&mesh).unwrap();
+    let ray = Ray { t_max: 2.5, ..Ray::new(Vec3::new(1.0, 1.5, -1.0), Vec3::Z) };
+    let all: Vec<(f32, u32)> = bvh.all_hits(&ray).iter().map(|h| (h.t, h.primitive)).collect();
+    assert_eq!(all, [(1.0, 0), (1.0, 3), (2.0, 1)]);
+}
+
+#[test]
+fn triangles_without_area_are_never_hit() {
+    let positions = vec![Vec3::ZERO, Vec3::X, 2.0 * Vec3::X, Vec3::Y];
+    let mesh = Mesh::new(positions, vec![[0, 1, 2], [0, 0, 1], [0, 1, 3]]).unwrap();
+    let bvh = Bvh::build(&mesh).unwrap();
+    let down = |x, y| bvh.nearest(&Ray::new(Vec3::new(x, y, 1.0), Vec3::NEG_Z));
+    assert_eq!(down(0.25, 0.0).map(|h| h.primitive), Some(2));
+    assert_eq!(down(1.5, 0.0), None);
+    let flat = Mesh::new(vec![Vec3::ONE; 3], vec![[0, 1, 2]]).unwrap();
+    let flat = Bvh::build(&flat).unwrap();
+    assert!(flat.bounds().is_empty() && !flat.any_hit(&Ray::new(Vec3::ZERO, Vec3::ONE)));
+}
+
+/// Lists of hits may be longer or shorter than those of rays.
+#[test]
+fn batches_answer_each_ray() {
+    let mesh = icosphere(2);
+    let bvh = Bvh::build(&mesh).unwrap();
+    let mut random = Random::new(23);
+    let mut rays: Vec<Ray> =
+        (0..21).map(|_| Ray::new(2.0 * random.point(), random.direction())).collect();
+    rays[3].direction = Vec3::ZERO;
+    rays[20].origin = Vec3::NAN;
+    for count in [0, 1, 2, 3, 5, 8, 9, 21] {
+        let mut hits = vec![bvh.nearest(&Ray::new(Vec3::ZERO, Vec3::X)); count];
+        bvh.nearest_each(&rays[..count], &mut hits);
+        assert!(hits.iter().zip(&rays).all(|(hit, ray)| *hit == bvh.nearest(ray)));
+    }
+}
