@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &[&str]) -> Result<()> {
     for case in cases(&bench)?.iter().filter(|case| options.wants(case)) {
         let count = count(&bench, case)?;
         table::print_row(case, &count, before.as_ref());
-        counted.insert(case, count);
+        counted.insert(case, &count);
     }
     ensure!(!counted.is_empty(), "no case has such a name");
     options.save.as_deref().map_or(Ok(()), |file| counted.write(file))

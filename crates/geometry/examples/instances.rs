@@ -19,8 +19,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("forty, stored once:    {:7} bytes and the chair", room.memory());
     println!("forty, copied:         {:7} bytes", copied.memory());
 
-    for x in [0.5, 2.5, 4.5] {
-        let ray = Ray::new(Vec3::new(x, 4.0, -1.0), Vec3::new(0.02, -0.8, 1.0));
+    let eye = Vec3::new(3.5, 4.0, -2.0);
+    for at in places().step_by(13) {
+        let seat = at.transform_point3(Vec3::new(0.1, 0.46, 0.2));
+        let ray = Ray::new(eye, seat - eye);
         let Some(hit) = room.nearest(&ray) else { continue };
         // Copies are numbered one after the other, here as there.
         assert_eq!(copied.nearest(&ray).map(|hit| hit.primitive), Some(hit.primitive));

@@ -45,7 +45,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let eye = Vec3::new(0.0, 1.5, 6.0);
     for x in [-2.0, -1.0, 0.0, 0.5, 2.0, 9.0] {
-        let ray = Ray::segment(eye, Vec3::new(3.0 * x, 0.5, -6.0)); // Double that far.
+        // The sail hangs higher than all else.
+        let target = Vec3::new(x, if x == 0.5 { 1.7 } else { 0.5 }, 0.0);
+        let ray = Ray::new(eye, target - eye);
         match bvh.nearest(&ray) {
             Some(hit) => println!("{x:4}: {} at {}", names[hit.primitive as usize], ray.at(hit.t)),
             None => println!("{x:4}: nothing"),

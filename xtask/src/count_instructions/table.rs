@@ -44,7 +44,7 @@ impl Count {
 pub(super) struct Table(Map<String, Value>);
 
 impl Table {
-    pub(super) fn insert(&mut self, case: &str, count: Count) {
+    pub(super) fn insert(&mut self, case: &str, count: &Count) {
         self.0.insert(case.to_owned(), count.to_json());
     }
 

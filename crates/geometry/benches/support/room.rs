@@ -30,7 +30,7 @@ impl Room {
         Self::new("small", 1)
     }
 
-    /// About seventy thousand triangles.
+    /// About sixty thousand triangles.
     pub(crate) fn medium() -> Result<Self, Error> {
         Self::new("medium", 13)
     }

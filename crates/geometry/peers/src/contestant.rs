@@ -12,8 +12,10 @@ use traylib_geometry::{Mesh, Ray};
 /// A library in one of its settings.
 pub(crate) struct Contestant {
     pub(crate) name: &'static str,
-    build: Box<dyn Fn(&Mesh) -> Result<Box<dyn Built>, String>>,
+    build: Box<Build>,
 }
+
+type Build = dyn Fn(&Mesh) -> Result<Box<dyn Built>, String>;
 
 /// A mesh, ready to be asked.
 ///

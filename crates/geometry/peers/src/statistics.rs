@@ -32,7 +32,7 @@ impl Median {
 /// The k-th value is above the median when fewer than k values are below it, which
 /// has the probability of fewer than k heads in `n` throws.
 fn places_cut(n: usize) -> usize {
-    let mut exactly = 0.5_f64.powi(n as i32);
+    let mut exactly = 0.5_f64.powf(n as f64);
     let mut at_most = exactly;
     let mut heads = 0;
     while 2.0 * at_most <= 1.0 - CONFIDENCE {

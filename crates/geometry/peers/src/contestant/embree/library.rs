@@ -103,7 +103,7 @@ impl Library {
 pub(super) struct Scene {
     library: &'static Library,
     device: Handle,
-    scene: Handle,
+    handle: Handle,
     intersect: Query,
     occluded: Query,
     bytes: Box<AtomicIsize>,
@@ -139,7 +139,7 @@ impl Scene {
                 device,
                 intersect: library.get("rtcIntersect1")?,
                 occluded: library.get("rtcOccluded1")?,
-                scene: {
+                handle: {
                     monitor(library, device, &bytes)?;
                     new_scene(device)
                 },
@@ -155,8 +155,8 @@ impl Scene {
         type Do = unsafe extern "C" fn(Handle);
         let library = self.library;
         unsafe {
-            library.get::<Set>("rtcSetSceneBuildQuality")?(self.scene, quality);
-            library.get::<Set>("rtcSetSceneFlags")?(self.scene, flags);
+            library.get::<Set>("rtcSetSceneBuildQuality")?(self.handle, quality);
+            library.get::<Set>("rtcSetSceneFlags")?(self.handle, flags);
             let new: unsafe extern "C" fn(Handle, c_uint) -> Handle =
                 library.get("rtcNewGeometry")?;
             let attach: unsafe extern "C" fn(Handle, Handle) -> c_uint =
@@ -167,9 +167,9 @@ impl Scene {
             self.copy(geometry, VERTEX, FLOAT3, &positions)?;
             self.copy(geometry, INDEX, UINT3, mesh.triangles())?;
             library.get::<Do>("rtcCommitGeometry")?(geometry);
-            attach(self.scene, geometry);
+            attach(self.handle, geometry);
             library.get::<Do>("rtcReleaseGeometry")?(geometry);
-            library.get::<Do>("rtcCommitScene")?(self.scene);
+            library.get::<Do>("rtcCommitScene")?(self.handle);
         }
         self.check()
     }
@@ -208,14 +208,14 @@ impl Scene {
     #[inline]
     pub(super) fn intersect(&self, query: &mut RayHit) {
         // SAFETY: the scene is committed, the query laid out and aligned as documented.
-        unsafe { (self.intersect)(self.scene, query, null()) }
+        unsafe { (self.intersect)(self.handle, query, null()) }
     }
 
     /// Embree marks a ray that meets anything by an end at −∞.
     #[inline]
     pub(super) fn occluded(&self, query: &mut RayHit) -> bool {
         // SAFETY: as above.
-        unsafe { (self.occluded)(self.scene, query, null()) };
+        unsafe { (self.occluded)(self.handle, query, null()) };
         query.t_far == f32::NEG_INFINITY
     }
 
@@ -230,8 +230,8 @@ unsafe fn monitor(library: &Library, device: Handle, sum: &AtomicIsize) -> Resul
     type SetMonitor = unsafe extern "C" fn(Handle, Option<Monitor>, *mut c_void);
     let sum = std::ptr::from_ref(sum).cast_mut().cast();
     unsafe {
-        library.get::<SetMonitor>("rtcSetDeviceMemoryMonitorFunction")?(device, Some(count), sum)
-    };
+        library.get::<SetMonitor>("rtcSetDeviceMemoryMonitorFunction")?(device, Some(count), sum);
+    }
     Ok(())
 }
 
