@@ -73,8 +73,10 @@ impl Kernel {
     pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
         match self.0 {
             Set::Scalar => walk_each(tree, root, |ray| *ray, batch),
+            // SAFETY: `available` has seen that the machine has these instructions.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe { each_sse41(tree, root, batch) },
+            // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
             Set::Avx2 => unsafe { each_avx2(tree, root, batch) },
         }
@@ -84,11 +86,14 @@ impl Kernel {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
 fn each_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+    // SAFETY: this function runs only where AVX2 is.
     walk_each(tree, root, |ray| unsafe { Avx2::new(ray) }, batch);
 }
+
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "sse4.1")]
 fn each_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+    // SAFETY: this function runs only where SSE4.1 is.
     walk_each(tree, root, |ray| unsafe { Sse41::new(ray) }, batch);
 }
 
