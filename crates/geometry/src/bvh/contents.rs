@@ -68,10 +68,13 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
             mask &= mask - 1;
             let edges = passed.edges.each_ref().map(|row| row[lane]);
             let depths = block.along(ray.shear.axes[2], lane);
-            let flat = Flat { edges, depths: ray.shear.depths(depths, &ray.ray.origin) };
+            let mut flat = Flat { edges, depths: ray.shear.depths(depths, &ray.ray.origin) };
             if !flat.reaches(self.limit()) {
                 continue;
             }
+            let corners = || block.triangle(lane);
+            let Some(edges) = ray.shear.settled(edges, corners, &ray.ray.origin) else { continue };
+            flat.edges = edges;
             let primitive = block.numbers[lane];
             let hit =
                 self.contents.triangle(primitive, block.triangle_f64(lane), &flat, &self.ray());
