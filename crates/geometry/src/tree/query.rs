@@ -53,10 +53,11 @@ impl Query for Nearest {
 
     #[inline]
     fn offer(&mut self, hit: Hit) -> ControlFlow<()> {
-        if hit.t < self.found.t || hit.primitive < self.found.primitive {
+        let ties = hit.t == self.found.t && hit.primitive < self.found.primitive;
+        if hit.t < self.found.t || ties {
             self.found = hit;
-            // A tie may still come with a lower number.
-            // t is below a limit, so the next number is its next bits.
+            // A tie may still come with a lower number. t is below a limit, so the next
+            // number has the next bits.
             self.limit = f32::from_bits(hit.t.to_bits() + 1);
         }
         ControlFlow::Continue(())
