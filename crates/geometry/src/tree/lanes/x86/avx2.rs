@@ -1,0 +1,152 @@
+//! Eight boxes in one register.
+
+use super::triangles::TriangleRay;
+use crate::tree::block::Block;
+use crate::tree::lanes::{Lanes, Passed};
+use crate::tree::node::{Child, Node, WIDTH};
+use crate::tree::prepared::Prepared;
+use crate::tree::stack::Stack;
+use std::arch::x86_64::*;
+
+/// Eight boxes at once.
+pub(crate) struct Avx2 {
+    origin: [__m256; 3],
+    near: [__m256; 3],
+    far: [__m256; 3],
+    /// Where in a node, in bytes, the near plane of each axis is, and the far one.
+    near_plane: [usize; 3],
+    far_plane: [usize; 3],
+    /// How far the order of its octant is shifted.
+    order_shift: i32,
+    triangles: TriangleRay,
+}
+
+/// For each set of lanes the numbers of those in it, one a byte, lowest first.
+static PACK: [u64; 256] = {
+    let mut table = [0; 256];
+    let mut mask = 0;
+    while mask < 256 {
+        let (mut lane, mut place) = (0, 0);
+        while lane < 8 {
+            if mask >> lane & 1 != 0 {
+                table[mask] |= lane << (8 * place);
+                place += 1;
+            }
+            lane += 1;
+        }
+        mask += 1;
+    }
+    table
+};
+
+impl Avx2 {
+    /// # Safety
+    /// The machine must have AVX2.
+    #[inline(always)]
+    pub(crate) unsafe fn new(ray: &Prepared) -> Self {
+        let boxes = &ray.boxes;
+        // SAFETY: the caller promises AVX2.
+        let splat = |values: [f32; 3]| values.map(|x| unsafe { _mm256_set1_ps(x) });
+        Self {
+            origin: splat(boxes.origin),
+            near: splat(boxes.near),
+            far: splat(boxes.far),
+            near_plane: boxes.near_row.map(|row| row * 32),
+            far_plane: boxes.near_row.map(|row| (row ^ 1) * 32),
+            order_shift: 3 * boxes.octant,
+            // SAFETY: AVX2 includes SSE4.1.
+            triangles: unsafe { TriangleRay::new(ray) },
+        }
+    }
+}
+
+/// The boxes of a node that a ray meets, in the order of its octant.
+struct Met {
+    /// By box, not in that order.
+    enter: __m256,
+    /// Which box comes at which place, the farthest first.
+    order: __m256i,
+    /// One bit for each place whose box is met.
+    mask: u32,
+}
+
+impl Avx2 {
+    #[inline(always)]
+    fn meet(&self, node: &Node, limit: f32) -> Met {
+        // SAFETY: `self` shows that the machine has AVX2; a node is aligned to 64
+        // bytes and has six rows of 32, at whose starts the offsets are.
+        unsafe {
+            let planes = node.planes.as_ptr();
+            let from_origin = |offset: usize, axis: usize| {
+                _mm256_sub_ps(*planes.byte_add(offset).cast::<__m256>(), self.origin[axis])
+            };
+            let near = |axis: usize| {
+                _mm256_mul_ps(from_origin(self.near_plane[axis], axis), self.near[axis])
+            };
+            let far = |axis: usize| {
+                _mm256_mul_ps(from_origin(self.far_plane[axis], axis), self.far[axis])
+            };
+            // What is not a number leaves the second operand.
+            let enter = _mm256_max_ps(
+                _mm256_max_ps(near(0), near(1)),
+                _mm256_max_ps(near(2), _mm256_setzero_ps()),
+            );
+            let leave = _mm256_min_ps(
+                _mm256_min_ps(far(0), far(1)),
+                _mm256_min_ps(far(2), _mm256_set1_ps(limit)),
+            );
+            let met = _mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave);
+            let order = _mm256_load_si256(node.order.as_ptr().cast());
+            let order = _mm256_srl_epi32(order, _mm_cvtsi32_si128(self.order_shift));
+            let mask = _mm256_movemask_ps(_mm256_permutevar8x32_ps(met, order)) as u32;
+            Met { enter, order, mask }
+        }
+    }
+
+    /// Writes the boxes that are met where the stack goes on, without taking them
+    /// over.
+    #[inline(always)]
+    fn write(node: &Node, met: &Met, stack: &mut Stack) {
+        // SAFETY: a `Met` shows that the machine has AVX2; children are 32 bytes
+        // aligned to 32, and there is spare room for eight numbers each.
+        unsafe {
+            let packed = _mm_cvtsi64_si128(PACK[met.mask as usize & 0xff].cast_signed());
+            let order = _mm256_permutevar8x32_epi32(met.order, _mm256_cvtepu8_epi32(packed));
+            let children = _mm256_load_si256(node.children.as_ptr().cast());
+            let (enter_room, child_room) = stack.spare();
+            let enter = _mm256_permutevar8x32_ps(met.enter, order);
+            _mm256_storeu_ps(enter_room.as_mut_ptr().cast(), enter);
+            let children = _mm256_permutevar8x32_epi32(children, order);
+            _mm256_storeu_si256(child_room.as_mut_ptr().cast(), children);
+        }
+    }
+}
+
+impl Lanes for Avx2 {
+    #[inline(always)]
+    fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
+        let met = self.meet(node, limit);
+        Self::write(node, &met, stack);
+        // SAFETY: as many were written first as there are bits.
+        unsafe { stack.grow(met.mask.count_ones() as usize) };
+    }
+
+    /// The nearest box does not go through the stack, which would take longer.
+    #[inline(always)]
+    fn open_next(&self, node: &Node, limit: f32, stack: &mut Stack) -> Option<Child> {
+        let met = self.meet(node, limit);
+        let Some(nearest) = met.mask.checked_ilog2() else { return stack.pop(limit) };
+        let lane = (node.order[nearest as usize % WIDTH] >> self.order_shift) as usize % WIDTH;
+        if !met.mask.is_power_of_two() {
+            Self::write(node, &met, stack);
+            // SAFETY: one less than were written.
+            unsafe { stack.grow(met.mask.count_ones() as usize - 1) };
+        }
+        Some(node.children[lane])
+    }
+
+    #[inline(always)]
+    fn pass(&self, block: &Block) -> Passed {
+        self.triangles.pass(block)
+    }
+}
