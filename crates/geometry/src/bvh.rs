@@ -11,11 +11,10 @@ pub use shapes::Shapes;
 pub use triangles::Triangles;
 
 use crate::tree::Tree;
-use crate::tree::batch::Batch;
 use crate::tree::build::Quality;
 use crate::tree::query::{All, Any, Nearest, Query};
 use crate::{Aabb, Error, Hit, Ray, Vec3};
-use contents::Leaves;
+use contents::{Each, Leaves};
 
 /// Shapes in a tree of boxes: the [`Triangles`] of a mesh, [`Shapes`] of any kind,
 /// or [`Instances`] of other trees.
@@ -65,7 +64,7 @@ impl<C: Contents> Bvh<C> {
     /// Whether there is any hit with 0 < t < `ray.t_max`.
     #[inline]
     pub fn any_hit(&self, ray: &Ray) -> bool {
-        let mut query = Any { limit: ray.t_max, found: false };
+        let mut query = Any::new(ray);
         self.ask(ray, &mut query);
         query.found
     }
@@ -79,16 +78,23 @@ impl<C: Contents> Bvh<C> {
         query.found
     }
 
-    /// [`nearest`](Self::nearest) for each ray of a list, in less time than one by one.
+    /// [`nearest`](Self::nearest) for each ray of a list, in less time than one by one:
+    /// while one ray waits for memory or for a result, others go on.
+    ///
+    /// Answers as many rays as both lists have room for.
     pub fn nearest_each(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         hits.fill(None);
-        self.tree.walk_each(&mut NearestEach { bvh: self, rays, hits });
+        let rays = &rays[..rays.len().min(hits.len())];
+        self.ask_each(rays, Nearest::new, |index, query| hits[index] = query.found());
     }
 
     /// [`any_hit`](Self::any_hit) for each ray of a list, in less time than one by one.
+    ///
+    /// Answers as many rays as both lists have room for.
     pub fn any_hit_each(&self, rays: &[Ray], hits: &mut [bool]) {
         hits.fill(false);
-        self.tree.walk_each(&mut AnyEach { bvh: self, rays, hits });
+        let rays = &rays[..rays.len().min(hits.len())];
+        self.ask_each(rays, Any::new, |index, query| hits[index] = query.found);
     }
 
     /// A box around all shapes; empty without shapes.
@@ -103,62 +109,24 @@ impl<C: Contents> Bvh<C> {
 
     #[inline]
     fn ask<Q: Query>(&self, ray: &Ray, query: &mut Q) {
-        let mut leaves = Leaves { contents: &self.contents, order: &self.tree.order, ray, query };
-        self.tree.walk(ray, &mut leaves);
+        self.tree.walk(ray, &mut self.leaves(ray, query));
     }
-}
 
-struct NearestEach<'a, C> {
-    bvh: &'a Bvh<C>,
-    rays: &'a [Ray],
-    hits: &'a mut [Option<Hit>],
-}
+    #[inline]
+    fn ask_each<Q: Query>(
+        &self,
+        rays: &[Ray],
+        question: impl Fn(&Ray) -> Q,
+        answer: impl FnMut(usize, &Q),
+    ) {
+        let begin = |ray| self.leaves(ray, question(ray));
+        self.tree.walk_each(&mut Each { rays, begin, answer });
+    }
 
-impl<'a, C: Contents> Batch<'a> for NearestEach<'a, C> {
-    type Visitor = Leaves<'a, C, Nearest>;
-    fn rays(&self) -> &'a [Ray] {
-        self.rays
-    }
+    /// The leaves as a ray meets them that asks this.
     #[inline(always)]
-    fn begin(&self, index: usize) -> Self::Visitor {
-        let ray = &self.rays[index];
-        Leaves {
-            contents: &self.bvh.contents,
-            order: &self.bvh.tree.order,
-            ray,
-            query: Nearest::new(ray),
-        }
-    }
-    #[inline(always)]
-    fn end(&mut self, index: usize, visitor: &Self::Visitor) {
-        self.hits[index] = visitor.query.found();
-    }
-}
-
-struct AnyEach<'a, C> {
-    bvh: &'a Bvh<C>,
-    rays: &'a [Ray],
-    hits: &'a mut [bool],
-}
-
-impl<'a, C: Contents> Batch<'a> for AnyEach<'a, C> {
-    type Visitor = Leaves<'a, C, Any>;
-    fn rays(&self) -> &'a [Ray] {
-        self.rays
-    }
-    #[inline(always)]
-    fn begin(&self, index: usize) -> Self::Visitor {
-        let ray = &self.rays[index];
-        Leaves {
-            contents: &self.bvh.contents,
-            order: &self.bvh.tree.order,
-            ray,
-            query: Any { limit: ray.t_max, found: false },
-        }
-    }
-    #[inline(always)]
-    fn end(&mut self, index: usize, visitor: &Self::Visitor) {
-        self.hits[index] = visitor.query.found;
+    fn leaves<'a, Q>(&'a self, ray: &'a Ray, query: Q) -> Leaves<'a, C, Q> {
+        Leaves { contents: &self.contents, order: &self.tree.order, ray, query }
     }
 }
 

@@ -89,6 +89,8 @@ impl Tree {
         }
     }
 
+    /// Takes many rays to the leaves they meet.
+    #[inline]
     pub(crate) fn walk_each<'a, B: batch::Batch<'a>>(&self, batch: &mut B) {
         if let Some(root) = self.root {
             self.kernel.walk_each(self, root, batch);

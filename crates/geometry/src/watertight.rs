@@ -4,7 +4,7 @@
 //! corners are sheared so that the ray becomes an axis; what is left is a plane
 //! figure in which a corner has the same place for all its triangles. Products are
 //! rounded before they are subtracted, so the sign of an edge function is right or
-//! zero, and zero counts as inside.
+//! zero; zeros are computed again without rounding, and then count as inside.
 //!
 //! Every kernel computes the edge functions by the formulas of this file, operation
 //! by operation, and leaves the distance to [`meet`]: so all of them agree to the
@@ -19,6 +19,7 @@ use crate::{Ray, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shear {
     /// The two coordinates that stay, and the one along which depth is measured.
+    /// Kernels read at these places unchecked: they are below three.
     pub(crate) axes: [usize; 3],
     /// How fast the ray moves along the two that stay.
     pub(crate) slope: [f32; 2],
@@ -46,14 +47,43 @@ impl Shear {
     /// edge opposite to each corner.
     #[inline]
     pub(crate) fn edges(&self, corners: &[Vec3; 3], origin: &Vec3) -> [f32; 3] {
+        let [a, b, c] = self.figure(corners, origin);
+        let cross = |p: [f32; 2], q: [f32; 2]| p[0] * q[1] - p[1] * q[0];
+        [cross(b, c), cross(c, a), cross(a, b)]
+    }
+
+    /// The plane figure in which the ray is the point zero.
+    #[inline]
+    fn figure(&self, corners: &[Vec3; 3], origin: &Vec3) -> [[f32; 2]; 3] {
         let origin = pick(origin, self.axes);
-        let [a, b, c] = corners.each_ref().map(|corner| {
+        corners.each_ref().map(|corner| {
             let corner = pick(corner, self.axes);
             let [x, y, depth] = std::array::from_fn(|i| corner[i] - origin[i]);
             [x - self.slope[0] * depth, y - self.slope[1] * depth]
-        });
-        let cross = |p: [f32; 2], q: [f32; 2]| p[0] * q[1] - p[1] * q[0];
-        [cross(b, c), cross(c, a), cross(a, b)]
+        })
+    }
+
+    /// Edge functions of which none is zero as they are; others without rounding, or
+    /// nothing if the ray passes outside: near the line of an edge, far beyond its
+    /// ends, products can be rounded to the same number for two edges or three.
+    #[inline]
+    pub(crate) fn settled(
+        &self,
+        edges: [f32; 3],
+        corners: impl FnOnce() -> [Vec3; 3],
+        origin: &Vec3,
+    ) -> Option<[f32; 3]> {
+        if edges.contains(&0.0) { self.exact(&corners(), origin) } else { Some(edges) }
+    }
+
+    /// Products of two f32 are exact in f64, so all signs and zeros are right.
+    #[cold]
+    fn exact(&self, corners: &[Vec3; 3], origin: &Vec3) -> Option<[f32; 3]> {
+        let [a, b, c] = self.figure(corners, origin).map(|p| p.map(f64::from));
+        let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+        let edges = [cross(b, c), cross(c, a), cross(a, b)];
+        let inside = edges.iter().all(|&e| e >= 0.0) || edges.iter().all(|&e| e <= 0.0);
+        inside.then(|| edges.map(|e| e as f32))
     }
 
     /// t of the points of the ray beside corners with these coordinates along the

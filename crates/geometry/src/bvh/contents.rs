@@ -3,6 +3,7 @@
 use crate::precise::DVec3;
 use crate::shape::ShapeHit;
 use crate::tree::Passed;
+use crate::tree::batch::Batch;
 use crate::tree::block::Block;
 use crate::tree::node::LEAF;
 use crate::tree::prepared::Prepared;
@@ -67,10 +68,13 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
             mask &= mask - 1;
             let edges = passed.edges.each_ref().map(|row| row[lane]);
             let depths = block.along(ray.shear.axes[2], lane);
-            let flat = Flat { edges, depths: ray.shear.depths(depths, &ray.ray.origin) };
+            let mut flat = Flat { edges, depths: ray.shear.depths(depths, &ray.ray.origin) };
             if !flat.reaches(self.limit()) {
                 continue;
             }
+            let corners = || block.triangle(lane);
+            let Some(edges) = ray.shear.settled(edges, corners, &ray.ray.origin) else { continue };
+            flat.edges = edges;
             let primitive = block.numbers[lane];
             let hit =
                 self.contents.triangle(primitive, block.triangle_f64(lane), &flat, &self.ray());
@@ -88,5 +92,36 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
             self.contents.shape(number, &ray, &mut self.query)?;
         }
         ControlFlow::Continue(())
+    }
+}
+
+/// Rays that all ask the same question, and what is done with the answers.
+pub(crate) struct Each<'a, B, A> {
+    pub(crate) rays: &'a [Ray],
+    pub(crate) begin: B,
+    pub(crate) answer: A,
+}
+
+impl<'a, C, Q, B, A> Batch<'a> for Each<'a, B, A>
+where
+    C: Holds + 'a,
+    Q: Query,
+    B: Fn(&'a Ray) -> Leaves<'a, C, Q>,
+    A: FnMut(usize, &Q),
+{
+    type Visitor = Leaves<'a, C, Q>;
+
+    fn rays(&self) -> &'a [Ray] {
+        self.rays
+    }
+
+    #[inline(always)]
+    fn begin(&self, index: usize) -> Self::Visitor {
+        (self.begin)(&self.rays[index])
+    }
+
+    #[inline(always)]
+    fn end(&mut self, index: usize, visitor: &Self::Visitor) {
+        (self.answer)(index, &visitor.query);
     }
 }

@@ -62,6 +62,7 @@ impl Triangle {
         if !(is_inside(edges) && sides.admit(ray.direction.dot(self.normal))) {
             return None;
         }
+        let edges = shear.settled(edges, || corners, &ray.origin)?;
         let depths = shear.depths(corners.map(|c| c[shear.axes[2]]), &ray.origin);
         watertight::meet(ray, corners.map(Vec3::as_dvec3), &Flat { edges, depths })
     }

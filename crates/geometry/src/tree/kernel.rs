@@ -62,34 +62,24 @@ impl Kernel {
             // SAFETY: `available` has seen that the machine has these instructions.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe { walk_sse41(tree, root, ray, visitor) },
-            #[cfg(target_arch = "x86_64")]
             // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
             Set::Avx2 => unsafe { walk_avx2(tree, root, ray, visitor) },
         }
     }
-}
 
-impl Kernel {
+    #[inline]
     pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
         match self.0 {
             Set::Scalar => walk_each(tree, root, |ray| *ray, batch),
+            // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Set::Sse41 => unsafe { each_sse41(tree, root, batch) },
+            Set::Sse41 => unsafe { walk_each_sse41(tree, root, batch) },
+            // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Set::Avx2 => unsafe { each_avx2(tree, root, batch) },
+            Set::Avx2 => unsafe { walk_each_avx2(tree, root, batch) },
         }
     }
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
-fn each_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
-    walk_each(tree, root, |ray| unsafe { Avx2::new(ray) }, batch);
-}
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "sse4.1")]
-fn each_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
-    walk_each(tree, root, |ray| unsafe { Sse41::new(ray) }, batch);
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -98,6 +88,8 @@ fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) 
     let ray = Prepared::new(ray);
     // SAFETY: this function runs only where SSE4.1 is.
     let lanes = unsafe { Sse41::new(&ray) };
+    // Behind a black box it stays in memory, where instructions read it as they go;
+    // all of it is too much for the registers.
     walk(tree, root, black_box(&lanes), &ray, visitor);
 }
 
@@ -108,4 +100,18 @@ fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
     // SAFETY: this function runs only where AVX2 is.
     let lanes = unsafe { Avx2::new(&ray) };
     walk(tree, root, black_box(&lanes), &ray, visitor);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "sse4.1")]
+fn walk_each_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+    // SAFETY: this function runs only where SSE4.1 is.
+    walk_each(tree, root, |ray| unsafe { Sse41::new(ray) }, batch);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+fn walk_each_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+    // SAFETY: this function runs only where AVX2 is.
+    walk_each(tree, root, |ray| unsafe { Avx2::new(ray) }, batch);
 }

@@ -35,8 +35,9 @@ impl<T: Copy> Pages<T> {
 }
 
 impl<T: Copy> Large<T> {
-    /// A copy of `list`, which the layout has room for.
+    /// A copy of `list`, which the layout, of one page or more, has room for.
     fn new(list: &[T], layout: Layout) -> Self {
+        const { assert!(align_of::<T>() <= PAGE) };
         // SAFETY: the layout is that of at least one page.
         let Some(start) = NonNull::new(unsafe { alloc(layout) }) else {
             handle_alloc_error(layout)
@@ -83,7 +84,7 @@ impl<T> Deref for Pages<T> {
 
 impl<T> Drop for Large<T> {
     fn drop(&mut self) {
-        // SAFETY: it was allocated with this layout.
+        // SAFETY: it was allocated with this layout; what can be copied needs no drop.
         unsafe { dealloc(self.start.as_ptr().cast(), self.layout) };
     }
 }
@@ -102,5 +103,35 @@ impl<T: Copy> Clone for Pages<T> {
 impl<T: std::fmt::Debug> std::fmt::Debug for Pages<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_list().entries(self.iter()).finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 4096 bytes each, so that 512 fill a large page.
+    fn list(count: u32) -> Vec<[u32; 1024]> {
+        (0..count).map(|i| [i; 1024]).collect()
+    }
+
+    #[test]
+    fn lists_are_kept_as_they_are() {
+        for count in [0, 1, 511, 512, 513, 1025] {
+            let pages = Pages::new(list(count));
+            assert_eq!(matches!(pages, Pages::Large(_)), count >= 512);
+            assert!(pages[..] == list(count)[..], "{count}");
+        }
+    }
+
+    #[test]
+    fn large_lists_begin_on_a_page_and_outlive_what_they_were_cloned_from() {
+        let pages = Pages::new(list(513));
+        let clone = pages.clone();
+        assert_ne!(pages.as_ptr(), clone.as_ptr());
+        drop(pages);
+        assert!(clone.as_ptr().addr().is_multiple_of(PAGE));
+        let sum = std::thread::spawn(move || clone.iter().map(|row| row[1023]).sum::<u32>());
+        assert_eq!(sum.join().ok(), Some(513 * 256));
     }
 }

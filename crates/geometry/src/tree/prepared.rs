@@ -28,7 +28,7 @@ pub(crate) struct BoxRay {
     pub(crate) near: [f32; 3],
     pub(crate) far: [f32; 3],
     /// Which row of a node holds the near plane of each axis; the far one is its
-    /// neighbour.
+    /// neighbour. Kernels read at these places unchecked: they are below six.
     pub(crate) near_row: [usize; 3],
     /// See [`Node::order`](super::node::Node).
     pub(crate) octant: i32,

@@ -65,8 +65,15 @@ impl Query for Nearest {
 
 /// Is there a hit?
 pub(crate) struct Any {
-    pub(crate) limit: f32,
+    limit: f32,
     pub(crate) found: bool,
+}
+
+impl Any {
+    #[inline]
+    pub(crate) fn new(ray: &Ray) -> Self {
+        Self { limit: ray.t_max, found: false }
+    }
 }
 
 impl Query for Any {

@@ -69,7 +69,8 @@ impl<'a> Stack<'a> {
     /// Takes over the first `count` of the spare room.
     ///
     /// # Safety
-    /// They have been written.
+    /// They have been written since the last change of the stack; they are eight at
+    /// most.
     #[inline(always)]
     pub(crate) unsafe fn grow(&mut self, count: usize) {
         self.len += count;
@@ -88,7 +89,7 @@ impl<'a> Stack<'a> {
     pub(crate) fn pop(&mut self, limit: f32) -> Option<Child> {
         while self.len > 0 {
             self.len -= 1;
-            // SAFETY: the first `len` are there, and it was one more.
+            // SAFETY: the first `len` are there, and before it was one more.
             let enter = unsafe { self.room.enter.get_unchecked(self.len).assume_init() };
             if enter <= limit {
                 // SAFETY: as above.
@@ -97,5 +98,50 @@ impl<'a> Stack<'a> {
             }
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_box_comes_first_and_those_beyond_are_dropped() {
+        let mut room = Room::new();
+        let mut stack = Stack::new(&mut room);
+        assert_eq!((stack.top(), stack.pop(f32::INFINITY)), (None, None));
+        for (index, enter) in [1.0, 4.0, 2.0, 8.0].into_iter().enumerate() {
+            stack.push(enter, Child::node(index));
+        }
+        assert_eq!(stack.top(), Some(Child::node(3)));
+        assert_eq!(stack.pop(2.0), Some(Child::node(2)));
+        assert_eq!(stack.pop(2.0), Some(Child::node(0)));
+        assert_eq!(stack.pop(2.0), None);
+        stack.push(1.0, Child::node(5));
+        stack.clear();
+        assert_eq!(stack.top(), None);
+    }
+
+    /// As deep as a tree can be: seven stay behind on each level.
+    #[test]
+    fn spare_room_is_taken_over_and_suffices() {
+        let mut room = Room::new();
+        let mut stack = Stack::new(&mut room);
+        for level in 0..=MAX_DEPTH {
+            let kept = if level < MAX_DEPTH { WIDTH - 1 } else { WIDTH };
+            let (enter, children) = stack.spare();
+            for lane in 0..kept {
+                enter[lane].write(lane as f32);
+                children[lane].write(Child::node(WIDTH * level + lane));
+            }
+            // SAFETY: so many were written just now.
+            unsafe { stack.grow(kept) };
+        }
+        let mut taken = 0;
+        while let Some(child) = stack.pop(0.0) {
+            taken += 1;
+            assert_eq!(child, Child::node(WIDTH * (MAX_DEPTH + 1 - taken)));
+        }
+        assert_eq!(taken, MAX_DEPTH + 1);
     }
 }

@@ -86,3 +86,23 @@ fn the_normal_of_a_sliver_is_perpendicular() {
         assert!(sliver.normal().dot(c - a).abs() < 3e-7 * along.length());
     }
 }
+
+/// The ray crosses the line of an edge 63 edges away; two of the three edge functions
+/// are rounded to zero.
+#[test]
+fn a_ray_that_passes_far_beyond_an_edge_misses() {
+    let corners = [
+        Vec3::new(-0.9420121, -0.9552912, -0.23872508),
+        Vec3::new(-1.7036078, -0.6134155, -1.0112234),
+        Vec3::new(-1.6129376, -0.65569144, -0.9211821),
+    ];
+    let origin = Vec3::new(-65.84417, 1.1488686, -99.046616);
+    let ray = Ray::new(origin, Vec3::new(17.017536, 19.390957, 50.237778));
+    let edges = Shear::along(&ray.direction).edges(&corners, &ray.origin);
+    assert!(is_inside(edges) && edges[0] == 0.0 && edges[1] == 0.0, "{edges:?}");
+    let [a, b, c] = corners;
+    let triangle = Triangle::new(a, b, c).unwrap();
+    assert_eq!(triangle.intersect(&ray, Sides::Both), None);
+    let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
+    assert!(!Bvh::build(&mesh).unwrap().any_hit(&ray));
+}
