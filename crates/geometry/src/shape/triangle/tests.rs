@@ -90,6 +90,7 @@ fn the_normal_of_a_sliver_is_perpendicular() {
 /// The ray crosses the line of an edge 63 edges away; two of the three edge functions
 /// are rounded to zero.
 #[test]
+#[allow(clippy::unreadable_literal, reason = "as the fuzzer found them")]
 fn a_ray_that_passes_far_beyond_an_edge_misses() {
     let corners = [
         Vec3::new(-0.9420121, -0.9552912, -0.23872508),
