@@ -65,9 +65,9 @@
 //! [`Bvh::nearest_each`] and [`Bvh::any_hit_each`] give the same answers as asking one
 //! by one. They keep several rays under way, so that one goes on while another waits
 //! for memory or for a result. This gains most where a tree is larger than the caches:
-//! a tenth more rays a second with a thousand triangles, a fifth more with sixty
-//! thousand, up to twice as many with nine hundred thousand. They start no threads: a
-//! [`Bvh`] can be asked by any number of threads at once, each with rays of its own.
+//! some 5 to 30 rays more in a hundred with a thousand or sixty thousand triangles, up
+//! to twice as many with a million. They start no threads: a [`Bvh`] can be asked by
+//! any number of threads at once, each with rays of its own.
 //!
 //! # Precision
 //!
@@ -75,7 +75,7 @@
 //! that share corners, and `t` comes from the plane of the triangle in double
 //! precision, right to the last bits of an `f32` however thin the triangle is.
 //! [`Precision::Fast`] tests triangles the same way but interpolates `t`, which is
-//! coarser on long thin ones and casts some five or ten rays more in a hundred. Where
+//! coarser on long thin ones; it casts some 5 to 15 rays more in a hundred. Where
 //! surfaces merely touch and share no corners, as separate quads do, about one ray in
 //! ten million passes between them.
 //!

@@ -238,11 +238,11 @@ unsafe fn monitor(library: &Library, device: Handle, sum: &AtomicIsize) -> Resul
 impl Drop for Scene {
     fn drop(&mut self) {
         type Release = unsafe extern "C" fn(Handle);
-        let Self { library, device, scene, .. } = self;
+        let Self { library, device, handle, .. } = self;
         // SAFETY: both are released once, the scene before its device.
         unsafe {
             if let Ok(release) = library.get::<Release>("rtcReleaseScene") {
-                release(*scene);
+                release(*handle);
             }
             if let Ok(release) = library.get::<Release>("rtcReleaseDevice") {
                 release(*device);
