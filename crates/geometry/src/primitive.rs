@@ -110,24 +110,6 @@ impl Primitive {
     }
 }
 
-impl Shape for Primitive {
-    fn bounds(&self) -> Aabb {
-        self.bounds()
-    }
-
-    #[inline]
-    fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
-        self.intersect(ray, Sides::Both)
-    }
-
-    fn corners(&self) -> Option<[Vec3; 3]> {
-        match self {
-            Self::Triangle(triangle) => Some(triangle.corners()),
-            _ => None,
-        }
-    }
-}
-
 /// A primitive with the sides it can be met from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SidedPrimitive {

@@ -75,9 +75,10 @@ impl Sides {
     }
 }
 
-/// Shapes met from both sides when no sides are named.
+/// Shapes met from both sides when no sides are named, each with how its corners
+/// are found if it can be a triangle.
 macro_rules! shape_from_both_sides {
-    ($($name:ty),*) => {$(
+    ($($name:ty: $corners:expr),*) => {$(
         impl Shape for $name {
             #[inline]
             fn bounds(&self) -> Aabb {
@@ -88,27 +89,26 @@ macro_rules! shape_from_both_sides {
             fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
                 self.intersect(ray, Sides::Both)
             }
+
+            fn corners(&self) -> Option<[Vec3; 3]> {
+                let corners: fn(&Self) -> Option<[Vec3; 3]> = $corners;
+                corners(self)
+            }
         }
     )*};
 }
 
-shape_from_both_sides!(Cone, Disk, Quad, Sphere);
-
-impl Shape for Triangle {
-    #[inline]
-    fn bounds(&self) -> Aabb {
-        self.bounds()
+shape_from_both_sides!(
+    Cone: |_| None,
+    Disk: |_| None,
+    Quad: |_| None,
+    Sphere: |_| None,
+    Triangle: |triangle| Some(triangle.corners()),
+    crate::Primitive: |primitive| match primitive {
+        crate::Primitive::Triangle(triangle) => Some(triangle.corners()),
+        _ => None,
     }
-
-    #[inline]
-    fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
-        self.intersect(ray, Sides::Both)
-    }
-
-    fn corners(&self) -> Option<[Vec3; 3]> {
-        Some(self.corners())
-    }
-}
+);
 
 /// Refuses areas that are zero or whose reciprocal is not a number.
 fn sound_area(area: f64) -> Result<f32, Error> {
