@@ -23,9 +23,10 @@ pub(crate) use lanes::Passed;
 use crate::{Aabb, Ray, Vec3};
 use block::Block;
 use build::Quality;
-use node::{Child, Content, Node};
+use node::{Child, Node};
 use pages::Pages;
 use prefetch::prefetch;
+use std::hint::select_unpredictable;
 use walk::Visitor;
 
 /// Blocks, or triangles, that a thread takes at once.
@@ -36,6 +37,13 @@ const CACHED: usize = 1 << 20;
 
 /// Beyond so many bytes more rays under way at once still gain.
 const LARGE: usize = 16 << 20;
+
+/// Where an element of a list begins, and its last byte.
+#[inline(always)]
+fn ends<T>(list: &[T], index: usize) -> (*const u8, *const u8) {
+    let start = list.as_ptr().wrapping_add(index).cast::<u8>();
+    (start, start.wrapping_add(size_of::<T>() - 1))
+}
 
 /// Boxes in boxes, with numbers in the innermost.
 #[derive(Clone, Debug)]
@@ -108,11 +116,12 @@ impl Tree {
     #[inline(always)]
     pub(crate) fn prefetch(&self, child: Child) {
         if self.memory > CACHED {
-            match child.open() {
-                Content::Node(index) => prefetch(&self.nodes[index]),
-                Content::Block(index) => prefetch(&self.blocks[index]),
-                Content::Shapes(_) => {}
-            }
+            // Which it is cannot be predicted; for shapes the addresses mean nothing.
+            let node = ends(&self.nodes, child.index());
+            let block = ends(&self.blocks, child.index());
+            let ends = select_unpredictable(child.is_leaf(), block, node);
+            prefetch(ends.0, size_of::<Block>());
+            prefetch(ends.1, 1);
         }
     }
 }

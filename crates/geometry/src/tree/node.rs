@@ -51,10 +51,22 @@ impl Child {
         Self(Self::LEAF | Self::SHAPES | ((count - 1) as u32) << 28 | first as u32)
     }
 
+    /// Whether it is no node.
+    #[inline]
+    pub(crate) fn is_leaf(self) -> bool {
+        self.0 & Self::LEAF != 0
+    }
+
+    /// The number of the node or the block, or that of the first shape.
+    #[inline]
+    pub(crate) fn index(self) -> usize {
+        (self.0 & (Self::MAX as u32 - 1)) as usize
+    }
+
     #[inline]
     pub(crate) fn open(self) -> Content {
-        let index = (self.0 & (Self::MAX as u32 - 1)) as usize;
-        if self.0 & Self::LEAF == 0 {
+        let index = self.index();
+        if !self.is_leaf() {
             Content::Node(index)
         } else if self.0 & Self::SHAPES == 0 {
             Content::Block(index)
