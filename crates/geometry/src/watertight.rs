@@ -43,55 +43,37 @@ impl Shear {
         Self { axes, slope: [x * reciprocal, y * reciprocal], reciprocal }
     }
 
-    /// The edge functions of a triangle: twice the areas between the ray and the
-    /// edge opposite to each corner.
+    /// A triangle as the ray sees it.
     #[inline]
-    pub(crate) fn edges(&self, corners: &[Vec3; 3], origin: &Vec3) -> [f32; 3] {
-        let [a, b, c] = self.figure(corners, origin);
-        let cross = |p: [f32; 2], q: [f32; 2]| p[0] * q[1] - p[1] * q[0];
-        [cross(b, c), cross(c, a), cross(a, b)]
+    pub(crate) fn flat(&self, corners: &[Vec3; 3], origin: &Vec3) -> Flat {
+        let corners = self.figure(corners, origin);
+        let [a, b, c] = corners;
+        let cross = |p: [f32; 3], q: [f32; 3]| p[0] * q[1] - p[1] * q[0];
+        Flat {
+            edges: [cross(b, c), cross(c, a), cross(a, b)],
+            depths: corners.map(|corner| corner[2] * self.reciprocal),
+        }
     }
 
-    /// The plane figure in which the ray is the point zero.
+    /// The corners in the plane figure in which the ray is the point zero, and how
+    /// deep each is.
     #[inline]
-    fn figure(&self, corners: &[Vec3; 3], origin: &Vec3) -> [[f32; 2]; 3] {
+    fn figure(&self, corners: &[Vec3; 3], origin: &Vec3) -> [[f32; 3]; 3] {
         let origin = pick(origin, self.axes);
         corners.each_ref().map(|corner| {
             let corner = pick(corner, self.axes);
             let [x, y, depth] = std::array::from_fn(|i| corner[i] - origin[i]);
-            [x - self.slope[0] * depth, y - self.slope[1] * depth]
+            [x - self.slope[0] * depth, y - self.slope[1] * depth, depth]
         })
     }
 
-    /// Edge functions of which none is zero as they are; others without rounding, or
-    /// nothing if the ray passes outside: near the line of an edge, far beyond its
-    /// ends, products can be rounded to the same number for two edges or three.
-    #[inline]
-    pub(crate) fn settled(
-        &self,
-        edges: [f32; 3],
-        corners: impl FnOnce() -> [Vec3; 3],
-        origin: &Vec3,
-    ) -> Option<[f32; 3]> {
-        if edges.contains(&0.0) { self.exact(&corners(), origin) } else { Some(edges) }
-    }
-
     /// Products of two f32 are exact in f64, so all signs and zeros are right.
-    #[cold]
-    fn exact(&self, corners: &[Vec3; 3], origin: &Vec3) -> Option<[f32; 3]> {
+    fn exact_edges(&self, corners: &[Vec3; 3], origin: &Vec3) -> Option<[f32; 3]> {
         let [a, b, c] = self.figure(corners, origin).map(|p| p.map(f64::from));
-        let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+        let cross = |p: [f64; 3], q: [f64; 3]| p[0] * q[1] - p[1] * q[0];
         let edges = [cross(b, c), cross(c, a), cross(a, b)];
         let inside = edges.iter().all(|&e| e >= 0.0) || edges.iter().all(|&e| e <= 0.0);
         inside.then(|| edges.map(|e| e as f32))
-    }
-
-    /// t of the points of the ray beside corners with these coordinates along the
-    /// axis of depth.
-    #[inline]
-    pub(crate) fn depths(&self, corners: [f32; 3], origin: &Vec3) -> [f32; 3] {
-        let origin = pick(origin, self.axes)[2];
-        corners.map(|corner| (corner - origin) * self.reciprocal)
     }
 }
 
@@ -122,16 +104,32 @@ pub(crate) fn is_inside(edges: [f32; 3]) -> bool {
     least(edges) >= 0.0 || greatest(edges) <= 0.0
 }
 
-/// A triangle as a ray that passes inside sees it.
+/// A triangle as a ray sees it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flat {
-    /// See [`Shear::edges`].
+    /// The edge functions: twice the areas between the ray and the edge opposite to
+    /// each corner.
     pub(crate) edges: [f32; 3],
-    /// See [`Shear::depths`].
+    /// t of the points of the ray beside the corners.
     pub(crate) depths: [f32; 3],
 }
 
 impl Flat {
+    /// Whether the signs of all edge functions are right. Near the line of an edge, far
+    /// beyond its ends, products can be rounded to the same number for two edges or
+    /// three, so a zero may stand for either sign.
+    #[inline]
+    pub(crate) fn is_settled(&self) -> bool {
+        !self.edges.contains(&0.0)
+    }
+
+    /// With edge functions computed without rounding; nothing if the ray passes outside.
+    #[cold]
+    pub(crate) fn settled(self, corners: &[Vec3; 3], ray: &Ray) -> Option<Self> {
+        let edges = Shear::along(&ray.direction).exact_edges(corners, &ray.origin)?;
+        Some(Self { edges, ..self })
+    }
+
     /// Whether a point of it can be at 0 < t < `limit`.
     #[inline]
     pub(crate) fn reaches(&self, limit: f32) -> bool {

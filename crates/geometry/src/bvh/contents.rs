@@ -6,7 +6,6 @@ use crate::tree::Passed;
 use crate::tree::batch::Batch;
 use crate::tree::block::Block;
 use crate::tree::node::LEAF;
-use crate::tree::prepared::Prepared;
 use crate::tree::query::Query;
 use crate::tree::walk::Visitor;
 use crate::watertight::Flat;
@@ -52,6 +51,20 @@ impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
     fn ray(&self) -> Ray {
         Ray { t_max: self.query.limit(), ..*self.ray }
     }
+
+    #[inline(always)]
+    fn triangle(&self, block: &Block, lane: usize, flat: &Flat) -> Option<ShapeHit> {
+        let (number, corners) = (block.numbers[lane], block.triangle_f64(lane));
+        self.contents.triangle(number, corners, flat, &self.ray())
+    }
+
+    /// Rare, and apart so that a [`Flat`] usually stays in registers.
+    #[cold]
+    #[inline(never)]
+    fn unsettled_triangle(&self, block: &Block, lane: usize, flat: Flat) -> Option<ShapeHit> {
+        let flat = flat.settled(&block.triangle(lane), self.ray)?;
+        self.triangle(block, lane, &flat)
+    }
 }
 
 impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
@@ -61,25 +74,19 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
     }
 
     #[inline(always)]
-    fn triangles(&mut self, ray: &Prepared, block: &Block, passed: &Passed) -> ControlFlow<()> {
+    fn triangles(&mut self, block: &Block, passed: &Passed) -> ControlFlow<()> {
         let mut mask = passed.mask;
         while mask != 0 {
             let lane = mask.trailing_zeros() as usize % LEAF;
             mask &= mask - 1;
-            let edges = passed.edges.each_ref().map(|row| row[lane]);
-            let depths = block.along(ray.shear.axes[2], lane);
-            let mut flat = Flat { edges, depths: ray.shear.depths(depths, &ray.ray.origin) };
-            if !flat.reaches(self.limit()) {
-                continue;
-            }
-            let corners = || block.triangle(lane);
-            let Some(edges) = ray.shear.settled(edges, corners, &ray.ray.origin) else { continue };
-            flat.edges = edges;
-            let primitive = block.numbers[lane];
-            let hit =
-                self.contents.triangle(primitive, block.triangle_f64(lane), &flat, &self.ray());
+            let flat = passed.flat(lane);
+            let hit = if flat.is_settled() {
+                self.triangle(block, lane, &flat)
+            } else {
+                self.unsettled_triangle(block, lane, flat)
+            };
             if let Some(ShapeHit { t, u, v }) = hit {
-                self.query.offer(Hit { t, primitive, u, v })?;
+                self.query.offer(Hit { t, primitive: block.numbers[lane], u, v })?;
             }
         }
         ControlFlow::Continue(())

@@ -2,7 +2,7 @@
 
 use super::{ShapeHit, Sides, all_finite, sound_area};
 use crate::precise::unit;
-use crate::watertight::{self, Flat, Shear, is_inside};
+use crate::watertight::{self, Shear, is_inside};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use traylib_math::warp;
 
@@ -57,14 +57,13 @@ impl Triangle {
     /// the third corner; without gaps where triangles share their corners.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
-        let (shear, corners) = (Shear::along(&ray.direction), self.corners());
-        let edges = shear.edges(&corners, &ray.origin);
-        if !(is_inside(edges) && sides.admit(ray.direction.dot(self.normal))) {
+        let corners = self.corners();
+        let flat = Shear::along(&ray.direction).flat(&corners, &ray.origin);
+        if !(is_inside(flat.edges) && sides.admit(ray.direction.dot(self.normal))) {
             return None;
         }
-        let edges = shear.settled(edges, || corners, &ray.origin)?;
-        let depths = shear.depths(corners.map(|c| c[shear.axes[2]]), &ray.origin);
-        watertight::meet(ray, corners.map(Vec3::as_dvec3), &Flat { edges, depths })
+        let flat = if flat.is_settled() { flat } else { flat.settled(&corners, ray)? };
+        watertight::meet(ray, corners.map(Vec3::as_dvec3), &flat)
     }
 
     /// The site at barycentric coordinates `u`, `v`.

@@ -3,7 +3,6 @@
 use super::Tree;
 use super::lanes::Lanes;
 use super::node::Child;
-use super::prepared::Prepared;
 use super::stack::{Room, Stack};
 use super::walk::{Visitor, visit};
 use crate::Ray;
@@ -28,11 +27,10 @@ pub(crate) trait Batch<'a> {
 }
 
 /// A ray under way.
-struct Slot<'a, 'r, L, V> {
+struct Slot<'r, L, V> {
     index: usize,
     next: Option<usize>,
     current: Child,
-    ray: Prepared<'a>,
     lanes: L,
     visitor: V,
     stack: Stack<'r>,
@@ -43,7 +41,7 @@ struct Slot<'a, 'r, L, V> {
 pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     tree: &Tree,
     root: Child,
-    lanes: impl Fn(&Prepared<'a>) -> L,
+    lanes: impl Fn(&'a Ray) -> L,
     batch: &mut B,
 ) {
     let rays = batch.rays();
@@ -52,13 +50,11 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     let mut slots = Vec::with_capacity(MOST);
     for room in rooms.iter_mut().take(if tree.is_large() { MOST } else { FEW }) {
         let Some(index) = waiting.next() else { break };
-        let ray = Prepared::new(&rays[index]);
-        let (lanes, visitor) = (lanes(&ray), batch.begin(index));
+        let (lanes, visitor) = (lanes(&rays[index]), batch.begin(index));
         slots.push(Slot {
             index,
             next: Some(index),
             current: root,
-            ray,
             lanes,
             visitor,
             stack: Stack::new(room),
@@ -75,8 +71,7 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
             if let Some(index) = slot.next {
                 slot.index = index;
                 slot.current = root;
-                slot.ray = Prepared::new(&rays[index]);
-                slot.lanes = lanes(&slot.ray);
+                slot.lanes = lanes(&rays[index]);
                 slot.visitor = batch.begin(index);
                 slot.stack.clear();
             } else {
@@ -92,8 +87,8 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
 /// Opens one box; tells whether there is another.
 #[inline(always)]
 fn step<L: Lanes, V: Visitor>(tree: &Tree, slot: &mut Slot<L, V>) -> bool {
-    let Slot { current, ray, lanes, visitor, stack, .. } = slot;
-    if visit(tree, *current, lanes, ray, visitor, stack).is_break() {
+    let Slot { current, lanes, visitor, stack, .. } = slot;
+    if visit(tree, *current, lanes, visitor, stack).is_break() {
         return false;
     }
     let Some(next) = stack.pop(visitor.limit()) else { return false };

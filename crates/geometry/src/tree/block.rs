@@ -32,12 +32,6 @@ impl Block {
         Self { corners, numbers }
     }
 
-    /// The coordinates along an axis of the corners of one of its triangles.
-    #[inline]
-    pub(crate) fn along(&self, axis: usize, lane: usize) -> [f32; 3] {
-        self.corners.each_ref().map(|rows| rows[axis][lane])
-    }
-
     /// [`triangle`](Self::triangle) in double precision.
     #[inline]
     pub(crate) fn triangle_f64(&self, lane: usize) -> [DVec3; 3] {

@@ -55,10 +55,7 @@ impl Kernel {
     #[inline]
     pub(crate) fn walk<V: Visitor>(self, tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
         match self.0 {
-            Set::Scalar => {
-                let ray = Prepared::new(ray);
-                walk(tree, root, &ray, &ray, visitor);
-            }
+            Set::Scalar => walk(tree, root, &Prepared::new(ray), visitor),
             // SAFETY: `available` has seen that the machine has these instructions.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe { walk_sse41(tree, root, ray, visitor) },
@@ -71,7 +68,7 @@ impl Kernel {
     #[inline]
     pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
         match self.0 {
-            Set::Scalar => walk_each(tree, root, |ray| *ray, batch),
+            Set::Scalar => walk_each(tree, root, Prepared::new, batch),
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe { walk_each_sse41(tree, root, batch) },
@@ -85,21 +82,19 @@ impl Kernel {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "sse4.1")]
 fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
-    let ray = Prepared::new(ray);
     // SAFETY: this function runs only where SSE4.1 is.
-    let lanes = unsafe { Sse41::new(&ray) };
+    let lanes = unsafe { Sse41::new(ray) };
     // Behind a black box it stays in memory, where instructions read it as they go;
     // all of it is too much for the registers.
-    walk(tree, root, black_box(&lanes), &ray, visitor);
+    walk(tree, root, black_box(&lanes), visitor);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
 fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
-    let ray = Prepared::new(ray);
     // SAFETY: this function runs only where AVX2 is.
-    let lanes = unsafe { Avx2::new(&ray) };
-    walk(tree, root, black_box(&lanes), &ray, visitor);
+    let lanes = unsafe { Avx2::new(ray) };
+    walk(tree, root, black_box(&lanes), visitor);
 }
 
 #[cfg(target_arch = "x86_64")]

@@ -12,6 +12,7 @@ pub(crate) use x86::{Avx2, Sse41};
 use super::block::Block;
 use super::node::{Child, LEAF, Node, WIDTH};
 use super::stack::Stack;
+use crate::watertight::Flat;
 
 /// A ray prepared for tests of many boxes and triangles at once.
 pub(crate) trait Lanes {
@@ -30,20 +31,32 @@ pub(crate) trait Lanes {
         stack.pop(limit)
     }
 
-    /// One bit for each triangle that the line of the ray passes, with the edge
-    /// functions.
-    fn pass(&self, block: &Block) -> Passed;
+    /// One bit for each triangle that the line of the ray passes and of which a point
+    /// can be at 0 < t < `limit`.
+    fn pass(&self, block: &Block, limit: f32) -> Passed;
 }
 
-/// The triangles of a block that a ray passes, one bit each.
+/// The triangles of a block that a ray passes, one bit each, and how it sees all of
+/// them.
 pub(crate) struct Passed {
     pub(crate) mask: u32,
+    /// By corner, by triangle.
     pub(crate) edges: [[f32; LEAF]; 3],
+    pub(crate) depths: [[f32; LEAF]; 3],
+}
+
+impl Passed {
+    /// One of the triangles.
+    #[inline(always)]
+    pub(crate) fn flat(&self, lane: usize) -> Flat {
+        let of_lane = |rows: &[[f32; LEAF]; 3]| rows.each_ref().map(|row| row[lane]);
+        Flat { edges: of_lane(&self.edges), depths: of_lane(&self.depths) }
+    }
 }
 
 /// Puts the boxes whose bit is set on the stack.
 #[inline(always)]
-fn push(node: &Node, octant: i32, enter: &[f32; WIDTH], mask: u32, stack: &mut Stack) {
+fn push(node: &Node, octant: usize, enter: &[f32; WIDTH], mask: u32, stack: &mut Stack) {
     for word in node.order {
         let lane = (word >> (3 * octant)) as usize % WIDTH;
         if mask >> lane & 1 != 0 {

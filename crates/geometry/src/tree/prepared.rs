@@ -31,24 +31,26 @@ pub(crate) struct BoxRay {
     /// neighbour. Kernels read at these places unchecked: they are below six.
     pub(crate) near_row: [usize; 3],
     /// See [`Node::order`](super::node::Node).
-    pub(crate) octant: i32,
+    pub(crate) octant: usize,
 }
 
 impl BoxRay {
+    pub(crate) const NEARER: f32 = 1.0 - 4.0 * f32::EPSILON;
+    pub(crate) const FARTHER: f32 = 1.0 + 4.0 * f32::EPSILON;
+
     #[inline]
     pub(crate) fn new(ray: &Ray) -> Self {
-        const MARGIN: f32 = 4.0 * f32::EPSILON;
         let reciprocal = ray.direction.recip();
         // The reciprocal of −0 is negative: sign and order agree.
         let backward = reciprocal.to_array().map(|r| r < 0.0);
         Self {
             origin: ray.origin.to_array(),
-            near: (reciprocal * (1.0 - MARGIN)).to_array(),
-            far: (reciprocal * (1.0 + MARGIN)).to_array(),
+            near: (reciprocal * Self::NEARER).to_array(),
+            far: (reciprocal * Self::FARTHER).to_array(),
             near_row: std::array::from_fn(|axis| 2 * axis + usize::from(backward[axis])),
-            octant: i32::from(backward[0])
-                | i32::from(backward[1]) << 1
-                | i32::from(backward[2]) << 2,
+            octant: usize::from(backward[0])
+                | usize::from(backward[1]) << 1
+                | usize::from(backward[2]) << 2,
         }
     }
 }

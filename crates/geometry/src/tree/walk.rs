@@ -4,7 +4,6 @@ use super::Tree;
 use super::block::Block;
 use super::lanes::{Lanes, Passed};
 use super::node::{Child, Content};
-use super::prepared::Prepared;
 use super::stack::{Room, Stack};
 use std::ops::{ControlFlow, Range};
 
@@ -14,7 +13,7 @@ pub(crate) trait Visitor {
     fn limit(&self) -> f32;
 
     /// A block of which the line of the ray passes some triangles.
-    fn triangles(&mut self, ray: &Prepared, block: &Block, passed: &Passed) -> ControlFlow<()>;
+    fn triangles(&mut self, block: &Block, passed: &Passed) -> ControlFlow<()>;
 
     /// A run of other shapes, as places in the order of the leaves.
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
@@ -23,20 +22,14 @@ pub(crate) trait Visitor {
 /// Takes a ray to all leaves it meets, the nearer boxes of a node first, until the
 /// visitor breaks.
 #[inline(always)]
-pub(crate) fn walk<L: Lanes, V: Visitor>(
-    tree: &Tree,
-    root: Child,
-    lanes: &L,
-    ray: &Prepared,
-    visitor: &mut V,
-) {
+pub(crate) fn walk<L: Lanes, V: Visitor>(tree: &Tree, root: Child, lanes: &L, visitor: &mut V) {
     let mut room = Room::new();
     let mut stack = Stack::new(&mut room);
     let mut next = Some(root);
     while let Some(current) = next {
         next = if let Content::Node(index) = current.open() {
             lanes.open_next(&tree.nodes[index], visitor.limit(), &mut stack)
-        } else if visit(tree, current, lanes, ray, visitor, &mut stack).is_break() {
+        } else if visit(tree, current, lanes, visitor, &mut stack).is_break() {
             None
         } else {
             stack.pop(visitor.limit())
@@ -55,7 +48,6 @@ pub(super) fn visit<L: Lanes, V: Visitor>(
     tree: &Tree,
     child: Child,
     lanes: &L,
-    ray: &Prepared,
     visitor: &mut V,
     stack: &mut Stack,
 ) -> ControlFlow<()> {
@@ -63,9 +55,9 @@ pub(super) fn visit<L: Lanes, V: Visitor>(
         Content::Node(index) => lanes.open(&tree.nodes[index], visitor.limit(), stack),
         Content::Block(index) => {
             let block = &tree.blocks[index];
-            let passed = lanes.pass(block);
+            let passed = lanes.pass(block, visitor.limit());
             if passed.mask != 0 {
-                visitor.triangles(ray, block, &passed)?;
+                visitor.triangles(block, &passed)?;
             }
         }
         Content::Shapes(places) => visitor.shapes(places)?,

@@ -99,7 +99,7 @@ fn a_ray_that_passes_far_beyond_an_edge_misses() {
     ];
     let origin = Vec3::new(-65.84417, 1.1488686, -99.046616);
     let ray = Ray::new(origin, Vec3::new(17.017536, 19.390957, 50.237778));
-    let edges = Shear::along(&ray.direction).edges(&corners, &ray.origin);
+    let edges = Shear::along(&ray.direction).flat(&corners, &ray.origin).edges;
     assert!(is_inside(edges) && edges[0] == 0.0 && edges[1] == 0.0, "{edges:?}");
     let [a, b, c] = corners;
     let triangle = Triangle::new(a, b, c).unwrap();

@@ -25,13 +25,16 @@ impl Lanes for Prepared<'_> {
     }
 
     #[inline]
-    fn pass(&self, block: &Block) -> Passed {
-        let mut passed = Passed { mask: 0, edges: [[0.0; LEAF]; 3] };
+    fn pass(&self, block: &Block, limit: f32) -> Passed {
+        let none = [[0.0; LEAF]; 3];
+        let mut passed = Passed { mask: 0, edges: none, depths: none };
         for lane in 0..LEAF {
-            let edges = self.shear.edges(&block.triangle(lane), &self.ray.origin);
-            passed.mask |= u32::from(is_inside(edges)) << lane;
-            for (row, edge) in passed.edges.iter_mut().zip(edges) {
-                row[lane] = edge;
+            let flat = self.shear.flat(&block.triangle(lane), &self.ray.origin);
+            let is_passed = is_inside(flat.edges) && flat.reaches(limit);
+            passed.mask |= u32::from(is_passed) << lane;
+            for corner in 0..3 {
+                passed.edges[corner][lane] = flat.edges[corner];
+                passed.depths[corner][lane] = flat.depths[corner];
             }
         }
         passed

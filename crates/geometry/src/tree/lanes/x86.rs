@@ -10,6 +10,7 @@
 #![allow(clippy::cast_ptr_alignment, clippy::wildcard_imports)]
 
 mod avx2;
+mod slopes;
 mod sse41;
 mod triangles;
 

@@ -1,10 +1,11 @@
 //! Eight boxes in one register.
 
+use super::slopes::{PLANES, Slopes};
 use super::triangles::TriangleRay;
+use crate::Ray;
 use crate::tree::block::Block;
 use crate::tree::lanes::{Lanes, Passed};
 use crate::tree::node::{Child, Node, WIDTH};
-use crate::tree::prepared::Prepared;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
@@ -13,11 +14,11 @@ pub(crate) struct Avx2 {
     origin: [__m256; 3],
     near: [__m256; 3],
     far: [__m256; 3],
-    /// Where in a node, in bytes, the near plane of each axis is, and the far one.
-    near_plane: [usize; 3],
-    far_plane: [usize; 3],
-    /// How far the order of its octant is shifted.
-    order_shift: i32,
+    octant: usize,
+    /// See [`PLANES`].
+    planes: [usize; 6],
+    /// How far the order of its octant is shifted, in all places.
+    order_shift: __m256i,
     triangles: TriangleRay,
 }
 
@@ -43,19 +44,20 @@ impl Avx2 {
     /// # Safety
     /// The machine must have AVX2.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Prepared) -> Self {
-        let boxes = &ray.boxes;
-        // SAFETY: the caller promises AVX2.
-        let splat = |values: [f32; 3]| values.map(|x| unsafe { _mm256_set1_ps(x) });
-        Self {
-            origin: splat(boxes.origin),
-            near: splat(boxes.near),
-            far: splat(boxes.far),
-            near_plane: boxes.near_row.map(|row| row * 32),
-            far_plane: boxes.near_row.map(|row| (row ^ 1) * 32),
-            order_shift: 3 * boxes.octant,
-            // SAFETY: AVX2 includes SSE4.1.
-            triangles: unsafe { TriangleRay::new(ray) },
+    pub(crate) unsafe fn new(ray: &Ray) -> Self {
+        // SAFETY: the caller promises AVX2, which includes SSE4.1.
+        unsafe {
+            let slopes = Slopes::of(ray);
+            let double = |v: [__m128; 3]| v.map(|x| _mm256_set_m128(x, x));
+            Self {
+                origin: ray.origin.to_array().map(|x| _mm256_set1_ps(x)),
+                near: double(slopes.near()),
+                far: double(slopes.far()),
+                octant: slopes.octant % 8,
+                planes: PLANES[slopes.octant % 8],
+                order_shift: _mm256_set1_epi32(3 * slopes.octant as i32),
+                triangles: TriangleRay::new(ray),
+            }
         }
     }
 }
@@ -80,11 +82,10 @@ impl Avx2 {
             let from_origin = |offset: usize, axis: usize| {
                 _mm256_sub_ps(*planes.byte_add(offset).cast::<__m256>(), self.origin[axis])
             };
-            let near = |axis: usize| {
-                _mm256_mul_ps(from_origin(self.near_plane[axis], axis), self.near[axis])
-            };
+            let near =
+                |axis: usize| _mm256_mul_ps(from_origin(self.planes[axis], axis), self.near[axis]);
             let far = |axis: usize| {
-                _mm256_mul_ps(from_origin(self.far_plane[axis], axis), self.far[axis])
+                _mm256_mul_ps(from_origin(self.planes[axis + 3], axis), self.far[axis])
             };
             // What is not a number leaves the second operand.
             let enter = _mm256_max_ps(
@@ -97,7 +98,7 @@ impl Avx2 {
             );
             let met = _mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave);
             let order = _mm256_load_si256(node.order.as_ptr().cast());
-            let order = _mm256_srl_epi32(order, _mm_cvtsi32_si128(self.order_shift));
+            let order = _mm256_srlv_epi32(order, self.order_shift);
             let mask = _mm256_movemask_ps(_mm256_permutevar8x32_ps(met, order)) as u32;
             Met { enter, order, mask }
         }
@@ -136,7 +137,7 @@ impl Lanes for Avx2 {
     fn open_next(&self, node: &Node, limit: f32, stack: &mut Stack) -> Option<Child> {
         let met = self.meet(node, limit);
         let Some(nearest) = met.mask.checked_ilog2() else { return stack.pop(limit) };
-        let lane = (node.order[nearest as usize % WIDTH] >> self.order_shift) as usize % WIDTH;
+        let lane = (node.order[nearest as usize % WIDTH] >> (3 * self.octant)) as usize % WIDTH;
         if !met.mask.is_power_of_two() {
             Self::write(node, &met, stack);
             // SAFETY: one less than were written.
@@ -146,7 +147,7 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn pass(&self, block: &Block) -> Passed {
-        self.triangles.pass(block)
+    fn pass(&self, block: &Block, limit: f32) -> Passed {
+        self.triangles.pass(block, limit)
     }
 }

@@ -1,10 +1,11 @@
 //! Eight boxes in two registers.
 
+use super::slopes::{PLANES, Slopes};
 use super::triangles::TriangleRay;
+use crate::Ray;
 use crate::tree::block::Block;
 use crate::tree::lanes::{Lanes, Passed, push};
 use crate::tree::node::{Node, WIDTH};
-use crate::tree::prepared::Prepared;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
@@ -13,8 +14,7 @@ pub(crate) struct Sse41 {
     origin: [__m128; 3],
     near: [__m128; 3],
     far: [__m128; 3],
-    near_row: [usize; 3],
-    octant: i32,
+    octant: usize,
     triangles: TriangleRay,
 }
 
@@ -22,18 +22,17 @@ impl Sse41 {
     /// # Safety
     /// The machine must have SSE4.1.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Prepared) -> Self {
-        let boxes = &ray.boxes;
+    pub(crate) unsafe fn new(ray: &Ray) -> Self {
         // SAFETY: the caller promises SSE4.1.
-        let splat = |values: [f32; 3]| values.map(|x| unsafe { _mm_set1_ps(x) });
-        Self {
-            origin: splat(boxes.origin),
-            near: splat(boxes.near),
-            far: splat(boxes.far),
-            near_row: boxes.near_row,
-            octant: boxes.octant,
-            // SAFETY: the same promise.
-            triangles: unsafe { TriangleRay::new(ray) },
+        unsafe {
+            let slopes = Slopes::of(ray);
+            Self {
+                origin: ray.origin.to_array().map(|x| _mm_set1_ps(x)),
+                near: slopes.near(),
+                far: slopes.far(),
+                octant: slopes.octant % 8,
+                triangles: TriangleRay::new(ray),
+            }
         }
     }
 
@@ -41,13 +40,14 @@ impl Sse41 {
     #[inline(always)]
     fn enter_half(&self, node: &Node, limit: f32, half: usize) -> (__m128, u32) {
         // SAFETY: `self` shows that the machine has SSE4.1; a node is aligned to 64
-        // bytes and has six rows of twice 16, which `near_row` counts.
+        // bytes and has six rows of 32, at whose starts the offsets are.
         unsafe {
             let rows = node.planes.as_ptr().cast::<__m128>().add(half);
-            let plane = |row: usize, axis: usize| _mm_sub_ps(*rows.add(2 * row), self.origin[axis]);
-            let near = |axis: usize| _mm_mul_ps(plane(self.near_row[axis], axis), self.near[axis]);
-            let far =
-                |axis: usize| _mm_mul_ps(plane(self.near_row[axis] ^ 1, axis), self.far[axis]);
+            let planes = &PLANES[self.octant];
+            let from_origin =
+                |offset: usize, axis: usize| _mm_sub_ps(*rows.byte_add(offset), self.origin[axis]);
+            let near = |axis: usize| _mm_mul_ps(from_origin(planes[axis], axis), self.near[axis]);
+            let far = |axis: usize| _mm_mul_ps(from_origin(planes[axis + 3], axis), self.far[axis]);
             // What is not a number leaves the second operand.
             let enter =
                 _mm_max_ps(_mm_max_ps(near(0), near(1)), _mm_max_ps(near(2), _mm_setzero_ps()));
@@ -74,7 +74,7 @@ impl Lanes for Sse41 {
     }
 
     #[inline(always)]
-    fn pass(&self, block: &Block) -> Passed {
-        self.triangles.pass(block)
+    fn pass(&self, block: &Block, limit: f32) -> Passed {
+        self.triangles.pass(block, limit)
     }
 }
