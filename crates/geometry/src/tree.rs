@@ -25,25 +25,13 @@ use block::Block;
 use build::Quality;
 use node::{Child, Node};
 use pages::Pages;
-use prefetch::prefetch;
-use std::hint::select_unpredictable;
 use walk::Visitor;
 
 /// Blocks, or triangles, that a thread takes at once.
 pub(crate) const GRAIN: usize = 1 << 12;
 
-/// Trees of up to so many bytes stay in the cache that a core has for itself.
-const CACHED: usize = 1 << 20;
-
 /// Beyond so many bytes more rays under way at once still gain.
 const LARGE: usize = 16 << 20;
-
-/// Where an element of a list begins, and its last byte.
-#[inline(always)]
-fn ends<T>(list: &[T], index: usize) -> (*const u8, *const u8) {
-    let start = list.as_ptr().wrapping_add(index).cast::<u8>();
-    (start, start.wrapping_add(size_of::<T>() - 1))
-}
 
 /// Boxes in boxes, with numbers in the innermost.
 #[derive(Clone, Debug)]
@@ -110,18 +98,5 @@ impl Tree {
     #[inline]
     pub(crate) fn is_large(&self) -> bool {
         self.memory > LARGE
-    }
-
-    /// Asks for what is in a box, which will be opened soon.
-    #[inline(always)]
-    pub(crate) fn prefetch(&self, child: Child) {
-        if self.memory > CACHED {
-            // Which it is cannot be predicted; for shapes the addresses mean nothing.
-            let node = ends(&self.nodes, child.index());
-            let block = ends(&self.blocks, child.index());
-            let ends = select_unpredictable(child.is_leaf(), block, node);
-            prefetch(ends.0, size_of::<Block>());
-            prefetch(ends.1, 1);
-        }
     }
 }

@@ -3,6 +3,7 @@
 use super::Tree;
 use super::lanes::Lanes;
 use super::node::Child;
+use super::prefetch::Ahead;
 use super::stack::{Room, Stack};
 use super::walk::{Visitor, visit};
 use crate::Ray;
@@ -44,7 +45,7 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     lanes: impl Fn(&'a Ray) -> L,
     batch: &mut B,
 ) {
-    let rays = batch.rays();
+    let (rays, ahead) = (batch.rays(), Ahead::of(tree));
     let mut waiting = (0..rays.len()).filter(|&index| rays[index].is_traceable());
     let mut rooms = [const { Room::new() }; MOST];
     let mut slots = Vec::with_capacity(MOST);
@@ -63,7 +64,7 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     while !slots.is_empty() {
         let mut done = false;
         for slot in &mut slots {
-            if step(tree, slot) {
+            if step(tree, &ahead, slot) {
                 continue;
             }
             batch.end(slot.index, &slot.visitor);
@@ -86,13 +87,13 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
 
 /// Opens one box; tells whether there is another.
 #[inline(always)]
-fn step<L: Lanes, V: Visitor>(tree: &Tree, slot: &mut Slot<L, V>) -> bool {
+fn step<L: Lanes, V: Visitor>(tree: &Tree, ahead: &Ahead, slot: &mut Slot<L, V>) -> bool {
     let Slot { current, lanes, visitor, stack, .. } = slot;
     if visit(tree, *current, lanes, visitor, stack).is_break() {
         return false;
     }
     let Some(next) = stack.pop(visitor.limit()) else { return false };
     *current = next;
-    tree.prefetch(next);
+    ahead.ask(next);
     true
 }

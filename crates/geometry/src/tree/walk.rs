@@ -4,6 +4,7 @@ use super::Tree;
 use super::block::Block;
 use super::lanes::{Lanes, Passed};
 use super::node::{Child, Content};
+use super::prefetch::Ahead;
 use super::stack::{Room, Stack};
 use std::ops::{ControlFlow, Range};
 
@@ -25,6 +26,7 @@ pub(crate) trait Visitor {
 pub(crate) fn walk<L: Lanes, V: Visitor>(tree: &Tree, root: Child, lanes: &L, visitor: &mut V) {
     let mut room = Room::new();
     let mut stack = Stack::new(&mut room);
+    let ahead = Ahead::of(tree);
     let mut next = Some(root);
     while let Some(current) = next {
         next = if let Content::Node(index) = current.open() {
@@ -37,7 +39,7 @@ pub(crate) fn walk<L: Lanes, V: Visitor>(tree: &Tree, root: Child, lanes: &L, vi
         if tree.is_large()
             && let Some(after_next) = stack.top()
         {
-            tree.prefetch(after_next);
+            ahead.ask(after_next);
         }
     }
 }
