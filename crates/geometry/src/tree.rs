@@ -12,7 +12,6 @@ pub(crate) mod node;
 pub(crate) mod pages;
 pub(crate) mod parallel;
 mod prefetch;
-pub(crate) mod prepared;
 pub(crate) mod query;
 mod stack;
 pub(crate) mod walk;

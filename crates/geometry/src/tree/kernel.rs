@@ -4,8 +4,8 @@
 
 use super::Tree;
 use super::batch::{Batch, walk_each};
+use super::lanes::Scalar;
 use super::node::Child;
-use super::prepared::Prepared;
 use super::walk::{Visitor, walk};
 use crate::Ray;
 use std::hint::black_box;
@@ -55,7 +55,7 @@ impl Kernel {
     #[inline]
     pub(crate) fn walk<V: Visitor>(self, tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
         match self.0 {
-            Set::Scalar => walk(tree, root, &Prepared::new(ray), visitor),
+            Set::Scalar => walk(tree, root, &Scalar::new(ray), visitor),
             // SAFETY: `available` has seen that the machine has these instructions.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe { walk_sse41(tree, root, ray, visitor) },
@@ -68,7 +68,7 @@ impl Kernel {
     #[inline]
     pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
         match self.0 {
-            Set::Scalar => walk_each(tree, root, Prepared::new, batch),
+            Set::Scalar => walk_each(tree, root, Scalar::new, batch),
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe { walk_each_sse41(tree, root, batch) },

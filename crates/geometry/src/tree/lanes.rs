@@ -6,6 +6,7 @@ mod scalar;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
+pub(crate) use scalar::Scalar;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{Avx2, Sse41};
 
@@ -13,6 +14,12 @@ use super::block::Block;
 use super::node::{Child, LEAF, Node, WIDTH};
 use super::stack::Stack;
 use crate::watertight::Flat;
+
+/// Distances to near planes are made smaller and those to far planes larger by a
+/// few roundings, which covers both the rounding here and, since errors of an
+/// intersection grow with its distance too, that of the shapes.
+const NEARER: f32 = 1.0 - 4.0 * f32::EPSILON;
+const FARTHER: f32 = 1.0 + 4.0 * f32::EPSILON;
 
 /// A ray prepared for tests of many boxes and triangles at once.
 pub(crate) trait Lanes {
@@ -56,7 +63,7 @@ impl Passed {
 
 /// Puts the boxes whose bit is set on the stack.
 #[inline(always)]
-fn push(node: &Node, octant: usize, enter: &[f32; WIDTH], mask: u32, stack: &mut Stack) {
+fn push(node: &Node, octant: i32, enter: &[f32; WIDTH], mask: u32, stack: &mut Stack) {
     for word in node.order {
         let lane = (word >> (3 * octant)) as usize % WIDTH;
         if mask >> lane & 1 != 0 {

@@ -1,27 +1,58 @@
 //! The kernel for any machine, which is what the others are checked against.
 
-use super::{Lanes, Passed, push};
+use super::{FARTHER, Lanes, NEARER, Passed, push};
 use crate::tree::block::Block;
 use crate::tree::node::{LEAF, Node, WIDTH};
-use crate::tree::prepared::Prepared;
 use crate::tree::stack::Stack;
-use crate::watertight::is_inside;
+use crate::watertight::{Shear, is_inside};
+use crate::{Ray, Vec3};
 
-impl Lanes for Prepared<'_> {
+/// One box and one triangle at a time.
+pub(crate) struct Scalar<'a> {
+    origin: &'a Vec3,
+    /// From a distance along an axis to t, for near and for far planes.
+    near: [f32; 3],
+    far: [f32; 3],
+    /// Which row of a node holds the near plane of each axis; the far one is its
+    /// neighbour.
+    near_row: [usize; 3],
+    /// See [`Node::order`].
+    octant: i32,
+    shear: Shear,
+}
+
+impl<'a> Scalar<'a> {
+    pub(crate) fn new(ray: &'a Ray) -> Self {
+        let reciprocal = ray.direction.recip();
+        // The reciprocal of −0 is negative: sign and order agree.
+        let backward = reciprocal.to_array().map(|r| r < 0.0);
+        Self {
+            origin: &ray.origin,
+            near: (reciprocal * NEARER).to_array(),
+            far: (reciprocal * FARTHER).to_array(),
+            near_row: std::array::from_fn(|axis| 2 * axis + usize::from(backward[axis])),
+            octant: i32::from(backward[0])
+                | i32::from(backward[1]) << 1
+                | i32::from(backward[2]) << 2,
+            shear: Shear::along(&ray.direction),
+        }
+    }
+}
+
+impl Lanes for Scalar<'_> {
     #[inline]
     fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
-        let ray = &self.boxes;
         let mut entries = [0.0; WIDTH];
         let mut mask = 0;
         for (lane, entry) in entries.iter_mut().enumerate() {
-            let plane = |row: usize, axis: usize| node.planes[row][lane] - ray.origin[axis];
-            let near = |axis: usize| plane(ray.near_row[axis], axis) * ray.near[axis];
-            let far = |axis: usize| plane(ray.near_row[axis] ^ 1, axis) * ray.far[axis];
+            let plane = |row: usize, axis: usize| node.planes[row][lane] - self.origin[axis];
+            let near = |axis: usize| plane(self.near_row[axis], axis) * self.near[axis];
+            let far = |axis: usize| plane(self.near_row[axis] ^ 1, axis) * self.far[axis];
             *entry = greater(greater(near(0), near(1)), greater(near(2), 0.0));
             let leave = lesser(lesser(far(0), far(1)), lesser(far(2), limit));
             mask |= u32::from(*entry <= leave) << lane;
         }
-        push(node, ray.octant, &entries, mask, stack);
+        push(node, self.octant, &entries, mask, stack);
     }
 
     #[inline]
@@ -29,7 +60,7 @@ impl Lanes for Prepared<'_> {
         let none = [[0.0; LEAF]; 3];
         let mut passed = Passed { mask: 0, edges: none, depths: none };
         for lane in 0..LEAF {
-            let flat = self.shear.flat(&block.triangle(lane), &self.ray.origin);
+            let flat = self.shear.flat(&block.triangle(lane), self.origin);
             let is_passed = is_inside(flat.edges) && flat.reaches(limit);
             passed.mask |= u32::from(is_passed) << lane;
             for corner in 0..3 {

@@ -14,7 +14,7 @@ pub(crate) struct Avx2 {
     origin: [__m256; 3],
     near: [__m256; 3],
     far: [__m256; 3],
-    octant: usize,
+    octant: i32,
     /// See [`PLANES`].
     planes: [usize; 6],
     /// How far the order of its octant is shifted, in all places.
@@ -53,9 +53,9 @@ impl Avx2 {
                 origin: ray.origin.to_array().map(|x| _mm256_set1_ps(x)),
                 near: double(slopes.near()),
                 far: double(slopes.far()),
-                octant: slopes.octant % 8,
-                planes: PLANES[slopes.octant % 8],
-                order_shift: _mm256_set1_epi32(3 * slopes.octant as i32),
+                octant: slopes.octant,
+                planes: PLANES[slopes.octant as usize % 8],
+                order_shift: _mm256_set1_epi32(3 * slopes.octant),
                 triangles: TriangleRay::new(ray),
             }
         }

@@ -1,17 +1,18 @@
 //! From distances along the axes to t.
 
 use crate::Ray;
-use crate::tree::prepared::BoxRay;
+use crate::tree::lanes::{FARTHER, NEARER};
 use std::arch::x86_64::*;
 
-/// What [`BoxRay`] tells of a direction, in registers: through memory, where numbers
-/// would be written one by one and read together, it takes longer than all the rest.
+/// What a direction tells of boxes, in registers: through memory, where numbers would be
+/// written one by one and read together, it takes longer than all the rest.
 #[derive(Clone, Copy)]
 pub(super) struct Slopes {
+    /// From a distance along an axis to t, for near and for far planes.
     near: __m128,
     far: __m128,
-    /// The axes along which the ray goes backward, 1, 2 and 4.
-    pub(super) octant: usize,
+    /// See [`Node::order`](crate::tree::node::Node).
+    pub(super) octant: i32,
 }
 
 /// Where in a node, in bytes, the near plane of each axis is, and then the far one of
@@ -42,9 +43,9 @@ impl Slopes {
         unsafe {
             let reciprocal = _mm_div_ps(_mm_set1_ps(1.0), _mm_setr_ps(x, y, z, 1.0));
             Self {
-                near: _mm_mul_ps(reciprocal, _mm_set1_ps(BoxRay::NEARER)),
-                far: _mm_mul_ps(reciprocal, _mm_set1_ps(BoxRay::FARTHER)),
-                octant: _mm_movemask_ps(reciprocal) as usize,
+                near: _mm_mul_ps(reciprocal, _mm_set1_ps(NEARER)),
+                far: _mm_mul_ps(reciprocal, _mm_set1_ps(FARTHER)),
+                octant: _mm_movemask_ps(reciprocal) & 7,
             }
         }
     }

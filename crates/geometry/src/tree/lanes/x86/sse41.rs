@@ -14,7 +14,7 @@ pub(crate) struct Sse41 {
     origin: [__m128; 3],
     near: [__m128; 3],
     far: [__m128; 3],
-    octant: usize,
+    octant: i32,
     triangles: TriangleRay,
 }
 
@@ -30,7 +30,7 @@ impl Sse41 {
                 origin: ray.origin.to_array().map(|x| _mm_set1_ps(x)),
                 near: slopes.near(),
                 far: slopes.far(),
-                octant: slopes.octant % 8,
+                octant: slopes.octant,
                 triangles: TriangleRay::new(ray),
             }
         }
@@ -43,7 +43,7 @@ impl Sse41 {
         // bytes and has six rows of 32, at whose starts the offsets are.
         unsafe {
             let rows = node.planes.as_ptr().cast::<__m128>().add(half);
-            let planes = &PLANES[self.octant];
+            let planes = &PLANES[self.octant as usize % 8];
             let from_origin =
                 |offset: usize, axis: usize| _mm_sub_ps(*rows.byte_add(offset), self.origin[axis]);
             let near = |axis: usize| _mm_mul_ps(from_origin(planes[axis], axis), self.near[axis]);

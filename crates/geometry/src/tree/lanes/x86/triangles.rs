@@ -53,10 +53,9 @@ impl TriangleRay {
                 let (x, y, depth) = (coordinate(0), coordinate(1), coordinate(2));
                 let x = _mm_sub_ps(x, _mm_mul_ps(self.slope[0], depth));
                 let y = _mm_sub_ps(y, _mm_mul_ps(self.slope[1], depth));
-                (x, y, _mm_mul_ps(depth, self.reciprocal))
+                [x, y, _mm_mul_ps(depth, self.reciprocal)]
             };
-            type Corner = (__m128, __m128, __m128);
-            let cross = |(px, py, _): Corner, (qx, qy, _): Corner| {
+            let cross = |[px, py, _]: [__m128; 3], [qx, qy, _]: [__m128; 3]| {
                 _mm_sub_ps(_mm_mul_ps(px, qy), _mm_mul_ps(py, qx))
             };
             let [a, b, c] = [corner(0), corner(1), corner(2)];
@@ -66,7 +65,7 @@ impl TriangleRay {
             let least = |[a, b, c]: [__m128; 3]| _mm_min_ps(_mm_min_ps(a, b), c);
             let greatest = |[a, b, c]: [__m128; 3]| _mm_max_ps(_mm_max_ps(a, b), c);
             let edges = [of_a, of_b, of_c];
-            let depths = [a.2, b.2, c.2];
+            let depths = [a[2], b[2], c[2]];
             let inside =
                 _mm_or_ps(_mm_cmpge_ps(least(edges), zero), _mm_cmple_ps(greatest(edges), zero));
             let reached = _mm_and_ps(
