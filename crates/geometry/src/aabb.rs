@@ -4,6 +4,7 @@ use crate::Vec3;
 
 /// All points between `min` and `max`, borders included.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Aabb {
     /// The smallest coordinates.
     pub min: Vec3,

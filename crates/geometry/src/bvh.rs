@@ -33,6 +33,7 @@ pub struct Bvh<C = Triangles> {
 
 /// How a tree is built and asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Options {
     /// How much time goes into the tree.
     pub quality: Quality,
@@ -42,6 +43,7 @@ pub struct Options {
 
 /// How exactly the triangles of a mesh are met.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
     /// t is right to the last bits of an `f32` whatever the triangle's form, and no
     /// ray slips through between two triangles that share an edge or a corner.

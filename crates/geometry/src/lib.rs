@@ -106,7 +106,8 @@
 //! of its triangles, so the mesh is not needed for asking.
 //!
 //! The feature `rayon`, on by default, lets trees be built by as many threads as
-//! rayon's pool has. Without it there is nothing beneath this crate but
+//! rayon's pool has. With `serde`, meshes, rays, hits, boxes and options can be written to
+//! files and read. Without either there is nothing beneath this crate but
 //! `traylib-math` and what that needs: `glam`, `rand_core` and `rand_pcg`.
 //!
 //! # Leaving a surface

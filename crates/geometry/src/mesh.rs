@@ -1,11 +1,16 @@
 //! Indexed triangle meshes.
 
+#[cfg(feature = "serde")]
+mod parts;
+
 use crate::precise::difference;
 use crate::{Error, Triangle, Vec2, Vec3};
 
 /// Triangles that share their corners; from the front, corners go
 /// counter-clockwise.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "parts::Parts", into = "parts::Parts"))]
 pub struct Mesh {
     positions: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,

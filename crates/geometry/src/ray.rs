@@ -8,6 +8,7 @@ use crate::Vec3;
 /// A hit counts when 0 < t < `t_max`. The direction need not be unit; t is in
 /// units of its length.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ray {
     /// Where t is zero.
     pub origin: Vec3,
@@ -59,6 +60,7 @@ impl Ray {
 
 /// The meeting of a ray with one of many shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Hit {
     /// Where along the ray, in units of its direction's length.
     pub t: f32,

@@ -28,6 +28,7 @@ const GRAIN: usize = 1 << 12;
 
 /// How much work building a tree takes, and how little rays have to do in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Quality {
     /// In half the time of [`Balanced`](Self::Balanced); a ray meets up to an
     /// eighth more boxes. For shapes that change before many rays are cast.
