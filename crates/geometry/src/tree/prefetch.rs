@@ -34,7 +34,7 @@ impl Ahead {
     pub(crate) fn ask(&self, child: Child) {
         if self.is_of_use {
             let (start, size) = self.lists[usize::from(child.is_leaf())];
-            let start = start.wrapping_add(child.index() * size);
+            let start = start.wrapping_add(child.index().wrapping_mul(size));
             prefetch(start);
             prefetch(start.wrapping_add(LINE));
             prefetch(start.wrapping_add(2 * LINE));
