@@ -150,12 +150,18 @@ impl Flat {
 ///
 /// The plane gives t most precisely, except to a ray within it; no point of the
 /// triangle is nearer or farther than its corners. In double precision, since the
-/// normal of a sliver of aspect 10⁵ is off by a percent in single.
+/// normal of a sliver of aspect 10⁵ is off by a percent in single. It counts at
+/// 0 < t < `limit`.
 #[inline]
-pub(crate) fn meet(ray: &Ray, corners: [DVec3; 3], flat: &Flat) -> Option<ShapeHit> {
+pub(crate) fn meet(
+    ray: &Ray,
+    limit: f32,
+    corners: impl Fn() -> [DVec3; 3],
+    flat: &Flat,
+) -> Option<ShapeHit> {
     let [of_a, of_b, of_c] = flat.edges;
     let sum = of_a + of_b + of_c;
-    let [a, b, c] = corners;
+    let [a, b, c] = corners();
     let normal = (b - a).cross(c - a);
     let slope = ray.direction.as_dvec3().dot(normal);
     if sum == 0.0 || sum.is_nan() || slope == 0.0 {
@@ -163,17 +169,49 @@ pub(crate) fn meet(ray: &Ray, corners: [DVec3; 3], flat: &Flat) -> Option<ShapeH
     }
     let t = ((a - ray.origin.as_dvec3()).dot(normal) / slope) as f32;
     let t = flat.within(t);
-    ray.contains(t).then(|| ShapeHit { t, u: of_b / sum, v: of_c / sum })
+    let t = if is_grazing(normal, sum) { within_box(t, ray, corners) } else { t };
+    (0.0 < t && t < limit).then(|| ShapeHit { t, u: of_b / sum, v: of_c / sum })
+}
+
+/// Whether so little is left of the area when seen along the ray that t may be off by much
+/// more than the ray is from an edge.
+///
+/// `sum`, twice the area in the figure, is the normal times the direction of the ray over
+/// the longest coordinate of that.
+#[inline]
+fn is_grazing(normal: DVec3, sum: f32) -> bool {
+    let seen = 16.0 * f64::from(sum).abs();
+    seen < normal.x.abs() || seen < normal.y.abs() || seen < normal.z.abs()
+}
+
+/// `t`, or where the ray enters or leaves the box around the corners if it is not within
+/// it then.
+///
+/// So boxes that hold the triangle begin before the hit, and rays find it whatever box
+/// they are in.
+#[cold]
+#[inline(never)]
+fn within_box(t: f32, ray: &Ray, corners: impl Fn() -> [DVec3; 3]) -> f32 {
+    let [a, b, c] = corners();
+    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
+    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+    for axis in (0..3).filter(|&axis| direction[axis] != 0.0) {
+        let [low, high] = [low, high].map(|plane| (plane[axis] - origin[axis]) / direction[axis]);
+        enter = enter.max(low.min(high));
+        leave = leave.min(low.max(high));
+    }
+    f64::from(t).min(leave).max(enter) as f32
 }
 
 /// [`meet`] with t between those beside the corners in the ratio of the areas.
 #[inline]
-pub(crate) fn meet_coarsely(ray: &Ray, flat: &Flat) -> Option<ShapeHit> {
+pub(crate) fn meet_coarsely(limit: f32, flat: &Flat) -> Option<ShapeHit> {
     let [of_a, of_b, of_c] = flat.edges;
     let [ta, tb, tc] = flat.depths;
     let reciprocal = 1.0 / (of_a + of_b + of_c);
     let t = flat.within((of_a * ta + of_b * tb + of_c * tc) * reciprocal);
-    ray.contains(t).then_some(ShapeHit { t, u: of_b * reciprocal, v: of_c * reciprocal })
+    (0.0 < t && t < limit).then_some(ShapeHit { t, u: of_b * reciprocal, v: of_c * reciprocal })
 }
 
 /// The normal of the front, as long as twice the area.

@@ -24,13 +24,14 @@ pub(crate) trait Holds: Send + Sync {
     fn count(&self) -> u32;
 
     /// Where the ray meets triangle `number`, which it passes inside, at
-    /// 0 < t < `ray.t_max`.
+    /// 0 < t < `limit`.
     fn triangle(
         &self,
         number: u32,
-        corners: [DVec3; 3],
+        corners: impl Fn() -> [DVec3; 3],
         flat: &Flat,
         ray: &Ray,
+        limit: f32,
     ) -> Option<ShapeHit>;
 
     /// Offers the hits with shape `number`, which is no triangle.
@@ -54,8 +55,8 @@ impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
 
     #[inline(always)]
     fn triangle(&self, block: &Block, lane: usize, flat: &Flat) -> Option<ShapeHit> {
-        let (number, corners) = (block.numbers[lane], block.triangle_f64(lane));
-        self.contents.triangle(number, corners, flat, &self.ray())
+        let corners = || block.triangle_f64(lane);
+        self.contents.triangle(block.numbers[lane], corners, flat, self.ray, self.limit())
     }
 
     /// Rare, and apart so that a [`Flat`] usually stays in registers.

@@ -125,7 +125,14 @@ impl<C: Contents> Holds for Instances<C> {
 
     /// There are no triangles but those within.
     #[inline]
-    fn triangle(&self, _: u32, _: [DVec3; 3], _: &Flat, _: &Ray) -> Option<ShapeHit> {
+    fn triangle(
+        &self,
+        _: u32,
+        _: impl Fn() -> [DVec3; 3],
+        _: &Flat,
+        _: &Ray,
+        _: f32,
+    ) -> Option<ShapeHit> {
         None
     }
 

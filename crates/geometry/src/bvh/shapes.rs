@@ -52,8 +52,15 @@ impl<S: Shape> Holds for Shapes<S> {
     }
 
     #[inline]
-    fn triangle(&self, number: u32, _: [DVec3; 3], _: &Flat, ray: &Ray) -> Option<ShapeHit> {
-        self.0[number as usize].intersect(ray)
+    fn triangle(
+        &self,
+        number: u32,
+        _: impl Fn() -> [DVec3; 3],
+        _: &Flat,
+        ray: &Ray,
+        limit: f32,
+    ) -> Option<ShapeHit> {
+        self.0[number as usize].intersect(&Ray { t_max: limit, ..*ray })
     }
 
     #[inline]

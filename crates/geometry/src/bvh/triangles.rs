@@ -54,10 +54,17 @@ impl Holds for Triangles {
     }
 
     #[inline]
-    fn triangle(&self, _: u32, corners: [DVec3; 3], flat: &Flat, ray: &Ray) -> Option<ShapeHit> {
+    fn triangle(
+        &self,
+        _: u32,
+        corners: impl Fn() -> [DVec3; 3],
+        flat: &Flat,
+        ray: &Ray,
+        limit: f32,
+    ) -> Option<ShapeHit> {
         match self.precision {
-            Precision::Watertight => watertight::meet(ray, corners, flat),
-            Precision::Fast => watertight::meet_coarsely(ray, flat),
+            Precision::Watertight => watertight::meet(ray, limit, corners, flat),
+            Precision::Fast => watertight::meet_coarsely(limit, flat),
         }
     }
 

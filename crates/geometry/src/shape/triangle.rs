@@ -63,7 +63,7 @@ impl Triangle {
             return None;
         }
         let flat = if flat.is_settled() { flat } else { flat.settled(&corners, ray)? };
-        watertight::meet(ray, corners.map(Vec3::as_dvec3), &flat)
+        watertight::meet(ray, ray.t_max, || corners.map(Vec3::as_dvec3), &flat)
     }
 
     /// The site at barycentric coordinates `u`, `v`.

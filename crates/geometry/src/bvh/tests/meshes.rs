@@ -102,3 +102,26 @@ fn batches_answer_each_ray() {
         assert!(hits.iter().zip(&rays).all(|(hit, ray)| *hit == bvh.nearest(ray)));
     }
 }
+
+/// The ray lies all but in the plane of the first triangle, where t of the plane would be
+/// that of a point before the triangle.
+#[test]
+#[allow(clippy::unreadable_literal, reason = "as the fuzzer found them")]
+fn a_ray_along_a_triangle_meets_it_within_its_box() {
+    let positions = [
+        [536870900.0, -5.6586982e-6, -1073741800.0],
+        [-2147483600.0, 1610612700.0, 536870900.0],
+        [-536870900.0, 1073741800.0, -1.6320854e-11],
+        [1610612700.0, -1610612700.0, 9715086.0],
+        [0.0, 0.0, 1073741800.0],
+        [-536870900.0, 4188756000.0, -1610612700.0],
+    ];
+    let mesh = Mesh::new(positions.map(Vec3::from).to_vec(), vec![[0, 1, 2], [3, 4, 5]]).unwrap();
+    let bvh = Bvh::build(&mesh).unwrap();
+    let origin = Vec3::new(1073741800.0, 1073741800.0, 0.0);
+    let ray = Ray::new(origin, Vec3::splat(-2147483600.0));
+    let hits = bvh.all_hits(&ray);
+    assert_eq!(bvh.nearest(&ray), hits.first().copied());
+    let along = hits.iter().find(|hit| hit.primitive == 0).unwrap();
+    assert!((0.25..=0.5).contains(&along.t), "{along:?}");
+}
