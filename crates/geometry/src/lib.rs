@@ -65,7 +65,7 @@
 //! [`Bvh::nearest_each`] and [`Bvh::any_hit_each`] give the same answers as asking one
 //! by one. They keep several rays under way, so that one goes on while another waits
 //! for memory or for a result. This gains most where a tree is larger than the caches:
-//! some 5 to 30 rays more in a hundred with a thousand or sixty thousand triangles, up
+//! some 10 to 50 rays more in a hundred with a thousand or seventy thousand triangles, up
 //! to twice as many with a million. They start no threads: a [`Bvh`] can be asked by
 //! any number of threads at once, each with rays of its own.
 //!
