@@ -168,8 +168,9 @@ pub(crate) fn meet(
         return None;
     }
     let t = ((a - ray.origin.as_dvec3()).dot(normal) / slope) as f32;
-    let t = flat.within(t);
     let t = if is_grazing(normal, sum) { within_box(t, ray, corners) } else { t };
+    // Last, since a triangle that begins beyond a hit by these depths is not asked.
+    let t = flat.within(t);
     (0.0 < t && t < limit).then(|| ShapeHit { t, u: of_b / sum, v: of_c / sum })
 }
 
