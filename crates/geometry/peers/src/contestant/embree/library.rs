@@ -101,7 +101,7 @@ impl Library {
 
 /// A committed scene of one mesh, on a device of its own.
 pub(super) struct Scene {
-    library: &'static Library,
+    loaded: &'static Library,
     device: Handle,
     handle: Handle,
     intersect: Query,
@@ -135,7 +135,7 @@ impl Scene {
             }
             let bytes = Box::new(AtomicIsize::new(0));
             let scene = Self {
-                library,
+                loaded: library,
                 device,
                 intersect: library.get("rtcIntersect1")?,
                 occluded: library.get("rtcOccluded1")?,
@@ -153,7 +153,7 @@ impl Scene {
     unsafe fn fill(&self, mesh: &Mesh, quality: c_uint, flags: c_uint) -> Result<(), String> {
         type Set = unsafe extern "C" fn(Handle, c_uint);
         type Do = unsafe extern "C" fn(Handle);
-        let library = self.library;
+        let library = self.loaded;
         unsafe {
             library.get::<Set>("rtcSetSceneBuildQuality")?(self.handle, quality);
             library.get::<Set>("rtcSetSceneFlags")?(self.handle, flags);
@@ -185,7 +185,7 @@ impl Scene {
         type New =
             unsafe extern "C" fn(Handle, c_uint, c_uint, c_uint, usize, usize) -> *mut c_void;
         unsafe {
-            let new: New = self.library.get("rtcSetNewGeometryBuffer")?;
+            let new: New = self.loaded.get("rtcSetNewGeometryBuffer")?;
             let buffer = new(geometry, kind, 0, format, size_of::<[T; 3]>(), items.len());
             if buffer.is_null() {
                 return self.check();
@@ -199,7 +199,7 @@ impl Scene {
         // SAFETY: the device lives as long as `self`.
         let error = unsafe {
             let get: unsafe extern "C" fn(Handle) -> c_uint =
-                self.library.get("rtcGetDeviceError")?;
+                self.loaded.get("rtcGetDeviceError")?;
             get(self.device)
         };
         if error == 0 { Ok(()) } else { Err(format!("error {error}")) }
@@ -238,7 +238,7 @@ unsafe fn monitor(library: &Library, device: Handle, sum: &AtomicIsize) -> Resul
 impl Drop for Scene {
     fn drop(&mut self) {
         type Release = unsafe extern "C" fn(Handle);
-        let Self { library, device, handle, .. } = self;
+        let Self { loaded: library, device, handle, .. } = self;
         // SAFETY: both are released once, the scene before its device.
         unsafe {
             if let Ok(release) = library.get::<Release>("rtcReleaseScene") {
