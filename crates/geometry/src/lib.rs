@@ -123,6 +123,7 @@
 
 mod aabb;
 mod bvh;
+mod coarse;
 mod error;
 mod mesh;
 mod point;

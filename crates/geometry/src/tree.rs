@@ -13,17 +13,19 @@ pub(crate) mod pages;
 pub(crate) mod parallel;
 mod prefetch;
 pub(crate) mod query;
+mod sizes;
 mod stack;
 pub(crate) mod walk;
 
 pub(crate) use kernel::Kernel;
-pub(crate) use lanes::Passed;
+pub(crate) use lanes::Lanes;
 
 use crate::{Aabb, Ray, Vec3};
 use block::Block;
 use build::Quality;
 use node::{Child, Node};
 use pages::Pages;
+use sizes::Sizes;
 use walk::Visitor;
 
 /// Blocks, or triangles, that a thread takes at once.
@@ -40,6 +42,8 @@ pub(crate) struct Tree {
     /// Numbers of what is no triangle, in the order the leaves list them.
     pub(crate) order: Vec<u32>,
     root: Option<Child>,
+    /// Of its triangles.
+    sizes: Sizes,
     /// Levels of nodes.
     #[cfg(test)]
     pub(crate) depth: usize,
@@ -57,10 +61,12 @@ impl Tree {
         corners: impl Fn(u32) -> Option<[Vec3; 3]> + Send + Sync,
         quality: Quality,
     ) -> Self {
+        let sizes =
+            Sizes::up_to(boxes.iter().map(|b| b.extent().max_element()).fold(0.0, f32::max));
         let built = build::build(boxes, items, |item| corners(item).is_some(), quality);
         let corners_of = |item| corners(item).unwrap_or([Vec3::NAN; 3]);
         let blocks = parallel::map(built.blocks.len(), GRAIN, |block| {
-            Block::new(built.blocks[block], corners_of)
+            Block::new(built.blocks[block], sizes, corners_of)
         });
         let memory =
             size_of_val(&*built.nodes) + size_of_val(&*blocks) + size_of_val(&*built.shapes);
@@ -69,6 +75,7 @@ impl Tree {
             blocks: Pages::new(blocks),
             order: built.shapes,
             root: built.root,
+            sizes,
             #[cfg(test)]
             depth: built.depth,
             kernel: Kernel::best(),

@@ -1,14 +1,12 @@
 //! What a tree can hold.
 
-use crate::precise::DVec3;
 use crate::shape::ShapeHit;
-use crate::tree::Passed;
+use crate::tree::Lanes;
 use crate::tree::batch::Batch;
 use crate::tree::block::Block;
 use crate::tree::node::LEAF;
 use crate::tree::query::Query;
 use crate::tree::walk::Visitor;
-use crate::watertight::Flat;
 use crate::{Hit, Ray};
 use std::ops::{ControlFlow, Range};
 
@@ -23,19 +21,40 @@ pub(crate) trait Holds: Send + Sync {
     /// Numbers of shapes are below this.
     fn count(&self) -> u32;
 
-    /// Where the ray meets triangle `number`, which it passes inside, at
-    /// 0 < t < `limit`.
-    fn triangle(
+    /// Offers the hits with the triangles of a block. `lanes` are those of the ray.
+    fn triangles<L: Lanes, Q: Query>(
         &self,
-        number: u32,
-        corners: impl Fn() -> [DVec3; 3],
-        flat: &Flat,
+        block: &Block,
+        lanes: &L,
         ray: &Ray,
-        limit: f32,
-    ) -> Option<ShapeHit>;
+        query: &mut Q,
+    ) -> ControlFlow<()>;
 
     /// Offers the hits with shape `number`, which is no triangle.
     fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()>;
+}
+
+/// The places of the ones in a mask, the lowest first.
+#[inline(always)]
+pub(super) fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = (mask != 0).then(|| mask.trailing_zeros() as usize % LEAF)?;
+        mask &= mask - 1;
+        Some(place)
+    })
+}
+
+/// Offers a hit with a shape, if there is one.
+#[inline(always)]
+pub(super) fn offer<Q: Query>(
+    hit: Option<ShapeHit>,
+    primitive: u32,
+    query: &mut Q,
+) -> ControlFlow<()> {
+    match hit {
+        Some(ShapeHit { t, u, v }) => query.offer(Hit { t, primitive, u, v }),
+        None => ControlFlow::Continue(()),
+    }
 }
 
 /// Asks the contents of the leaves that a ray comes to.
@@ -52,20 +71,6 @@ impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
     fn ray(&self) -> Ray {
         Ray { t_max: self.query.limit(), ..*self.ray }
     }
-
-    #[inline(always)]
-    fn triangle(&self, block: &Block, lane: usize, flat: &Flat) -> Option<ShapeHit> {
-        let corners = || block.triangle_f64(lane);
-        self.contents.triangle(block.numbers[lane], corners, flat, self.ray, self.limit())
-    }
-
-    /// Rare, and apart so that a [`Flat`] usually stays in registers.
-    #[cold]
-    #[inline(never)]
-    fn unsettled_triangle(&self, block: &Block, lane: usize, flat: Flat) -> Option<ShapeHit> {
-        let flat = flat.settled(&block.triangle(lane), self.ray)?;
-        self.triangle(block, lane, &flat)
-    }
 }
 
 impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
@@ -75,22 +80,8 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
     }
 
     #[inline(always)]
-    fn triangles(&mut self, block: &Block, passed: &Passed) -> ControlFlow<()> {
-        let mut mask = passed.mask;
-        while mask != 0 {
-            let lane = mask.trailing_zeros() as usize % LEAF;
-            mask &= mask - 1;
-            let flat = passed.flat(lane);
-            let hit = if flat.is_settled() {
-                self.triangle(block, lane, &flat)
-            } else {
-                self.unsettled_triangle(block, lane, flat)
-            };
-            if let Some(ShapeHit { t, u, v }) = hit {
-                self.query.offer(Hit { t, primitive: block.numbers[lane], u, v })?;
-            }
-        }
-        ControlFlow::Continue(())
+    fn triangles<L: Lanes>(&mut self, block: &Block, lanes: &L) -> ControlFlow<()> {
+        self.contents.triangles(block, lanes, self.ray, &mut self.query)
     }
 
     #[inline]

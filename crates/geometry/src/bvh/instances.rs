@@ -3,12 +3,10 @@
 use super::Bvh;
 use super::contents::{Contents, Holds};
 use super::widened;
-use crate::precise::DVec3;
-use crate::shape::ShapeHit;
-use crate::tree::Tree;
+use crate::tree::block::Block;
 use crate::tree::build::Quality;
 use crate::tree::query::Query;
-use crate::watertight::Flat;
+use crate::tree::{Lanes, Tree};
 use crate::{Aabb, Error, Hit, Ray, Vec3};
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -125,15 +123,14 @@ impl<C: Contents> Holds for Instances<C> {
 
     /// There are no triangles but those within.
     #[inline]
-    fn triangle(
+    fn triangles<L: Lanes, Q: Query>(
         &self,
-        _: u32,
-        _: impl Fn() -> [DVec3; 3],
-        _: &Flat,
+        _: &Block,
+        _: &L,
         _: &Ray,
-        _: f32,
-    ) -> Option<ShapeHit> {
-        None
+        _: &mut Q,
+    ) -> ControlFlow<()> {
+        ControlFlow::Continue(())
     }
 
     #[inline]

@@ -1,14 +1,13 @@
 //! Shapes of any kind.
 
-use super::contents::Holds;
+use super::contents::{Holds, offer, ones};
 use super::{Bvh, check_count, widened};
-use crate::precise::DVec3;
-use crate::shape::{Shape, ShapeHit};
-use crate::tree::Tree;
+use crate::shape::Shape;
+use crate::tree::block::Block;
 use crate::tree::build::Quality;
 use crate::tree::query::Query;
-use crate::watertight::Flat;
-use crate::{Aabb, Error, Hit, Ray};
+use crate::tree::{Lanes, Tree};
+use crate::{Aabb, Error, Ray};
 use std::ops::ControlFlow;
 
 /// What a [`Bvh`] of shapes holds: spheres, quads, disks, triangles, or whatever a
@@ -52,22 +51,22 @@ impl<S: Shape> Holds for Shapes<S> {
     }
 
     #[inline]
-    fn triangle(
+    fn triangles<L: Lanes, Q: Query>(
         &self,
-        number: u32,
-        _: impl Fn() -> [DVec3; 3],
-        _: &Flat,
+        block: &Block,
+        lanes: &L,
         ray: &Ray,
-        limit: f32,
-    ) -> Option<ShapeHit> {
-        self.0[number as usize].intersect(&Ray { t_max: limit, ..*ray })
+        query: &mut Q,
+    ) -> ControlFlow<()> {
+        for lane in ones(lanes.candidates(block, query.limit())) {
+            let ray = Ray { t_max: query.limit(), ..*ray };
+            self.shape(block.number(lane), &ray, query)?;
+        }
+        ControlFlow::Continue(())
     }
 
     #[inline]
     fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()> {
-        match self.0[number as usize].intersect(ray) {
-            Some(ShapeHit { t, u, v }) => query.offer(Hit { t, primitive: number, u, v }),
-            None => ControlFlow::Continue(()),
-        }
+        offer(self.0[number as usize].intersect(ray), number, query)
     }
 }

@@ -1,12 +1,12 @@
 //! The triangles of a mesh.
 
-use super::contents::Holds;
+use super::contents::{Holds, offer, ones};
 use super::{Bvh, Options, Precision, check_count, widened};
-use crate::precise::DVec3;
 use crate::shape::ShapeHit;
+use crate::tree::block::Block;
 use crate::tree::query::Query;
-use crate::tree::{GRAIN, Tree, parallel};
-use crate::watertight::{self, Flat};
+use crate::tree::{GRAIN, Lanes, Tree, parallel};
+use crate::watertight;
 use crate::{Aabb, Error, Mesh, Ray, Triangle, Vec3};
 use std::ops::ControlFlow;
 
@@ -53,18 +53,17 @@ impl Holds for Triangles {
         self.count
     }
 
-    #[inline]
-    fn triangle(
+    #[inline(always)]
+    fn triangles<L: Lanes, Q: Query>(
         &self,
-        _: u32,
-        corners: impl Fn() -> [DVec3; 3],
-        flat: &Flat,
+        block: &Block,
+        lanes: &L,
         ray: &Ray,
-        limit: f32,
-    ) -> Option<ShapeHit> {
+        query: &mut Q,
+    ) -> ControlFlow<()> {
         match self.precision {
-            Precision::Watertight => watertight::meet(ray, limit, corners, flat),
-            Precision::Fast => watertight::meet_coarsely(limit, flat),
+            Precision::Watertight => watertight_hits(block, lanes, ray, query),
+            Precision::Fast => fast_hits(block, lanes, ray, query),
         }
     }
 
@@ -73,4 +72,47 @@ impl Holds for Triangles {
     fn shape<Q: Query>(&self, _: u32, _: &Ray, _: &mut Q) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
+}
+
+#[inline(always)]
+fn watertight_hits<L: Lanes, Q: Query>(
+    block: &Block,
+    lanes: &L,
+    ray: &Ray,
+    query: &mut Q,
+) -> ControlFlow<()> {
+    for lane in ones(lanes.candidates(block, query.limit())) {
+        let axes = lanes.axes();
+        let hit = watertight::meet(ray, axes, query.limit(), block.picked(lane, axes));
+        offer(hit, block.number(lane), query)?;
+    }
+    ControlFlow::Continue(())
+}
+
+#[inline(always)]
+fn fast_hits<L: Lanes, Q: Query>(
+    block: &Block,
+    lanes: &L,
+    ray: &Ray,
+    query: &mut Q,
+) -> ControlFlow<()> {
+    let passed = lanes.pass(block, query.limit());
+    for lane in ones(passed.mask) {
+        let flat = passed.flat(lane);
+        let hit = if flat.is_settled() {
+            flat.meet(query.limit())
+        } else {
+            unsettled_hit(block, lane, ray, query.limit())
+        };
+        offer(hit, block.number(lane), query)?;
+    }
+    ControlFlow::Continue(())
+}
+
+/// Where signs are in doubt, as exactly as can be.
+#[cold]
+#[inline(never)]
+fn unsettled_hit(block: &Block, lane: usize, ray: &Ray, limit: f32) -> Option<ShapeHit> {
+    let axes = watertight::axes(&ray.direction);
+    watertight::meet(ray, axes, limit, block.picked(lane, axes))
 }

@@ -2,7 +2,7 @@
 
 use super::{ShapeHit, Sides, all_finite, sound_area};
 use crate::precise::unit;
-use crate::watertight::{self, Shear, is_inside};
+use crate::watertight::{self, pick};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use traylib_math::warp;
 
@@ -57,13 +57,12 @@ impl Triangle {
     /// the third corner; without gaps where triangles share their corners.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
-        let corners = self.corners();
-        let flat = Shear::along(&ray.direction).flat(&corners, &ray.origin);
-        if !(is_inside(flat.edges) && sides.admit(ray.direction.dot(self.normal))) {
+        if !sides.admit(ray.direction.dot(self.normal)) {
             return None;
         }
-        let flat = if flat.is_settled() { flat } else { flat.settled(&corners, ray)? };
-        watertight::meet(ray, ray.t_max, || corners.map(Vec3::as_dvec3), &flat)
+        let axes = watertight::axes(&ray.direction);
+        let corners = self.corners().map(|corner| pick(&corner, axes));
+        watertight::meet(ray, axes, ray.t_max, corners)
     }
 
     /// The site at barycentric coordinates `u`, `v`.

@@ -1,8 +1,8 @@
 //! Four triangles side by side.
 
 use super::node::LEAF;
-use crate::Vec3;
-use crate::precise::DVec3;
+use super::sizes::Sizes;
+use crate::{Aabb, Vec3};
 
 /// The corners of up to four triangles: 160 bytes.
 #[derive(Clone, Copy, Debug)]
@@ -11,8 +11,8 @@ pub(crate) struct Block {
     /// By corner, by axis, by triangle. Where there is none they are not numbers,
     /// and no ray passes them.
     pub(crate) corners: [[[f32; LEAF]; 3]; 3],
-    /// Which triangles they are.
-    pub(crate) numbers: [u32; LEAF],
+    /// Which triangles they are, and how large, as [`Sizes`] has it.
+    pub(crate) words: [u32; LEAF],
 }
 
 impl Block {
@@ -20,25 +20,29 @@ impl Block {
     pub(crate) const NONE: u32 = u32::MAX;
 
     /// The block of the triangles with these numbers.
-    pub(crate) fn new(numbers: [u32; LEAF], triangle: impl Fn(u32) -> [Vec3; 3]) -> Self {
-        let mut corners = [[[f32::NAN; LEAF]; 3]; 3];
+    pub(crate) fn new(
+        numbers: [u32; LEAF],
+        sizes: Sizes,
+        triangle: impl Fn(u32) -> [Vec3; 3],
+    ) -> Self {
+        let mut block = Self { corners: [[[f32::NAN; LEAF]; 3]; 3], words: numbers };
         for (lane, &number) in numbers.iter().enumerate().filter(|&(_, &n)| n != Self::NONE) {
-            for (rows, corner) in corners.iter_mut().zip(triangle(number)) {
+            let triangle = triangle(number);
+            for (rows, corner) in block.corners.iter_mut().zip(triangle) {
                 for (axis, row) in rows.iter_mut().enumerate() {
                     row[lane] = corner[axis];
                 }
             }
+            let extent = Aabb::around(triangle).extent().max_element();
+            block.words[lane] = sizes.word(number, extent);
         }
-        Self { corners, numbers }
+        block
     }
 
-    /// [`triangle`](Self::triangle) in double precision.
+    /// The number of one of its triangles.
     #[inline]
-    pub(crate) fn triangle_f64(&self, lane: usize) -> [DVec3; 3] {
-        let corner = |rows: &[[f32; LEAF]; 3]| {
-            DVec3::new(rows[0][lane].into(), rows[1][lane].into(), rows[2][lane].into())
-        };
-        self.corners.each_ref().map(corner)
+    pub(crate) fn number(&self, lane: usize) -> u32 {
+        Sizes::number(self.words[lane])
     }
 
     /// The corners of one of its triangles.
@@ -47,5 +51,16 @@ impl Block {
         let corner =
             |rows: &[[f32; LEAF]; 3]| Vec3::from_array(rows.each_ref().map(|row| row[lane]));
         self.corners.each_ref().map(corner)
+    }
+
+    /// The same with their coordinates in this order.
+    #[inline(always)]
+    pub(crate) fn picked(&self, lane: usize, axes: [usize; 3]) -> [[f32; 3]; 3] {
+        let numbers = self.corners.as_flattened().as_flattened();
+        let place = |axis: usize| LEAF * axis + lane;
+        let [x, y, z] = [place(axes[0]), place(axes[1]), place(axes[2])];
+        let corner = |i: usize| &numbers[3 * LEAF * i..];
+        let [a, b, c] = [corner(0), corner(1), corner(2)];
+        [[a[x], a[y], a[z]], [b[x], b[y], b[z]], [c[x], c[y], c[z]]]
     }
 }

@@ -36,6 +36,7 @@ impl Kernel {
                 sets.push(Set::Sse41);
             }
             if is_x86_feature_detected!("avx2")
+                && is_x86_feature_detected!("fma")
                 && is_x86_feature_detected!("bmi1")
                 && is_x86_feature_detected!("bmi2")
                 && is_x86_feature_detected!("lzcnt")
@@ -83,17 +84,17 @@ impl Kernel {
 #[target_feature(enable = "sse4.1")]
 fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
     // SAFETY: this function runs only where SSE4.1 is.
-    let lanes = unsafe { Sse41::new(ray) };
+    let lanes = unsafe { Sse41::new(ray, tree.sizes) };
     // Behind a black box it stays in memory, where instructions read it as they go;
     // all of it is too much for the registers.
     walk(tree, root, black_box(&lanes), visitor);
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+#[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
 fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
-    // SAFETY: this function runs only where AVX2 is.
-    let lanes = unsafe { Avx2::new(ray) };
+    // SAFETY: this function runs only where AVX2 and FMA are.
+    let lanes = unsafe { Avx2::new(ray, tree.sizes) };
     walk(tree, root, black_box(&lanes), visitor);
 }
 
@@ -101,12 +102,12 @@ fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
 #[target_feature(enable = "sse4.1")]
 fn walk_each_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
     // SAFETY: this function runs only where SSE4.1 is.
-    walk_each(tree, root, |ray| unsafe { Sse41::new(ray) }, batch);
+    walk_each(tree, root, |ray| unsafe { Sse41::new(ray, tree.sizes) }, batch);
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+#[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
 fn walk_each_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
-    // SAFETY: this function runs only where AVX2 is.
-    walk_each(tree, root, |ray| unsafe { Avx2::new(ray) }, batch);
+    // SAFETY: this function runs only where AVX2 and FMA are.
+    walk_each(tree, root, |ray| unsafe { Avx2::new(ray, tree.sizes) }, batch);
 }

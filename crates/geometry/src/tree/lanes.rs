@@ -13,7 +13,7 @@ pub(crate) use x86::{Avx2, Sse41};
 use super::block::Block;
 use super::node::{Child, LEAF, Node, WIDTH};
 use super::stack::Stack;
-use crate::watertight::Flat;
+use crate::coarse::Flat;
 
 /// Distances to near planes are made smaller and those to far planes larger, which covers
 /// both the rounding here and, since errors of an intersection grow with its distance too,
@@ -38,9 +38,16 @@ pub(crate) trait Lanes {
         stack.pop(limit)
     }
 
+    /// One bit for each triangle that the ray may meet at 0 < t < `limit`; of few that it
+    /// does not meet. How the ray sees them has the last word.
+    fn candidates(&self, block: &Block, limit: f32) -> u32;
+
     /// One bit for each triangle that the line of the ray passes and of which a point
-    /// can be at 0 < t < `limit`.
+    /// can be at 0 < t < `limit`, in single precision.
     fn pass(&self, block: &Block, limit: f32) -> Passed;
+
+    /// As [`watertight::axes`](crate::watertight::axes) gives them for the ray.
+    fn axes(&self) -> [usize; 3];
 }
 
 /// The triangles of a block that a ray passes, one bit each, and how it sees all of

@@ -2,7 +2,7 @@
 
 use super::Tree;
 use super::block::Block;
-use super::lanes::{Lanes, Passed};
+use super::lanes::Lanes;
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
 use super::stack::{Room, Stack};
@@ -13,8 +13,8 @@ pub(crate) trait Visitor {
     /// Boxes that begin beyond it are left out.
     fn limit(&self) -> f32;
 
-    /// A block of which the line of the ray passes some triangles.
-    fn triangles(&mut self, block: &Block, passed: &Passed) -> ControlFlow<()>;
+    /// A block of triangles.
+    fn triangles<L: Lanes>(&mut self, block: &Block, lanes: &L) -> ControlFlow<()>;
 
     /// A run of other shapes, as places in the order of the leaves.
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
@@ -55,13 +55,7 @@ pub(super) fn visit<L: Lanes, V: Visitor>(
 ) -> ControlFlow<()> {
     match child.open() {
         Content::Node(index) => lanes.open(&tree.nodes[index], visitor.limit(), stack),
-        Content::Block(index) => {
-            let block = &tree.blocks[index];
-            let passed = lanes.pass(block, visitor.limit());
-            if passed.mask != 0 {
-                visitor.triangles(block, &passed)?;
-            }
-        }
+        Content::Block(index) => visitor.triangles(&tree.blocks[index], lanes)?,
         Content::Shapes(places) => visitor.shapes(places)?,
     }
     ControlFlow::Continue(())

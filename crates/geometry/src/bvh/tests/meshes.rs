@@ -103,11 +103,11 @@ fn batches_answer_each_ray() {
     }
 }
 
-/// The ray lies all but in the plane of the first triangle, where t of the plane would be
-/// that of a point before the triangle.
+/// The ray lies all but in the plane of the first triangle and passes it by, as rational
+/// numbers show; in single precision it would pass inside.
 #[test]
 #[allow(clippy::unreadable_literal, reason = "as the fuzzer found them")]
-fn a_ray_along_a_triangle_meets_it_within_its_box() {
+fn a_ray_along_a_triangle_passes_it_by() {
     let positions = [
         [536870900.0, -5.6586982e-6, -1073741800.0],
         [-2147483600.0, 1610612700.0, 536870900.0],
@@ -122,6 +122,5 @@ fn a_ray_along_a_triangle_meets_it_within_its_box() {
     let ray = Ray::new(origin, Vec3::splat(-2147483600.0));
     let hits = bvh.all_hits(&ray);
     assert_eq!(bvh.nearest(&ray), hits.first().copied());
-    let along = hits.iter().find(|hit| hit.primitive == 0).unwrap();
-    assert!((0.25..=0.5).contains(&along.t), "{along:?}");
+    assert!(hits.iter().all(|hit| hit.primitive == 1), "{hits:?}");
 }

@@ -1,6 +1,7 @@
 use super::*;
+use crate::coarse::Shear;
 use crate::testing::{Random, cube, icosphere, triangles};
-use crate::{Bvh, Mesh};
+use crate::{Bvh, Mesh, Options, Precision};
 
 /// Rays from `origin` aimed exactly at corners and at points of edges of a
 /// closed mesh that do not find it.
@@ -99,11 +100,15 @@ fn a_ray_that_passes_far_beyond_an_edge_misses() {
     ];
     let origin = Vec3::new(-65.84417, 1.1488686, -99.046616);
     let ray = Ray::new(origin, Vec3::new(17.017536, 19.390957, 50.237778));
-    let edges = Shear::along(&ray.direction).flat(&corners, &ray.origin).edges;
-    assert!(is_inside(edges) && edges[0] == 0.0 && edges[1] == 0.0, "{edges:?}");
+    let flat = Shear::along(&ray.direction).flat(&corners, &ray);
+    let is_passed = flat.is_passed(f32::INFINITY);
+    assert!(is_passed && flat.edges[0] == 0.0 && flat.edges[1] == 0.0, "{flat:?}");
     let [a, b, c] = corners;
     let triangle = Triangle::new(a, b, c).unwrap();
     assert_eq!(triangle.intersect(&ray, Sides::Both), None);
     let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
-    assert!(!Bvh::build(&mesh).unwrap().any_hit(&ray));
+    for precision in [Precision::Watertight, Precision::Fast] {
+        let options = Options { precision, ..Options::default() };
+        assert!(!Bvh::build_with(&mesh, options).unwrap().any_hit(&ray));
+    }
 }

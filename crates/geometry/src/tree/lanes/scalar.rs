@@ -1,15 +1,15 @@
 //! The kernel for any machine, which is what the others are checked against.
 
 use super::{FARTHER, Lanes, NEARER, Passed, push};
+use crate::Ray;
+use crate::coarse::Shear;
 use crate::tree::block::Block;
 use crate::tree::node::{LEAF, Node, WIDTH};
 use crate::tree::stack::Stack;
-use crate::watertight::{Shear, is_inside};
-use crate::{Ray, Vec3};
 
 /// One box and one triangle at a time.
 pub(crate) struct Scalar<'a> {
-    origin: &'a Vec3,
+    ray: &'a Ray,
     /// From a distance along an axis to t, for near and for far planes.
     near: [f32; 3],
     far: [f32; 3],
@@ -27,7 +27,7 @@ impl<'a> Scalar<'a> {
         // The reciprocal of −0 is negative: sign and order agree.
         let backward = reciprocal.to_array().map(|r| r < 0.0);
         Self {
-            origin: &ray.origin,
+            ray,
             near: (reciprocal * NEARER).to_array(),
             far: (reciprocal * FARTHER).to_array(),
             near_row: std::array::from_fn(|axis| 2 * axis + usize::from(backward[axis])),
@@ -45,7 +45,7 @@ impl Lanes for Scalar<'_> {
         let mut entries = [0.0; WIDTH];
         let mut mask = 0;
         for (lane, entry) in entries.iter_mut().enumerate() {
-            let plane = |row: usize, axis: usize| node.planes[row][lane] - self.origin[axis];
+            let plane = |row: usize, axis: usize| node.planes[row][lane] - self.ray.origin[axis];
             let near = |axis: usize| plane(self.near_row[axis], axis) * self.near[axis];
             let far = |axis: usize| plane(self.near_row[axis] ^ 1, axis) * self.far[axis];
             *entry = greater(greater(near(0), near(1)), greater(near(2), 0.0));
@@ -55,20 +55,31 @@ impl Lanes for Scalar<'_> {
         push(node, self.octant, &entries, mask, stack);
     }
 
+    /// All there are: what a ray may meet, asking will tell.
+    #[inline]
+    fn candidates(&self, block: &Block, _: f32) -> u32 {
+        let bit = |lane: usize| u32::from(block.words[lane] != Block::NONE) << lane;
+        (0..LEAF).map(bit).sum()
+    }
+
     #[inline]
     fn pass(&self, block: &Block, limit: f32) -> Passed {
         let none = [[0.0; LEAF]; 3];
         let mut passed = Passed { mask: 0, edges: none, depths: none };
         for lane in 0..LEAF {
-            let flat = self.shear.flat(&block.triangle(lane), self.origin);
-            let is_passed = is_inside(flat.edges) && flat.reaches(limit);
-            passed.mask |= u32::from(is_passed) << lane;
+            let flat = self.shear.flat(&block.triangle(lane), self.ray);
+            passed.mask |= u32::from(flat.is_passed(limit)) << lane;
             for corner in 0..3 {
                 passed.edges[corner][lane] = flat.edges[corner];
                 passed.depths[corner][lane] = flat.depths[corner];
             }
         }
         passed
+    }
+
+    #[inline]
+    fn axes(&self) -> [usize; 3] {
+        self.shear.axes
     }
 }
 

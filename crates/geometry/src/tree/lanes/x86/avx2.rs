@@ -6,6 +6,7 @@ use crate::Ray;
 use crate::tree::block::Block;
 use crate::tree::lanes::{Lanes, Passed};
 use crate::tree::node::{Child, Node, WIDTH};
+use crate::tree::sizes::Sizes;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
@@ -19,7 +20,7 @@ pub(crate) struct Avx2 {
     planes: [usize; 6],
     /// How far the order of its octant is shifted, in all places.
     order_shift: __m256i,
-    triangles: TriangleRay,
+    triangles: TriangleRay<true>,
 }
 
 /// For each set of lanes the numbers of those in it, one a byte, lowest first.
@@ -42,10 +43,10 @@ static PACK: [u64; 256] = {
 
 impl Avx2 {
     /// # Safety
-    /// The machine must have AVX2.
+    /// The machine must have AVX2 and FMA.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Ray) -> Self {
-        // SAFETY: the caller promises AVX2, which includes SSE4.1.
+    pub(crate) unsafe fn new(ray: &Ray, sizes: Sizes) -> Self {
+        // SAFETY: the caller promises AVX2, which includes SSE4.1, and FMA.
         unsafe {
             let slopes = Slopes::of(ray);
             let double = |v: [__m128; 3]| v.map(|x| _mm256_set_m128(x, x));
@@ -56,7 +57,7 @@ impl Avx2 {
                 octant: slopes.octant,
                 planes: PLANES[slopes.octant as usize % 8],
                 order_shift: _mm256_set1_epi32(3 * slopes.octant),
-                triangles: TriangleRay::new(ray),
+                triangles: TriangleRay::new(ray, sizes),
             }
         }
     }
@@ -147,7 +148,17 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
+    fn candidates(&self, block: &Block, limit: f32) -> u32 {
+        self.triangles.candidates(block, limit)
+    }
+
+    #[inline(always)]
     fn pass(&self, block: &Block, limit: f32) -> Passed {
         self.triangles.pass(block, limit)
+    }
+
+    #[inline(always)]
+    fn axes(&self) -> [usize; 3] {
+        self.triangles.axes()
     }
 }

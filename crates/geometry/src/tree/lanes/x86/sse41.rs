@@ -6,6 +6,7 @@ use crate::Ray;
 use crate::tree::block::Block;
 use crate::tree::lanes::{Lanes, Passed, push};
 use crate::tree::node::{Node, WIDTH};
+use crate::tree::sizes::Sizes;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
@@ -15,14 +16,14 @@ pub(crate) struct Sse41 {
     near: [__m128; 3],
     far: [__m128; 3],
     octant: i32,
-    triangles: TriangleRay,
+    triangles: TriangleRay<false>,
 }
 
 impl Sse41 {
     /// # Safety
     /// The machine must have SSE4.1.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Ray) -> Self {
+    pub(crate) unsafe fn new(ray: &Ray, sizes: Sizes) -> Self {
         // SAFETY: the caller promises SSE4.1.
         unsafe {
             let slopes = Slopes::of(ray);
@@ -31,7 +32,7 @@ impl Sse41 {
                 near: slopes.near(),
                 far: slopes.far(),
                 octant: slopes.octant,
-                triangles: TriangleRay::new(ray),
+                triangles: TriangleRay::new(ray, sizes),
             }
         }
     }
@@ -74,7 +75,17 @@ impl Lanes for Sse41 {
     }
 
     #[inline(always)]
+    fn candidates(&self, block: &Block, limit: f32) -> u32 {
+        self.triangles.candidates(block, limit)
+    }
+
+    #[inline(always)]
     fn pass(&self, block: &Block, limit: f32) -> Passed {
         self.triangles.pass(block, limit)
+    }
+
+    #[inline(always)]
+    fn axes(&self) -> [usize; 3] {
+        self.triangles.axes()
     }
 }

@@ -1,14 +1,18 @@
 //! Four triangles in one register.
 
 use crate::Ray;
+use crate::coarse::Shear;
 use crate::tree::block::Block;
-use crate::tree::lanes::Passed;
+use crate::tree::lanes::{FARTHER, Passed};
 use crate::tree::node::LEAF;
-use crate::watertight::Shear;
+use crate::tree::sizes::{CLASS_SHIFT, Sizes};
 use std::arch::x86_64::*;
 
-/// Four triangles at once. Exists only where SSE4.1 does.
-pub(super) struct TriangleRay {
+/// Half the distance from one to the next number: what an operation may round by.
+const ROUNDING: f32 = f32::EPSILON / 2.0;
+
+/// Four triangles at once. Exists only where SSE4.1 does and, if `FUSED`, FMA.
+pub(super) struct TriangleRay<const FUSED: bool> {
     /// Where among the coordinates of a corner, in bytes, those are that stay, and
     /// that of depth.
     axes: [usize; 3],
@@ -16,34 +20,52 @@ pub(super) struct TriangleRay {
     origin: [__m128; 3],
     slope: [__m128; 2],
     reciprocal: __m128,
+    /// From t to how far corners may be off by rounding, with room.
+    doubt: __m128,
+    /// The bits of the size of the largest triangles of the tree.
+    greatest: __m128i,
 }
 
-impl TriangleRay {
+/// Four triangles as a ray sees them: [`Shear::flat`] of each.
+struct Seen {
+    edges: [__m128; 3],
+    depths: [__m128; 3],
+}
+
+impl<const FUSED: bool> TriangleRay<FUSED> {
     /// # Safety
-    /// The machine must have SSE4.1.
+    /// The machine must have SSE4.1, and FMA if `FUSED`.
     #[inline(always)]
-    pub(super) unsafe fn new(ray: &Ray) -> Self {
+    pub(super) unsafe fn new(ray: &Ray, sizes: Sizes) -> Self {
         let shear = Shear::along(&ray.direction);
         // SAFETY: the caller promises SSE4.1.
         let splat = |x: f32| unsafe { _mm_set1_ps(x) };
         let origin: &[f32; 3] = ray.origin.as_ref();
+        let direction: &[f32; 3] = ray.direction.as_ref();
         Self {
             axes: shear.axes.map(|axis| axis * 16),
             origin: shear.axes.map(|axis| splat(origin[axis])),
             slope: shear.slope.map(splat),
             reciprocal: splat(shear.reciprocal),
+            doubt: splat(48.0 * ROUNDING * direction[shear.axes[2]].abs()),
+            // SAFETY: as above.
+            greatest: unsafe { _mm_set1_epi32(sizes.greatest.cast_signed()) },
         }
     }
 
-    /// [`Shear::flat`], [`is_inside`](crate::watertight::is_inside) and
-    /// [`Flat::reaches`](crate::watertight::Flat) for the triangles of a block.
+    /// The coordinates that stay, and that of depth.
     #[inline(always)]
-    pub(super) fn pass(&self, block: &Block, limit: f32) -> Passed {
+    pub(super) fn axes(&self) -> [usize; 3] {
+        self.axes.map(|bytes| bytes / 16)
+    }
+
+    /// With sums of products of either kind.
+    #[inline(always)]
+    fn see(&self, block: &Block, minus_product: impl Fn(__m128, [__m128; 2]) -> __m128) -> Seen {
         // SAFETY: `self` shows that the machine has SSE4.1; a block is aligned to 32
         // bytes, and each of its corners has three rows of 16, at whose starts the
         // offsets are.
         unsafe {
-            let zero = _mm_setzero_ps();
             let rows = block.corners.as_ptr();
             let corner = |number: usize| {
                 let coordinate = |i: usize| {
@@ -51,21 +73,62 @@ impl TriangleRay {
                     _mm_sub_ps(*row, self.origin[i])
                 };
                 let (x, y, depth) = (coordinate(0), coordinate(1), coordinate(2));
-                let x = _mm_sub_ps(x, _mm_mul_ps(self.slope[0], depth));
-                let y = _mm_sub_ps(y, _mm_mul_ps(self.slope[1], depth));
+                let x = minus_product(x, [self.slope[0], depth]);
+                let y = minus_product(y, [self.slope[1], depth]);
                 [x, y, _mm_mul_ps(depth, self.reciprocal)]
             };
             let cross = |[px, py, _]: [__m128; 3], [qx, qy, _]: [__m128; 3]| {
-                _mm_sub_ps(_mm_mul_ps(px, qy), _mm_mul_ps(py, qx))
+                minus_product(_mm_mul_ps(px, qy), [py, qx])
             };
             let [a, b, c] = [corner(0), corner(1), corner(2)];
-            let of_a = cross(b, c);
-            let of_b = cross(c, a);
-            let of_c = cross(a, b);
-            let least = |[a, b, c]: [__m128; 3]| _mm_min_ps(_mm_min_ps(a, b), c);
-            let greatest = |[a, b, c]: [__m128; 3]| _mm_max_ps(_mm_max_ps(a, b), c);
-            let edges = [of_a, of_b, of_c];
-            let depths = [a[2], b[2], c[2]];
+            Seen { edges: [cross(b, c), cross(c, a), cross(a, b)], depths: [a[2], b[2], c[2]] }
+        }
+    }
+
+    /// The triangles of which the edge functions, with all doubt, can have one sign.
+    ///
+    /// With u the rounding of one operation, L the extent of a triangle along the axes and D
+    /// its depth, corners are off by 5 u D + 9 u L at most, and corners of a triangle that the
+    /// ray meets are at most 2 L from it in the plane: so edge functions are off by less than
+    /// 48 u (L + 48 u D) (D + 2 L).
+    #[inline(always)]
+    pub(super) fn candidates(&self, block: &Block, limit: f32) -> u32 {
+        // SAFETY: `self` shows that the machine has SSE4.1, and FMA if `FUSED`; words are
+        // 16 bytes, and those before them are whole rows of 16, aligned to 32.
+        unsafe {
+            let Seen { edges, depths } = self.see(block, |a, [b, c]| {
+                if FUSED { _mm_fnmadd_ps(b, c, a) } else { rounded_twice(a, [b, c]) }
+            });
+            let farthest = greatest(depths);
+            let words = _mm_load_si128(block.words.as_ptr().cast());
+            let class = _mm_srli_epi32::<{ CLASS_SHIFT }>(words);
+            let steps = _mm_slli_epi32::<{ Sizes::CLASS_IN_FLOAT }>(class);
+            let size = _mm_castsi128_ps(_mm_sub_epi32(self.greatest, steps));
+            let by_depth = _mm_mul_ps(farthest, self.doubt);
+            let by_size = _mm_mul_ps(size, _mm_set1_ps(96.0 * ROUNDING));
+            let doubt = _mm_mul_ps(_mm_add_ps(size, by_depth), _mm_add_ps(by_size, by_depth));
+            // Products may vanish that are not zero; what is not a number stays in doubt.
+            let nothing = _mm_set1_ps(-f32::MIN_POSITIVE);
+            let inside = _mm_or_ps(
+                _mm_cmpnlt_ps(_mm_add_ps(least(edges), doubt), nothing),
+                _mm_cmpnlt_ps(_mm_sub_ps(doubt, greatest(edges)), nothing),
+            );
+            let limit = _mm_set1_ps(limit * FARTHER);
+            let reached = _mm_and_ps(
+                _mm_cmpgt_ps(farthest, _mm_setzero_ps()),
+                _mm_cmplt_ps(least(depths), limit),
+            );
+            _mm_movemask_ps(_mm_and_ps(inside, reached)) as u32
+        }
+    }
+
+    /// [`Flat::is_passed`](crate::coarse::Flat::is_passed) for the triangles of a block.
+    #[inline(always)]
+    pub(super) fn pass(&self, block: &Block, limit: f32) -> Passed {
+        // SAFETY: `self` shows that the machine has SSE4.1.
+        unsafe {
+            let Seen { edges, depths } = self.see(block, rounded_twice);
+            let zero = _mm_setzero_ps();
             let inside =
                 _mm_or_ps(_mm_cmpge_ps(least(edges), zero), _mm_cmple_ps(greatest(edges), zero));
             let reached = _mm_and_ps(
@@ -81,4 +144,23 @@ impl TriangleRay {
             Passed { mask, edges: edges.map(lanes), depths: depths.map(lanes) }
         }
     }
+}
+
+/// a − b c as [`Shear::flat`] has it.
+#[inline(always)]
+fn rounded_twice(a: __m128, [b, c]: [__m128; 2]) -> __m128 {
+    // SAFETY: every x86-64 machine has SSE.
+    unsafe { _mm_sub_ps(a, _mm_mul_ps(b, c)) }
+}
+
+#[inline(always)]
+fn least([a, b, c]: [__m128; 3]) -> __m128 {
+    // SAFETY: every x86-64 machine has SSE.
+    unsafe { _mm_min_ps(_mm_min_ps(a, b), c) }
+}
+
+#[inline(always)]
+fn greatest([a, b, c]: [__m128; 3]) -> __m128 {
+    // SAFETY: every x86-64 machine has SSE.
+    unsafe { _mm_max_ps(_mm_max_ps(a, b), c) }
 }

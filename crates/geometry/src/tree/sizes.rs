@@ -1,0 +1,76 @@
+//! How large a triangle is at most, in four bits.
+//!
+//! Edge functions in single precision have errors that grow with the size of the triangle.
+//! A kernel that knows the size knows which signs are in doubt.
+
+/// Beside numbers below this there is room for a class.
+const NUMBERS: u32 = (1 << CLASS_SHIFT) - 1;
+
+/// Where in a word the class is.
+pub(crate) const CLASS_SHIFT: i32 = 28;
+
+/// The smallest class. The next would make a word of ones with the greatest number, which
+/// stands for no triangle.
+const SMALLEST: u32 = 14;
+
+/// Where in a float the power of two is.
+const EXPONENT_SHIFT: i32 = 23;
+
+/// The classes of a tree: up to a power of two, up to a quarter of it, and so on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sizes {
+    /// The bits of the greatest size as a float. Those of others are less by one at
+    /// [`Self::CLASS_IN_FLOAT`] for each class.
+    pub(crate) greatest: u32,
+}
+
+impl Sizes {
+    /// A class makes a size smaller by a factor of four: two steps of the exponent.
+    pub(crate) const CLASS_IN_FLOAT: i32 = EXPONENT_SHIFT + 1;
+
+    /// Classes for triangles whose extents along the axes are at most `greatest`.
+    pub(crate) fn up_to(greatest: f32) -> Self {
+        // No class of so large a size falls below what a float can hold. The largest floats
+        // are above their power of two, but errors overflow there and leave all in doubt.
+        Self { greatest: exponent(greatest.max(2.0_f32.powi(-90))) << EXPONENT_SHIFT }
+    }
+
+    /// The number of a triangle and the class of its extent, in a word.
+    pub(crate) fn word(self, number: u32, extent: f32) -> u32 {
+        let steps = (self.greatest >> EXPONENT_SHIFT).saturating_sub(exponent(extent));
+        (steps / 2).min(SMALLEST) << CLASS_SHIFT | number
+    }
+
+    /// The number in a word.
+    #[inline]
+    pub(crate) fn number(word: u32) -> u32 {
+        word & NUMBERS
+    }
+}
+
+/// The exponent, with bias, of the least power of two that is not below a size.
+fn exponent(size: f32) -> u32 {
+    let exponent = (size.to_bits() + (1 << EXPONENT_SHIFT) - 1) >> EXPONENT_SHIFT;
+    exponent.min(0xfe)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_triangle_is_larger_than_its_class() {
+        for greatest in [0.0, 1e-30, 0.3, 1.0, 1e30] {
+            let sizes = Sizes::up_to(greatest);
+            for part in [1.0, 0.9, 0.5, 0.26, 0.25, 0.2, 1e-3, 1e-7, 1e-20, 0.0] {
+                let (number, extent) = (123_456_789, part * greatest);
+                let word = sizes.word(number, extent);
+                assert_eq!(Sizes::number(word), number);
+                let class = word >> CLASS_SHIFT;
+                let size = f32::from_bits(sizes.greatest - (class << Sizes::CLASS_IN_FLOAT));
+                assert!(size >= extent && size > 0.0, "{size:e} {extent:e}");
+                assert!(class == SMALLEST || size <= 8.0 * extent.max(2.0_f32.powi(-90)));
+            }
+        }
+    }
+}
