@@ -61,6 +61,12 @@ impl Bytes<'_> {
         mesh.positions().get(self.below(64)).copied()
     }
 
+    /// The ray and seven beside it, as a camera casts them.
+    fn fan(&mut self, first: Ray) -> [Ray; 8] {
+        let apart = self.vector(0.01) * first.direction.abs().max_element();
+        std::array::from_fn(|i| Ray { direction: first.direction + i as f32 * apart, ..first })
+    }
+
     /// From anywhere, or on the line through two corners, to anywhere or to a corner.
     fn ray(&mut self, mesh: &Mesh, step: f32) -> Ray {
         let kind = self.below(16);
@@ -117,7 +123,11 @@ fuzz_target!(|bytes: &[u8]| {
     let mut bytes = Bytes(bytes);
     let step = bytes.step();
     let Ok(mesh) = bytes.mesh(step) else { return };
-    let rays: Vec<Ray> = (0..bytes.below(13)).map(|_| bytes.ray(&mesh, step)).collect();
+    let mut rays: Vec<Ray> = (0..bytes.below(13)).map(|_| bytes.ray(&mesh, step)).collect();
+    for i in 0..bytes.below(3).min(rays.len()) {
+        // Before the others, since they are taken by eight.
+        rays.splice(..0, bytes.fan(rays[i]));
+    }
     let triangles = triangles(&mesh);
     let expected: Vec<Bits> = rays.iter().map(|ray| asked_each(&triangles, ray)).collect();
     for precision in PRECISIONS {

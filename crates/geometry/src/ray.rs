@@ -48,13 +48,19 @@ impl Ray {
         0.0 < t && t < self.t_max
     }
 
+    /// The longest coordinate of a direction is at least this: the reciprocal of a smaller
+    /// one might be no number.
+    pub(crate) const SMALLEST: f32 = f32::MIN_POSITIVE;
+
     /// Whether there is anything to trace: finite numbers, a direction, a
     /// positive length.
     #[inline]
     pub(crate) fn is_traceable(&self) -> bool {
         // Zero for all numbers, and not a number for what is none or infinite.
         let nothing = 0.0 * self.origin + 0.0 * self.direction;
-        nothing.x + nothing.y + nothing.z == 0.0 && self.direction != Vec3::ZERO && self.t_max > 0.0
+        nothing.x + nothing.y + nothing.z == 0.0
+            && self.direction.abs().max_element() >= Self::SMALLEST
+            && self.t_max > 0.0
     }
 }
 
@@ -93,6 +99,7 @@ mod tests {
             Ray { origin: Vec3::new(0.0, f32::NAN, 0.0), ..sound },
             Ray { direction: Vec3::new(0.0, f32::INFINITY, 0.0), ..sound },
             Ray { direction: Vec3::new(0.0, -0.0, 0.0), ..sound },
+            Ray { direction: Vec3::splat(-1e-39), ..sound },
             Ray { t_max: f32::NAN, ..sound },
             Ray { t_max: 0.0, ..sound },
         ] {

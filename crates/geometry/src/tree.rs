@@ -6,8 +6,9 @@
 pub(crate) mod batch;
 pub(crate) mod block;
 pub(crate) mod build;
+mod fan;
 mod kernel;
-mod lanes;
+pub(crate) mod lanes;
 pub(crate) mod node;
 pub(crate) mod pages;
 pub(crate) mod parallel;
@@ -18,7 +19,6 @@ mod stack;
 pub(crate) mod walk;
 
 pub(crate) use kernel::Kernel;
-pub(crate) use lanes::Lanes;
 
 use crate::{Aabb, Ray, Vec3};
 use block::Block;

@@ -1,10 +1,9 @@
 //! What a tree can hold.
 
 use crate::shape::ShapeHit;
-use crate::tree::Lanes;
 use crate::tree::batch::Batch;
 use crate::tree::block::Block;
-use crate::tree::node::LEAF;
+use crate::tree::lanes::Triangles;
 use crate::tree::query::Query;
 use crate::tree::walk::Visitor;
 use crate::{Hit, Ray};
@@ -22,26 +21,16 @@ pub(crate) trait Holds: Send + Sync {
     fn count(&self) -> u32;
 
     /// Offers the hits with the triangles of a block. `lanes` are those of the ray.
-    fn triangles<L: Lanes, Q: Query>(
+    fn triangles<T: Triangles, Q: Query>(
         &self,
         block: &Block,
-        lanes: &L,
+        lanes: &T,
         ray: &Ray,
         query: &mut Q,
     ) -> ControlFlow<()>;
 
     /// Offers the hits with shape `number`, which is no triangle.
     fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()>;
-}
-
-/// The places of the ones in a mask, the lowest first.
-#[inline(always)]
-pub(super) fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let place = (mask != 0).then(|| mask.trailing_zeros() as usize % LEAF)?;
-        mask &= mask - 1;
-        Some(place)
-    })
 }
 
 /// Offers a hit with a shape, if there is one.
@@ -80,7 +69,7 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
     }
 
     #[inline(always)]
-    fn triangles<L: Lanes>(&mut self, block: &Block, lanes: &L) -> ControlFlow<()> {
+    fn triangles<T: Triangles>(&mut self, block: &Block, lanes: &T) -> ControlFlow<()> {
         self.contents.triangles(block, lanes, self.ray, &mut self.query)
     }
 

@@ -3,10 +3,11 @@
 use super::Bvh;
 use super::contents::{Contents, Holds};
 use super::widened;
+use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
+use crate::tree::lanes::Triangles;
 use crate::tree::query::Query;
-use crate::tree::{Lanes, Tree};
 use crate::{Aabb, Error, Hit, Ray, Vec3};
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -123,10 +124,10 @@ impl<C: Contents> Holds for Instances<C> {
 
     /// There are no triangles but those within.
     #[inline]
-    fn triangles<L: Lanes, Q: Query>(
+    fn triangles<T: Triangles, Q: Query>(
         &self,
         _: &Block,
-        _: &L,
+        _: &T,
         _: &Ray,
         _: &mut Q,
     ) -> ControlFlow<()> {

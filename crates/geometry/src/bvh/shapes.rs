@@ -1,12 +1,14 @@
 //! Shapes of any kind.
 
-use super::contents::{Holds, offer, ones};
+use super::contents::{Holds, offer};
 use super::{Bvh, check_count, widened};
 use crate::shape::Shape;
+use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
+use crate::tree::lanes::Triangles;
 use crate::tree::query::Query;
-use crate::tree::{Lanes, Tree};
+use crate::tree::walk::ones;
 use crate::{Aabb, Error, Ray};
 use std::ops::ControlFlow;
 
@@ -51,10 +53,10 @@ impl<S: Shape> Holds for Shapes<S> {
     }
 
     #[inline]
-    fn triangles<L: Lanes, Q: Query>(
+    fn triangles<T: Triangles, Q: Query>(
         &self,
         block: &Block,
-        lanes: &L,
+        lanes: &T,
         ray: &Ray,
         query: &mut Q,
     ) -> ControlFlow<()> {

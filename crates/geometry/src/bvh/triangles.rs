@@ -1,11 +1,12 @@
 //! The triangles of a mesh.
 
-use super::contents::{Holds, offer, ones};
+use super::contents::{Holds, offer};
 use super::{Bvh, Options, Precision, check_count, widened};
 use crate::shape::ShapeHit;
 use crate::tree::block::Block;
 use crate::tree::query::Query;
-use crate::tree::{GRAIN, Lanes, Tree, parallel};
+use crate::tree::walk::ones;
+use crate::tree::{GRAIN, Tree, lanes, parallel};
 use crate::watertight;
 use crate::{Aabb, Error, Mesh, Ray, Triangle, Vec3};
 use std::ops::ControlFlow;
@@ -54,7 +55,7 @@ impl Holds for Triangles {
     }
 
     #[inline(always)]
-    fn triangles<L: Lanes, Q: Query>(
+    fn triangles<L: lanes::Triangles, Q: Query>(
         &self,
         block: &Block,
         lanes: &L,
@@ -75,22 +76,25 @@ impl Holds for Triangles {
 }
 
 #[inline(always)]
-fn watertight_hits<L: Lanes, Q: Query>(
+fn watertight_hits<L: lanes::Triangles, Q: Query>(
     block: &Block,
     lanes: &L,
     ray: &Ray,
     query: &mut Q,
 ) -> ControlFlow<()> {
-    for lane in ones(lanes.candidates(block, query.limit())) {
-        let axes = lanes.axes();
-        let hit = watertight::meet(ray, axes, query.limit(), block.picked(lane, axes));
-        offer(hit, block.number(lane), query)?;
+    let candidates = lanes.candidates(block, query.limit());
+    if candidates == 0 {
+        return ControlFlow::Continue(());
+    }
+    let hits = lanes.meet(block, candidates, ray, query.limit());
+    for lane in ones(hits.mask) {
+        offer(Some(hits.hit(lane)), block.number(lane), query)?;
     }
     ControlFlow::Continue(())
 }
 
 #[inline(always)]
-fn fast_hits<L: Lanes, Q: Query>(
+fn fast_hits<L: lanes::Triangles, Q: Query>(
     block: &Block,
     lanes: &L,
     ray: &Ray,

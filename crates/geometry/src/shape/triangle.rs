@@ -57,7 +57,7 @@ impl Triangle {
     /// the third corner; without gaps where triangles share their corners.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
-        if !sides.admit(ray.direction.dot(self.normal)) {
+        if !ray.is_traceable() || !sides.admit(ray.direction.dot(self.normal)) {
             return None;
         }
         let axes = watertight::axes(&ray.direction);

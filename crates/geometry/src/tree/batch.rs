@@ -2,11 +2,12 @@
 
 use super::Tree;
 use super::lanes::Lanes;
-use super::node::Child;
+use super::node::{Child, Content};
 use super::prefetch::Ahead;
 use super::stack::{Room, Stack};
 use super::walk::{Visitor, visit};
 use crate::Ray;
+use std::ops::Range;
 
 /// The most rays under way at once.
 const MOST: usize = 8;
@@ -37,16 +38,26 @@ struct Slot<'r, L, V> {
     stack: Stack<'r>,
 }
 
-/// Takes all rays to their leaves, each one box further in turn.
+/// Takes the rays at these places to their leaves, each one box further in turn.
 #[inline(always)]
 pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     tree: &Tree,
     root: Child,
     lanes: impl Fn(&'a Ray) -> L,
     batch: &mut B,
+    left: Vec<Range<usize>>,
 ) {
     let (rays, ahead) = (batch.rays(), Ahead::of(tree));
-    let mut waiting = (0..rays.len()).filter(|&index| rays[index].is_traceable());
+    let (mut left, mut places) = (left.into_iter(), 0..0);
+    let mut waiting = std::iter::from_fn(|| {
+        loop {
+            match places.next() {
+                Some(index) if rays[index].is_traceable() => return Some(index),
+                Some(_) => {}
+                None => places = left.next()?,
+            }
+        }
+    });
     let mut rooms = [const { Room::new() }; MOST];
     let mut slots = Vec::with_capacity(MOST);
     for room in rooms.iter_mut().take(if tree.is_large() { MOST } else { FEW }) {
@@ -89,7 +100,10 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
 #[inline(always)]
 fn step<L: Lanes, V: Visitor>(tree: &Tree, ahead: &Ahead, slot: &mut Slot<L, V>) -> bool {
     let Slot { current, lanes, visitor, stack, .. } = slot;
-    if visit(tree, *current, lanes, visitor, stack).is_break() {
+    if let Content::Node(index) = current.open() {
+        let node = &tree.nodes[index];
+        lanes.open(node, &node.children, visitor.limit(), stack);
+    } else if visit(tree, *current, lanes, visitor).is_break() {
         return false;
     }
     let Some(next) = stack.pop(visitor.limit()) else { return false };

@@ -4,14 +4,16 @@
 
 use super::Tree;
 use super::batch::{Batch, walk_each};
+use super::fan::walk_fans;
 use super::lanes::Scalar;
 use super::node::Child;
 use super::walk::{Visitor, walk};
 use crate::Ray;
 use std::hint::black_box;
+use std::ops::Range;
 
 #[cfg(target_arch = "x86_64")]
-use super::lanes::{Avx2, Sse41};
+use super::lanes::{Avx2, Sse41, TriangleRay};
 
 /// An instruction set that this machine has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,13 +71,22 @@ impl Kernel {
     #[inline]
     pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
         match self.0 {
-            Set::Scalar => walk_each(tree, root, Scalar::new, batch),
+            Set::Scalar => {
+                let left = walk_fans(tree, root, Scalar::new, Scalar::new, batch);
+                walk_each(tree, root, Scalar::new, batch, left);
+            }
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Set::Sse41 => unsafe { walk_each_sse41(tree, root, batch) },
+            Set::Sse41 => unsafe {
+                let left = walk_fans_sse41(tree, root, batch);
+                walk_each_sse41(tree, root, batch, left);
+            },
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Set::Avx2 => unsafe { walk_each_avx2(tree, root, batch) },
+            Set::Avx2 => unsafe {
+                let left = walk_fans_avx2(tree, root, batch);
+                walk_each_avx2(tree, root, batch, left);
+            },
         }
     }
 }
@@ -100,14 +111,44 @@ fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "sse4.1")]
-fn walk_each_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+fn walk_fans_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where SSE4.1 is.
-    walk_each(tree, root, |ray| unsafe { Sse41::new(ray, tree.sizes) }, batch);
+    let lanes = |ray| unsafe { Sse41::new(ray, tree.sizes) };
+    // SAFETY: as above.
+    let triangles = |ray| unsafe { TriangleRay::<false>::new(ray, tree.sizes) };
+    walk_fans(tree, root, lanes, triangles, batch)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "sse4.1")]
+fn walk_each_sse41<'a, B: Batch<'a>>(
+    tree: &Tree,
+    root: Child,
+    batch: &mut B,
+    left: Vec<Range<usize>>,
+) {
+    // SAFETY: this function runs only where SSE4.1 is.
+    walk_each(tree, root, |ray| unsafe { Sse41::new(ray, tree.sizes) }, batch, left);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-fn walk_each_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) {
+fn walk_fans_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where AVX2 and FMA are.
-    walk_each(tree, root, |ray| unsafe { Avx2::new(ray, tree.sizes) }, batch);
+    let lanes = |ray| unsafe { Avx2::new(ray, tree.sizes) };
+    // SAFETY: as above.
+    let triangles = |ray| unsafe { TriangleRay::<true>::new(ray, tree.sizes) };
+    walk_fans(tree, root, lanes, triangles, batch)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+fn walk_each_avx2<'a, B: Batch<'a>>(
+    tree: &Tree,
+    root: Child,
+    batch: &mut B,
+    left: Vec<Range<usize>>,
+) {
+    // SAFETY: this function runs only where AVX2 and FMA are.
+    walk_each(tree, root, |ray| unsafe { Avx2::new(ray, tree.sizes) }, batch, left);
 }

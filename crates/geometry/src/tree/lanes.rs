@@ -8,36 +8,47 @@ mod x86;
 
 pub(crate) use scalar::Scalar;
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Avx2, Sse41};
+pub(crate) use x86::{Avx2, Sse41, TriangleRay};
 
 use super::block::Block;
 use super::node::{Child, LEAF, Node, WIDTH};
 use super::stack::Stack;
+use super::walk::ones;
 use crate::coarse::Flat;
+use crate::shape::ShapeHit;
+use crate::{Ray, watertight};
 
 /// Distances to near planes are made smaller and those to far planes larger, which covers
 /// both the rounding here and, since errors of an intersection grow with its distance too,
 /// that of the shapes: four roundings, sixteen times as many on rays that all but graze.
-const NEARER: f32 = 1.0 - 64.0 * f32::EPSILON;
-const FARTHER: f32 = 1.0 + 64.0 * f32::EPSILON;
+pub(super) const NEARER: f32 = 1.0 - 64.0 * f32::EPSILON;
+pub(super) const FARTHER: f32 = 1.0 + 64.0 * f32::EPSILON;
 
-/// A ray prepared for tests of many boxes and triangles at once.
-pub(crate) trait Lanes {
-    /// Puts the boxes that the ray meets before `limit` on the stack, in the order
-    /// of its octant.
+/// A ray prepared for tests of many boxes, and triangles, at once.
+pub(crate) trait Lanes: Triangles {
+    /// Puts the boxes that the ray meets before `limit` on the stack by these names, in
+    /// the order of its octant.
     ///
     /// A ray parallel to a plane and in it gets 0 · ∞ here, which must not count
     /// against the box: a minimum or a maximum with what is not a number is the
     /// other operand.
-    fn open(&self, node: &Node, limit: f32, stack: &mut Stack);
+    fn open(&self, node: &Node, names: &[Child; WIDTH], limit: f32, stack: &mut Stack);
+
+    /// For rays that go together: from a distance along each axis to t, for near planes
+    /// with the reciprocal nearest to zero and for far planes with that farthest from it, so
+    /// that boxes are open to all.
+    fn with_slopes(self, near: [f32; 3], far: [f32; 3]) -> Self;
 
     /// [`open`](Self::open), and the box to open next.
     #[inline(always)]
     fn open_next(&self, node: &Node, limit: f32, stack: &mut Stack) -> Option<Child> {
-        self.open(node, limit, stack);
+        self.open(node, &node.children, limit, stack);
         stack.pop(limit)
     }
+}
 
+/// A ray prepared for tests of many triangles at once.
+pub(crate) trait Triangles: Copy {
     /// One bit for each triangle that the ray may meet at 0 < t < `limit`; of few that it
     /// does not meet. How the ray sees them has the last word.
     fn candidates(&self, block: &Block, limit: f32) -> u32;
@@ -46,8 +57,42 @@ pub(crate) trait Lanes {
     /// can be at 0 < t < `limit`, in single precision.
     fn pass(&self, block: &Block, limit: f32) -> Passed;
 
-    /// As [`watertight::axes`](crate::watertight::axes) gives them for the ray.
-    fn axes(&self) -> [usize; 3];
+    /// [`watertight::meet`] for those triangles that have a bit.
+    #[inline(always)]
+    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+        meet_in_turn(block, candidates, ray, limit)
+    }
+}
+
+/// Where a ray meets the triangles of a block; one bit for each that it does meet.
+pub(crate) struct Hits {
+    pub(crate) mask: u32,
+    pub(crate) t: [f32; LEAF],
+    pub(crate) u: [f32; LEAF],
+    pub(crate) v: [f32; LEAF],
+}
+
+impl Hits {
+    /// The hit with a triangle that has a bit.
+    #[inline(always)]
+    pub(crate) fn hit(&self, lane: usize) -> ShapeHit {
+        ShapeHit { t: self.t[lane], u: self.u[lane], v: self.v[lane] }
+    }
+}
+
+#[inline(always)]
+fn meet_in_turn(block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+    let none = [0.0; LEAF];
+    let mut hits = Hits { mask: 0, t: none, u: none, v: none };
+    let axes = watertight::axes(&ray.direction);
+    for lane in ones(candidates) {
+        let corners = block.picked(lane % LEAF, axes);
+        if let Some(ShapeHit { t, u, v }) = watertight::meet(ray, axes, limit, corners) {
+            hits.mask |= 1 << lane;
+            (hits.t[lane % LEAF], hits.u[lane % LEAF], hits.v[lane % LEAF]) = (t, u, v);
+        }
+    }
+    hits
 }
 
 /// The triangles of a block that a ray passes, one bit each, and how it sees all of
@@ -70,11 +115,29 @@ impl Passed {
 
 /// Puts the boxes whose bit is set on the stack.
 #[inline(always)]
-fn push(node: &Node, octant: i32, enter: &[f32; WIDTH], mask: u32, stack: &mut Stack) {
+fn push(
+    node: &Node,
+    names: &[Child; WIDTH],
+    octant: i32,
+    enter: &[f32; WIDTH],
+    mask: u32,
+    stack: &mut Stack,
+) {
     for word in node.order {
         let lane = (word >> (3 * octant)) as usize % WIDTH;
         if mask >> lane & 1 != 0 {
-            stack.push(enter[lane], node.children[lane]);
+            stack.push(enter[lane], names[lane]);
         }
     }
+}
+
+/// What is not a number loses; of two, the second stays.
+#[inline(always)]
+pub(super) fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+#[inline(always)]
+pub(super) fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
 }

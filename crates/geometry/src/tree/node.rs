@@ -63,6 +63,18 @@ impl Child {
         (self.0 & (Self::MAX as u32 - 1)) as usize
     }
 
+    /// Names for the boxes of a node, whatever lies in them. They are no children.
+    #[inline(always)]
+    pub(crate) fn slots(node: usize) -> [Self; WIDTH] {
+        std::array::from_fn(|lane| Self((WIDTH * node + lane) as u32))
+    }
+
+    /// The node and the place in it for which a name of [`slots`](Self::slots) stands.
+    #[inline(always)]
+    pub(crate) fn slot(self) -> (usize, usize) {
+        (self.0 as usize / WIDTH, self.0 as usize % WIDTH)
+    }
+
     #[inline]
     pub(crate) fn open(self) -> Content {
         let index = self.index();

@@ -6,6 +6,9 @@
 /// Beside numbers below this there is room for a class.
 const NUMBERS: u32 = (1 << CLASS_SHIFT) - 1;
 
+/// Half the distance from one to the next number: what an operation may round by.
+pub(crate) const ROUNDING: f32 = f32::EPSILON / 2.0;
+
 /// Where in a word the class is.
 pub(crate) const CLASS_SHIFT: i32 = 28;
 
@@ -41,6 +44,12 @@ impl Sizes {
         (steps / 2).min(SMALLEST) << CLASS_SHIFT | number
     }
 
+    /// The size that the class in a word stands for.
+    #[cfg(test)]
+    fn greatest_of(self, word: u32) -> f32 {
+        f32::from_bits(self.greatest.wrapping_sub(word >> CLASS_SHIFT << Self::CLASS_IN_FLOAT))
+    }
+
     /// The number in a word.
     #[inline]
     pub(crate) fn number(word: u32) -> u32 {
@@ -66,8 +75,7 @@ mod tests {
                 let (number, extent) = (123_456_789, part * greatest);
                 let word = sizes.word(number, extent);
                 assert_eq!(Sizes::number(word), number);
-                let class = word >> CLASS_SHIFT;
-                let size = f32::from_bits(sizes.greatest - (class << Sizes::CLASS_IN_FLOAT));
+                let (class, size) = (word >> CLASS_SHIFT, sizes.greatest_of(word));
                 assert!(size >= extent && size > 0.0, "{size:e} {extent:e}");
                 assert!(class == SMALLEST || size <= 8.0 * extent.max(2.0_f32.powi(-90)));
             }

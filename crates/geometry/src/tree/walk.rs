@@ -2,7 +2,7 @@
 
 use super::Tree;
 use super::block::Block;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, Triangles};
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
 use super::stack::{Room, Stack};
@@ -14,7 +14,7 @@ pub(crate) trait Visitor {
     fn limit(&self) -> f32;
 
     /// A block of triangles.
-    fn triangles<L: Lanes>(&mut self, block: &Block, lanes: &L) -> ControlFlow<()>;
+    fn triangles<T: Triangles>(&mut self, block: &Block, lanes: &T) -> ControlFlow<()>;
 
     /// A run of other shapes, as places in the order of the leaves.
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
@@ -31,7 +31,7 @@ pub(crate) fn walk<L: Lanes, V: Visitor>(tree: &Tree, root: Child, lanes: &L, vi
     while let Some(current) = next {
         next = if let Content::Node(index) = current.open() {
             lanes.open_next(&tree.nodes[index], visitor.limit(), &mut stack)
-        } else if visit(tree, current, lanes, visitor, &mut stack).is_break() {
+        } else if visit(tree, current, lanes, visitor).is_break() {
             None
         } else {
             stack.pop(visitor.limit())
@@ -44,19 +44,27 @@ pub(crate) fn walk<L: Lanes, V: Visitor>(tree: &Tree, root: Child, lanes: &L, vi
     }
 }
 
-/// Opens a box: the boxes in it go on the stack, shapes to the visitor.
+/// Takes the visitor to a leaf.
 #[inline(always)]
-pub(super) fn visit<L: Lanes, V: Visitor>(
+pub(super) fn visit<T: Triangles, V: Visitor>(
     tree: &Tree,
-    child: Child,
-    lanes: &L,
+    leaf: Child,
+    lanes: &T,
     visitor: &mut V,
-    stack: &mut Stack,
 ) -> ControlFlow<()> {
-    match child.open() {
-        Content::Node(index) => lanes.open(&tree.nodes[index], visitor.limit(), stack),
-        Content::Block(index) => visitor.triangles(&tree.blocks[index], lanes)?,
-        Content::Shapes(places) => visitor.shapes(places)?,
+    match leaf.open() {
+        Content::Node(_) => ControlFlow::Continue(()),
+        Content::Block(index) => visitor.triangles(&tree.blocks[index], lanes),
+        Content::Shapes(places) => visitor.shapes(places),
     }
-    ControlFlow::Continue(())
+}
+
+/// The places of the ones in a mask, the lowest first.
+#[inline(always)]
+pub(crate) fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = (mask != 0).then(|| mask.trailing_zeros() as usize)?;
+        mask &= mask - 1;
+        Some(place)
+    })
 }

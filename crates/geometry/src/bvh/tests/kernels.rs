@@ -67,6 +67,26 @@ fn agree<C: Contents + Clone>(bvh: &Bvh<C>, rays: &[Ray]) -> usize {
     hits.iter().flatten().count()
 }
 
+/// Rays as a camera casts them: eight at a time side by side, now and then too far apart, of
+/// different lengths, one that is none, or along an axis.
+fn camera(count: usize, random: &mut Random, first: impl Fn(&mut Random) -> Ray) -> Vec<Ray> {
+    let mut rays = Vec::new();
+    while rays.len() < count {
+        let first = first(random);
+        let apart = random.magnitude(1e-4) * first.direction.length() * random.point();
+        let reach = if random.number() < 0.5 { f32::INFINITY } else { 1.5 };
+        rays.extend((0..8_u8).map(|i| {
+            let direction = first.direction + f32::from(i) / 8.0 * apart;
+            Ray { direction, t_max: reach + f32::from(i), ..first }
+        }));
+        let last = rays.last_mut().unwrap();
+        if random.number() < 0.1 {
+            last.t_max = 0.0;
+        }
+    }
+    rays
+}
+
 fn kernels_agree(count: usize) {
     let mut random = Random::new(11);
     let mesh = degenerate(&mut random);
@@ -76,8 +96,12 @@ fn kernels_agree(count: usize) {
         let bvh = Bvh::build_with(&mesh, options).unwrap();
         let rays: Vec<Ray> = (0..count).map(|_| ray(&mesh, &mut random)).collect();
         assert!(agree(&bvh, &rays) > count / 4);
+        let rays = camera(count, &mut random, |random| ray(&mesh, random));
+        assert!(agree(&bvh, &rays) > count / 4);
     }
     let bvh = Bvh::of_shapes(shapes).unwrap();
+    let rays = camera(count, &mut random, |random| super::random_ray(bvh.shapes(), random));
+    assert!(agree(&bvh, &rays) > count / 4);
     let rays: Vec<Ray> = (0..count).map(|_| super::random_ray(bvh.shapes(), &mut random)).collect();
     assert!(agree(&bvh, &rays) > count / 4);
 }

@@ -1,13 +1,14 @@
 //! The kernel for any machine, which is what the others are checked against.
 
-use super::{FARTHER, Lanes, NEARER, Passed, push};
+use super::{FARTHER, Lanes, NEARER, Passed, Triangles, greater, lesser, push};
 use crate::Ray;
 use crate::coarse::Shear;
 use crate::tree::block::Block;
-use crate::tree::node::{LEAF, Node, WIDTH};
+use crate::tree::node::{Child, LEAF, Node, WIDTH};
 use crate::tree::stack::Stack;
 
 /// One box and one triangle at a time.
+#[derive(Clone, Copy)]
 pub(crate) struct Scalar<'a> {
     ray: &'a Ray,
     /// From a distance along an axis to t, for near and for far planes.
@@ -41,7 +42,7 @@ impl<'a> Scalar<'a> {
 
 impl Lanes for Scalar<'_> {
     #[inline]
-    fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
+    fn open(&self, node: &Node, names: &[Child; WIDTH], limit: f32, stack: &mut Stack) {
         let mut entries = [0.0; WIDTH];
         let mut mask = 0;
         for (lane, entry) in entries.iter_mut().enumerate() {
@@ -52,9 +53,16 @@ impl Lanes for Scalar<'_> {
             let leave = lesser(lesser(far(0), far(1)), lesser(far(2), limit));
             mask |= u32::from(*entry <= leave) << lane;
         }
-        push(node, self.octant, &entries, mask, stack);
+        push(node, names, self.octant, &entries, mask, stack);
     }
 
+    #[inline]
+    fn with_slopes(self, near: [f32; 3], far: [f32; 3]) -> Self {
+        Self { near, far, ..self }
+    }
+}
+
+impl Triangles for Scalar<'_> {
     /// All there are: what a ray may meet, asking will tell.
     #[inline]
     fn candidates(&self, block: &Block, _: f32) -> u32 {
@@ -76,20 +84,4 @@ impl Lanes for Scalar<'_> {
         }
         passed
     }
-
-    #[inline]
-    fn axes(&self) -> [usize; 3] {
-        self.shear.axes
-    }
-}
-
-/// What is not a number loses; of two, the second stays.
-#[inline]
-fn greater(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
-}
-
-#[inline]
-fn lesser(a: f32, b: f32) -> f32 {
-    if a < b { a } else { b }
 }

@@ -10,9 +10,11 @@
 #![allow(clippy::cast_ptr_alignment, clippy::wildcard_imports)]
 
 mod avx2;
+mod exact;
 mod slopes;
 mod sse41;
 mod triangles;
 
 pub(crate) use avx2::Avx2;
 pub(crate) use sse41::Sse41;
+pub(crate) use triangles::TriangleRay;

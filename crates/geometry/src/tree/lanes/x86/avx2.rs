@@ -4,13 +4,14 @@ use super::slopes::{PLANES, Slopes};
 use super::triangles::TriangleRay;
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::lanes::{Lanes, Passed};
+use crate::tree::lanes::{Hits, Lanes, Passed, Triangles};
 use crate::tree::node::{Child, Node, WIDTH};
 use crate::tree::sizes::Sizes;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
 /// Eight boxes at once.
+#[derive(Clone, Copy)]
 pub(crate) struct Avx2 {
     origin: [__m256; 3],
     near: [__m256; 3],
@@ -108,27 +109,27 @@ impl Avx2 {
     /// Writes the boxes that are met where the stack goes on, without taking them
     /// over.
     #[inline(always)]
-    fn write(node: &Node, met: &Met, stack: &mut Stack) {
-        // SAFETY: a `Met` shows that the machine has AVX2; children are 32 bytes
-        // aligned to 32, and there is spare room for eight numbers each.
+    fn write(names: &[Child; WIDTH], met: &Met, stack: &mut Stack) {
+        // SAFETY: a `Met` shows that the machine has AVX2; names are 32 bytes, and there
+        // is spare room for eight numbers each.
         unsafe {
             let packed = _mm_cvtsi64_si128(PACK[met.mask as usize & 0xff].cast_signed());
             let order = _mm256_permutevar8x32_epi32(met.order, _mm256_cvtepu8_epi32(packed));
-            let children = _mm256_load_si256(node.children.as_ptr().cast());
             let (enter_room, child_room) = stack.spare();
             let enter = _mm256_permutevar8x32_ps(met.enter, order);
             _mm256_storeu_ps(enter_room.as_mut_ptr().cast(), enter);
-            let children = _mm256_permutevar8x32_epi32(children, order);
-            _mm256_storeu_si256(child_room.as_mut_ptr().cast(), children);
+            let names = _mm256_loadu_si256(names.as_ptr().cast());
+            let names = _mm256_permutevar8x32_epi32(names, order);
+            _mm256_storeu_si256(child_room.as_mut_ptr().cast(), names);
         }
     }
 }
 
 impl Lanes for Avx2 {
     #[inline(always)]
-    fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
+    fn open(&self, node: &Node, names: &[Child; WIDTH], limit: f32, stack: &mut Stack) {
         let met = self.meet(node, limit);
-        Self::write(node, &met, stack);
+        Self::write(names, &met, stack);
         // SAFETY: as many were written first as there are bits.
         unsafe { stack.grow(met.mask.count_ones() as usize) };
     }
@@ -140,13 +141,22 @@ impl Lanes for Avx2 {
         let Some(nearest) = met.mask.checked_ilog2() else { return stack.pop(limit) };
         let lane = (node.order[nearest as usize % WIDTH] >> (3 * self.octant)) as usize % WIDTH;
         if !met.mask.is_power_of_two() {
-            Self::write(node, &met, stack);
+            Self::write(&node.children, &met, stack);
             // SAFETY: one less than were written.
             unsafe { stack.grow(met.mask.count_ones() as usize - 1) };
         }
         Some(node.children[lane])
     }
 
+    #[inline(always)]
+    fn with_slopes(self, near: [f32; 3], far: [f32; 3]) -> Self {
+        // SAFETY: `self` shows that the machine has AVX2.
+        let splat = |x: f32| unsafe { _mm256_set1_ps(x) };
+        Self { near: near.map(splat), far: far.map(splat), ..self }
+    }
+}
+
+impl Triangles for Avx2 {
     #[inline(always)]
     fn candidates(&self, block: &Block, limit: f32) -> u32 {
         self.triangles.candidates(block, limit)
@@ -158,7 +168,7 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn axes(&self) -> [usize; 3] {
-        self.triangles.axes()
+    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+        self.triangles.meet(block, candidates, ray, limit)
     }
 }

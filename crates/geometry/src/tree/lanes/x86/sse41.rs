@@ -4,13 +4,14 @@ use super::slopes::{PLANES, Slopes};
 use super::triangles::TriangleRay;
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::lanes::{Lanes, Passed, push};
-use crate::tree::node::{Node, WIDTH};
+use crate::tree::lanes::{Lanes, Passed, Triangles, push};
+use crate::tree::node::{Child, Node, WIDTH};
 use crate::tree::sizes::Sizes;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
 /// Four boxes at once, twice.
+#[derive(Clone, Copy)]
 pub(crate) struct Sse41 {
     origin: [__m128; 3],
     near: [__m128; 3],
@@ -61,7 +62,7 @@ impl Sse41 {
 
 impl Lanes for Sse41 {
     #[inline(always)]
-    fn open(&self, node: &Node, limit: f32, stack: &mut Stack) {
+    fn open(&self, node: &Node, names: &[Child; WIDTH], limit: f32, stack: &mut Stack) {
         let (low, low_mask) = self.enter_half(node, limit, 0);
         let (high, high_mask) = self.enter_half(node, limit, 1);
         let mut entries = [0.0; WIDTH];
@@ -71,9 +72,18 @@ impl Lanes for Sse41 {
             _mm_storeu_ps(entries[..4].as_mut_ptr(), low);
             _mm_storeu_ps(entries[4..].as_mut_ptr(), high);
         }
-        push(node, self.octant, &entries, low_mask | high_mask << 4, stack);
+        push(node, names, self.octant, &entries, low_mask | high_mask << 4, stack);
     }
 
+    #[inline(always)]
+    fn with_slopes(self, near: [f32; 3], far: [f32; 3]) -> Self {
+        // SAFETY: `self` shows that the machine has SSE4.1.
+        let splat = |x: f32| unsafe { _mm_set1_ps(x) };
+        Self { near: near.map(splat), far: far.map(splat), ..self }
+    }
+}
+
+impl Triangles for Sse41 {
     #[inline(always)]
     fn candidates(&self, block: &Block, limit: f32) -> u32 {
         self.triangles.candidates(block, limit)
@@ -82,10 +92,5 @@ impl Lanes for Sse41 {
     #[inline(always)]
     fn pass(&self, block: &Block, limit: f32) -> Passed {
         self.triangles.pass(block, limit)
-    }
-
-    #[inline(always)]
-    fn axes(&self) -> [usize; 3] {
-        self.triangles.axes()
     }
 }

@@ -3,23 +3,23 @@
 use crate::Ray;
 use crate::coarse::Shear;
 use crate::tree::block::Block;
-use crate::tree::lanes::{FARTHER, Passed};
+use crate::tree::lanes::{FARTHER, Hits, Passed, Triangles, meet_in_turn};
 use crate::tree::node::LEAF;
-use crate::tree::sizes::{CLASS_SHIFT, Sizes};
+use crate::tree::sizes::{CLASS_SHIFT, ROUNDING, Sizes};
 use std::arch::x86_64::*;
 
-/// Half the distance from one to the next number: what an operation may round by.
-const ROUNDING: f32 = f32::EPSILON / 2.0;
-
 /// Four triangles at once. Exists only where SSE4.1 does and, if `FUSED`, FMA.
-pub(super) struct TriangleRay<const FUSED: bool> {
+#[derive(Clone, Copy)]
+pub(crate) struct TriangleRay<const FUSED: bool> {
     /// Where among the coordinates of a corner, in bytes, those are that stay, and
     /// that of depth.
-    axes: [usize; 3],
+    pub(super) axes: [usize; 3],
     /// In the same order.
-    origin: [__m128; 3],
+    pub(super) origin: [__m128; 3],
     slope: [__m128; 2],
     reciprocal: __m128,
+    /// The direction, the longest coordinate last.
+    pub(super) direction: [__m128; 3],
     /// From t to how far corners may be off by rounding, with room.
     doubt: __m128,
     /// The bits of the size of the largest triangles of the tree.
@@ -36,7 +36,7 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
     /// # Safety
     /// The machine must have SSE4.1, and FMA if `FUSED`.
     #[inline(always)]
-    pub(super) unsafe fn new(ray: &Ray, sizes: Sizes) -> Self {
+    pub(crate) unsafe fn new(ray: &Ray, sizes: Sizes) -> Self {
         let shear = Shear::along(&ray.direction);
         // SAFETY: the caller promises SSE4.1.
         let splat = |x: f32| unsafe { _mm_set1_ps(x) };
@@ -47,16 +47,11 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
             origin: shear.axes.map(|axis| splat(origin[axis])),
             slope: shear.slope.map(splat),
             reciprocal: splat(shear.reciprocal),
+            direction: shear.axes.map(|axis| splat(direction[axis])),
             doubt: splat(48.0 * ROUNDING * direction[shear.axes[2]].abs()),
             // SAFETY: as above.
             greatest: unsafe { _mm_set1_epi32(sizes.greatest.cast_signed()) },
         }
-    }
-
-    /// The coordinates that stay, and that of depth.
-    #[inline(always)]
-    pub(super) fn axes(&self) -> [usize; 3] {
-        self.axes.map(|bytes| bytes / 16)
     }
 
     /// With sums of products of either kind.
@@ -84,6 +79,17 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
             Seen { edges: [cross(b, c), cross(c, a), cross(a, b)], depths: [a[2], b[2], c[2]] }
         }
     }
+}
+
+impl<const FUSED: bool> Triangles for TriangleRay<FUSED> {
+    #[inline(always)]
+    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+        if FUSED {
+            self.meet_at_once(block, candidates, ray, limit)
+        } else {
+            meet_in_turn(block, candidates, ray, limit)
+        }
+    }
 
     /// The triangles of which the edge functions, with all doubt, can have one sign.
     ///
@@ -92,7 +98,7 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
     /// ray meets are at most 2 L from it in the plane: so edge functions are off by less than
     /// 48 u (L + 48 u D) (D + 2 L).
     #[inline(always)]
-    pub(super) fn candidates(&self, block: &Block, limit: f32) -> u32 {
+    fn candidates(&self, block: &Block, limit: f32) -> u32 {
         // SAFETY: `self` shows that the machine has SSE4.1, and FMA if `FUSED`; words are
         // 16 bytes, and those before them are whole rows of 16, aligned to 32.
         unsafe {
@@ -124,7 +130,7 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
 
     /// [`Flat::is_passed`](crate::coarse::Flat::is_passed) for the triangles of a block.
     #[inline(always)]
-    pub(super) fn pass(&self, block: &Block, limit: f32) -> Passed {
+    fn pass(&self, block: &Block, limit: f32) -> Passed {
         // SAFETY: `self` shows that the machine has SSE4.1.
         unsafe {
             let Seen { edges, depths } = self.see(block, rounded_twice);
