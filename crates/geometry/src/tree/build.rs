@@ -12,6 +12,7 @@ mod cluster;
 mod cost;
 mod flat;
 mod morton;
+mod plan;
 mod reinsert;
 mod search;
 mod wide;

@@ -32,7 +32,7 @@ impl Binary {
         let bounds = |i| if i < count { bounds(i) } else { Bounds::EMPTY };
         Self {
             bounds: parallel::map(nodes, GRAIN, bounds),
-            inner: vec![Inner { children: [NONE; 2], height: 0 }; count - 1],
+            inner: parallel::map(count - 1, GRAIN, |_| Inner { children: [NONE; 2], height: 0 }),
             root: nodes as u32 - 1,
         }
     }
