@@ -65,7 +65,7 @@ impl Binary {
 
     /// The parent of each node; [`NONE`] of the root.
     pub(super) fn parents(&self) -> Vec<u32> {
-        let mut parents = vec![NONE; self.bounds.len()];
+        let mut parents = parallel::map(self.bounds.len(), GRAIN, |_| NONE);
         for (parent, inner) in (self.count() as u32..).zip(&self.inner) {
             for child in inner.children {
                 parents[child as usize] = parent;
