@@ -70,9 +70,11 @@ impl Tree {
         });
         let memory =
             size_of_val(&*built.nodes) + size_of_val(&*blocks) + size_of_val(&*built.shapes);
+        let (nodes, blocks) =
+            parallel::join(true, || Pages::new(built.nodes), || Pages::new(blocks));
         Self {
-            nodes: Pages::new(built.nodes),
-            blocks: Pages::new(blocks),
+            nodes,
+            blocks,
             order: built.shapes,
             root: built.root,
             sizes,

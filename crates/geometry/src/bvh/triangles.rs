@@ -37,11 +37,17 @@ impl Bvh {
         let corners = |i: u32| mesh.corner_positions(i as usize);
         let count = mesh.triangle_count() as u32;
         let boxes = parallel::map(count as usize, GRAIN, |i| bounds(corners(i as u32)));
-        let items: Vec<u32> = (0..count).filter(|&i| !boxes[i as usize].is_empty()).collect();
-        let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+        let items = parallel::filter(boxes.len(), GRAIN, |i| !boxes[i].is_empty());
+        let bounds = around(&boxes);
         let tree = Tree::new(&boxes, items, |i| Some(corners(i)), options.quality);
         Ok(Self { tree, contents: Triangles { count, precision: options.precision }, bounds })
     }
+}
+
+/// The box around all boxes.
+fn around(boxes: &[Aabb]) -> Aabb {
+    let union = |boxes: &[Aabb]| boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+    union(&parallel::chunks(boxes.len(), GRAIN, |range| union(&boxes[range])))
 }
 
 /// The box around a triangle, with room for rounding; empty without area.

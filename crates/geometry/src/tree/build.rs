@@ -12,11 +12,13 @@ mod cluster;
 mod cost;
 mod flat;
 mod morton;
+mod plan;
 mod reinsert;
 mod search;
 mod wide;
 
 use super::node::{Child, LEAF, Node};
+use super::parallel;
 use crate::Aabb;
 use cost::Kind;
 
@@ -74,9 +76,11 @@ pub(crate) fn build(
     }
     let order = morton::order(boxes, &items);
     drop(items);
+    // Asked for in any order later, when whatever they depend on is far away.
+    let kinds = parallel::map(boxes.len(), GRAIN, |item| Kind::of(is_triangle(item as u32)));
     let item = |node: u32| {
         let item = order[node as usize];
-        (item, if is_triangle(item) { Kind::Triangles } else { Kind::Others })
+        (item, kinds[item as usize])
     };
     let mut binary = cluster::tree(boxes, &order, quality.radius());
     reinsert::improve(&mut binary, quality.candidates(order.len()));

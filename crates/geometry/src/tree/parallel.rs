@@ -6,6 +6,7 @@
 
 #[cfg(feature = "rayon")]
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// What `f` makes of 0, 1, …, `count` − 1. A thread takes at least `grain` at once.
 pub(crate) fn map<T: Send>(
@@ -19,6 +20,32 @@ pub(crate) fn map<T: Send>(
     }
     let _ = grain;
     (0..count).map(f).collect()
+}
+
+/// What `f` makes of each chunk of so many numbers of 0, 1, …, `count` − 1.
+pub(crate) fn chunks<T: Send>(
+    count: usize,
+    size: usize,
+    f: impl Fn(Range<usize>) -> T + Send + Sync,
+) -> Vec<T> {
+    map(count.div_ceil(size), 1, |i| f(i * size..count.min((i + 1) * size)))
+}
+
+/// The numbers below `count` that `keep` holds for, in chunks of so many looked at.
+pub(crate) fn filter(
+    count: usize,
+    size: usize,
+    keep: impl Fn(usize) -> bool + Send + Sync,
+) -> Vec<u32> {
+    let tallies = chunks(count, size, |range| range.filter(|&i| keep(i)).count());
+    let mut found = vec![0; tallies.iter().sum()];
+    let mut rest = &mut found[..];
+    let tasks = tallies.iter().enumerate().map(|(i, &tally)| (i * size, cut(&mut rest, tally)));
+    run(tasks.collect(), |(first, out)| {
+        let kept = (first..count.min(first + size)).filter(|&i| keep(i));
+        out.iter_mut().zip(kept).for_each(|(slot, i)| *slot = i as u32);
+    });
+    found
 }
 
 /// Calls `f` for each task.

@@ -32,7 +32,7 @@ impl Binary {
         let bounds = |i| if i < count { bounds(i) } else { Bounds::EMPTY };
         Self {
             bounds: parallel::map(nodes, GRAIN, bounds),
-            inner: vec![Inner { children: [NONE; 2], height: 0 }; count - 1],
+            inner: parallel::map(count - 1, GRAIN, |_| Inner { children: [NONE; 2], height: 0 }),
             root: nodes as u32 - 1,
         }
     }
@@ -65,7 +65,7 @@ impl Binary {
 
     /// The parent of each node; [`NONE`] of the root.
     pub(super) fn parents(&self) -> Vec<u32> {
-        let mut parents = vec![NONE; self.bounds.len()];
+        let mut parents = parallel::map(self.bounds.len(), GRAIN, |_| NONE);
         for (parent, inner) in (self.count() as u32..).zip(&self.inner) {
             for child in inner.children {
                 parents[child as usize] = parent;

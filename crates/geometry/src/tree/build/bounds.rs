@@ -18,6 +18,12 @@ impl Bounds {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
+    /// The lowest and the highest.
+    #[inline]
+    pub(super) fn corners(self) -> ([f32; 3], [f32; 3]) {
+        (self.min.to_array(), self.max.to_array())
+    }
+
     /// Half the area of the faces. What would overflow is the greatest number, so
     /// that areas can always be compared.
     #[inline]

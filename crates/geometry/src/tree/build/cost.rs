@@ -19,6 +19,12 @@ pub(super) enum Kind {
     Mixed,
 }
 
+impl Kind {
+    pub(super) fn of(is_triangle: bool) -> Self {
+        if is_triangle { Self::Triangles } else { Self::Others }
+    }
+}
+
 /// What has to be known of a subtree to put it below something.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summary {
@@ -37,11 +43,12 @@ impl Summary {
     pub(super) fn of_node(area: f32, a: &Self, b: &Self) -> (Self, bool) {
         let kind = if a.kind == b.kind { a.kind } else { Kind::Mixed };
         let count = a.count + b.count;
-        let node = area + shared(&a.costs, &b.costs, WIDTH).0;
+        let shared = all_shared(&a.costs, &b.costs);
+        let node = area + shared[WIDTH - 2];
         let leaf = leaf(area, kind, count as usize).filter(|&leaf| leaf <= node);
         let mut costs = [leaf.unwrap_or(node); WIDTH - 1];
         for places in 2..WIDTH {
-            costs[places - 1] = shared(&a.costs, &b.costs, places).0.min(costs[places - 2]);
+            costs[places - 1] = shared[places - 2].min(costs[places - 2]);
         }
         (Self { count, costs, kind }, leaf.is_some())
     }
@@ -59,6 +66,18 @@ fn leaf(area: f32, kind: Kind, count: usize) -> Option<f32> {
         Kind::Others => Some(area * SHAPE * count as f32),
         Kind::Mixed => None,
     }
+}
+
+/// The least cost of two subtrees that share 2, 3, …, 8 places.
+fn all_shared(a: &Costs, b: &Costs) -> Costs {
+    let mut least = [f32::INFINITY; WIDTH - 1];
+    for (first, a) in a.iter().enumerate() {
+        for (least, b) in least[first..].iter_mut().zip(b) {
+            // In this form it is one instruction.
+            *least = if a + b < *least { a + b } else { *least };
+        }
+    }
+    least
 }
 
 /// The least cost of two subtrees that share 2 to 8 places, and how many of these

@@ -5,6 +5,7 @@
 //! places among its parent's children: how cheap is what lies below if it gets at
 //! most so many places?
 
+use super::GRAIN;
 use super::binary::Binary;
 use super::cost::{Costs, Kind, Summary};
 use crate::tree::parallel::{self, cut};
@@ -36,7 +37,8 @@ pub(super) struct Flat {
 impl Flat {
     pub(super) fn new(tree: &Binary, kind: impl Fn(u32) -> Kind + Sync) -> Self {
         let none = FlatNode { node: 0, split: 0, costs: [0.0; 7], is_leaf: false };
-        let mut nodes = vec![none; tree.count() - 1];
+        // Every thread gets its share of fresh memory.
+        let mut nodes = parallel::map(tree.count() - 1, GRAIN, |_| none);
         let mut items = vec![0; tree.count()];
         let sizes = Sizes::of(tree, tree.root);
         let out = Out { nodes: &mut nodes, items: &mut items };

@@ -1,7 +1,7 @@
 //! Items along a curve through space on which neighbours are mostly near.
 
-use super::super::parallel;
 use super::GRAIN;
+use crate::tree::parallel;
 use crate::{Aabb, Vec3};
 
 /// Cells along each axis.
@@ -12,19 +12,17 @@ const CELLS: f32 = (1 << 21) as f32;
 pub(super) fn order(boxes: &[Aabb], items: &[u32]) -> Vec<u32> {
     let centre = |i: usize| boxes[items[i] as usize].centre();
     let grid = Grid::around(centres(items.len(), centre));
-    let key = |i: usize| (grid.code(centre(i)), items[i]);
+    // As one number, which is compared without a jump.
+    let key = |i: usize| u128::from(grid.code(centre(i))) << u32::BITS | u128::from(items[i]);
     let mut keys = parallel::map(items.len(), GRAIN, key);
     parallel::sort(&mut keys);
-    parallel::map(keys.len(), GRAIN, |i| keys[i].1)
+    parallel::map(keys.len(), GRAIN, |i| keys[i] as u32)
 }
 
 /// The box around all centres.
 fn centres(count: usize, centre: impl Fn(usize) -> Vec3 + Send + Sync) -> Aabb {
-    let part = |chunk: usize| {
-        let first = chunk * GRAIN;
-        Aabb::around((first..count.min(first + GRAIN)).map(&centre))
-    };
-    parallel::map(count.div_ceil(GRAIN), 1, part).into_iter().fold(Aabb::EMPTY, Aabb::union)
+    let parts = parallel::chunks(count, GRAIN, |range| Aabb::around(range.map(&centre)));
+    parts.into_iter().fold(Aabb::EMPTY, Aabb::union)
 }
 
 /// Cubic cells, as many as fit along the longest axis.

@@ -14,6 +14,9 @@ const MAX_HEIGHT: u32 = 128;
 /// Searches a task.
 const CHUNK: usize = 64;
 
+/// Large nodes are looked for in so many subtrees at once.
+const SUBTREES: usize = 64;
+
 /// Areas on the way up a tree are summed; the greatest may be this part of what
 /// can be written down.
 const ROOM: f32 = 1024.0;
@@ -24,7 +27,8 @@ pub(super) fn improve(tree: &mut Binary, candidates: impl IntoIterator<Item = us
         return;
     }
     let parents = tree.parents();
-    let mut optimiser = Optimiser { tree, parents };
+    let touched = vec![false; parents.len()];
+    let mut optimiser = Optimiser { tree, parents, touched };
     for candidates in candidates {
         let all = candidates >= optimiser.parents.len();
         if optimiser.round(candidates) == 0 && all {
@@ -36,6 +40,8 @@ pub(super) fn improve(tree: &mut Binary, candidates: impl IntoIterator<Item = us
 struct Optimiser<'a> {
     tree: &'a mut Binary,
     parents: Vec<u32>,
+    /// What has changed in this round.
+    touched: Vec<bool>,
 }
 
 impl Optimiser<'_> {
@@ -44,8 +50,8 @@ impl Optimiser<'_> {
         let candidates = largest(self.tree, candidates);
         let mut moves = self.moves(&candidates);
         parallel::sort(&mut moves);
-        let mut touched = vec![false; self.parents.len()];
-        moves.iter().filter(|m| self.apply(m, &mut touched)).count()
+        self.touched.fill(false);
+        moves.iter().filter(|m| self.apply(m)).count()
     }
 
     /// What each subtree gains where it would gain most.
@@ -59,7 +65,7 @@ impl Optimiser<'_> {
     }
 
     /// Moves a subtree, unless something there has changed in this round.
-    fn apply(&mut self, m: &Move, touched: &mut [bool]) -> bool {
+    fn apply(&mut self, m: &Move) -> bool {
         let (node, to) = (m.node, m.to);
         let parent = self.parents[node as usize];
         if parent == NONE || self.parents[to as usize] == NONE {
@@ -67,11 +73,11 @@ impl Optimiser<'_> {
         }
         let sibling = self.sibling(parent, node);
         let affected = [node, to, sibling, parent, self.parents[to as usize]];
-        if affected.iter().any(|&i| touched[i as usize]) || !self.fits(node, to) {
+        if affected.iter().any(|&i| self.touched[i as usize]) || !self.fits(node, to) {
             return false;
         }
         for i in affected {
-            touched[i as usize] = true;
+            self.touched[i as usize] = true;
         }
         self.take_out(parent, sibling);
         self.put_in(parent, node, to);
@@ -154,23 +160,37 @@ impl Optimiser<'_> {
 /// Areas looked at to find out which are large.
 const SAMPLES: usize = 4096;
 
-/// About `wanted` nodes of large area, without the root.
+/// About `wanted` nodes of large area, without the root. What is below a small one
+/// is small.
 fn largest(tree: &Binary, wanted: usize) -> Vec<u32> {
     let least = threshold(tree, wanted);
     let mut found = Vec::with_capacity(wanted);
-    let mut open: Vec<u32> = Vec::new();
-    let mut next = Some(tree.root);
-    while let Some(node) = next {
-        open.extend(tree.children(node).into_iter().flatten());
-        next = open.pop();
-        while let Some(node) = next
-            && tree.area(node) < least
-        {
-            next = open.pop();
-        }
-        found.extend(next);
+    let mut level = vec![tree.root];
+    while (1..SUBTREES).contains(&level.len()) {
+        level = level.iter().flat_map(|&node| large(tree, node, least)).collect();
+        found.extend_from_slice(&level);
+    }
+    let below = |i: usize| all_large(tree, level[i], least);
+    found.extend(parallel::map(level.len(), 1, below).into_iter().flatten());
+    found
+}
+
+/// The large nodes below one, depth first, so that neighbours in the list mostly are
+/// neighbours in space.
+fn all_large(tree: &Binary, node: u32, least: f32) -> Vec<u32> {
+    let mut found = Vec::new();
+    let mut open: Vec<u32> = large(tree, node, least).collect();
+    while let Some(node) = open.pop() {
+        found.push(node);
+        open.extend(large(tree, node, least));
     }
     found
+}
+
+/// The large children of a node.
+fn large(tree: &Binary, node: u32, least: f32) -> impl Iterator<Item = u32> {
+    let children = tree.children(node).into_iter().flatten();
+    children.filter(move |&child| tree.area(child) >= least)
 }
 
 /// The area that about `wanted` nodes have.
@@ -180,7 +200,8 @@ fn threshold(tree: &Binary, wanted: usize) -> f32 {
         return 0.0;
     }
     let stride = nodes.div_ceil(SAMPLES);
-    let mut areas: Vec<f32> = tree.bounds.iter().step_by(stride).map(|b| b.area()).collect();
+    let area = |i: usize| tree.bounds[i * stride].area();
+    let mut areas = parallel::map(nodes.div_ceil(stride), SAMPLES / 8, area);
     let index = (wanted / stride).min(areas.len() - 1);
     *areas.select_nth_unstable_by(index, |a, b| b.total_cmp(a)).1
 }

@@ -1,9 +1,9 @@
 //! Trees with eight children a node, from binary ones.
 
-use super::Tree;
 use super::binary::Binary;
 use super::cost::{self, Costs, Kind};
 use super::flat::{Flat, FlatNode};
+use super::{GRAIN, Tree};
 use crate::Aabb;
 use crate::tree::node::{Child, LEAF, Node, WIDTH};
 use crate::tree::parallel::{self, cut};
@@ -18,9 +18,10 @@ pub(super) fn tree(binary: &Binary, item: impl Fn(u32) -> (u32, Kind) + Sync) ->
     let widener = Widener { binary, flat, item };
     let all = Part { node: 0, first: 0, count: binary.count() };
     let size = widener.size(all);
+    let none = Node::new(&[]);
     let mut tree = Tree {
-        nodes: vec![Node::new(&[]); size.nodes],
-        blocks: vec![[u32::MAX; LEAF]; size.blocks.max(1)],
+        nodes: parallel::map(size.nodes, GRAIN, |_| none),
+        blocks: parallel::map(size.blocks.max(1), GRAIN, |_| [u32::MAX; LEAF]),
         shapes: vec![0; size.shapes],
         root: None,
         depth: size.depth,

@@ -1,0 +1,93 @@
+//! Who is merged with whom in a round of clustering?
+
+use super::bounds::Bounds;
+use super::choice;
+use crate::tree::parallel;
+
+/// Clusters a task.
+pub(super) const CHUNK: usize = 2048;
+
+/// In a round at least this part of the clusters must find a partner.
+const FEWEST: usize = 16;
+
+pub(super) struct Plan<'a> {
+    /// The choice of each cluster; itself where there is none.
+    choices: &'a [u32],
+    /// One a chunk.
+    pub(super) tallies: Vec<Tally>,
+}
+
+/// Of a chunk of clusters: how many are left afterwards, and how many of these are
+/// pairs.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Tally {
+    pub(super) left: usize,
+    pub(super) pairs: usize,
+}
+
+/// What becomes of a cluster.
+pub(super) enum Fate {
+    Stays,
+    MergesWith(usize),
+    Goes,
+}
+
+impl<'a> Plan<'a> {
+    /// Of as many clusters as there is room for choices; `bounds` knows their boxes.
+    pub(super) fn new(
+        choices: &'a mut [u32],
+        radius: usize,
+        bounds: impl Fn(usize) -> Bounds + Sync,
+    ) -> Self {
+        if radius > 0 {
+            choice::nearest(choices, radius, bounds);
+            let plan = Plan::of(choices);
+            // Of boxes that lie in each other like the coats of an onion, hardly any
+            // two choose each other.
+            if plan.pairs() * FEWEST >= plan.count() {
+                let tallies = plan.tallies;
+                return Self { choices, tallies };
+            }
+        }
+        choice::next(choices);
+        Self::of(choices)
+    }
+
+    fn of(choices: &'a [u32]) -> Self {
+        let mut plan = Self { choices, tallies: Vec::new() };
+        plan.tallies = parallel::map(choices.len().div_ceil(CHUNK), 1, |i| plan.tally(i));
+        plan
+    }
+
+    fn tally(&self, chunk: usize) -> Tally {
+        let first = chunk * CHUNK;
+        let mut tally = Tally::default();
+        for i in first..self.count().min(first + CHUNK) {
+            let fate = self.fate(i);
+            tally.left += usize::from(!matches!(fate, Fate::Goes));
+            tally.pairs += usize::from(matches!(fate, Fate::MergesWith(_)));
+        }
+        tally
+    }
+
+    #[inline]
+    pub(super) fn fate(&self, i: usize) -> Fate {
+        let j = self.choices[i] as usize;
+        if i == j || self.choices[j] as usize != i {
+            Fate::Stays
+        } else if i < j {
+            Fate::MergesWith(j)
+        } else {
+            Fate::Goes
+        }
+    }
+
+    /// Of clusters.
+    pub(super) fn count(&self) -> usize {
+        self.choices.len()
+    }
+
+    pub(super) fn pairs(&self) -> usize {
+        self.tallies.iter().map(|tally| tally.pairs).sum()
+    }
+}
