@@ -61,8 +61,7 @@ impl Tree {
         corners: impl Fn(u32) -> Option<[Vec3; 3]> + Send + Sync,
         quality: Quality,
     ) -> Self {
-        let sizes =
-            Sizes::up_to(boxes.iter().map(|b| b.extent().max_element()).fold(0.0, f32::max));
+        let sizes = Sizes::up_to(greatest_extent(boxes));
         let built = build::build(boxes, items, |item| corners(item).is_some(), quality);
         let corners_of = |item| corners(item).unwrap_or([Vec3::NAN; 3]);
         let blocks = parallel::map(built.blocks.len(), GRAIN, |block| {
@@ -107,4 +106,10 @@ impl Tree {
     pub(crate) fn is_large(&self) -> bool {
         self.memory > LARGE
     }
+}
+
+/// Of all boxes, along an axis.
+fn greatest_extent(boxes: &[Aabb]) -> f32 {
+    let of = |boxes: &[Aabb]| boxes.iter().map(|b| b.extent().max_element()).fold(0.0, f32::max);
+    parallel::chunks(boxes.len(), GRAIN, |range| of(&boxes[range])).into_iter().fold(0.0, f32::max)
 }
