@@ -45,11 +45,12 @@ pub struct Options {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
-    /// t is right to the last bits of an `f32` whatever the triangle's form, and no
-    /// ray slips through between two triangles that share an edge or a corner.
+    /// In double precision: t is right to the last bits of an `f32` whatever the triangle's
+    /// form, and no ray slips through between two triangles that share an edge or a corner.
     #[default]
     Watertight,
-    /// t is rounded as a sum of the corners', which is coarser on long thin
+    /// In single precision: which side of an edge a ray passes is right to some 10⁻⁷ of its
+    /// length, and t is rounded as a sum of the corners', which is coarser on long thin
     /// triangles.
     Fast,
 }
@@ -133,8 +134,8 @@ impl<C: Contents> Bvh<C> {
 }
 
 /// The box with room for the rounding of intersections, which is a few units in
-/// the last place of the shape's size however near the ray starts, and sixteen times as
-/// much along rays that all but graze.
+/// the last place of the shape's size however near the ray starts, and for shapes met in
+/// single precision by rays that all but graze more than ten times as much.
 fn widened(bounds: &Aabb) -> Aabb {
     let margin = bounds.extent().max_element() * (64.0 * f32::EPSILON);
     bounds.grown(Vec3::splat(margin))
