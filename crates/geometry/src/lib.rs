@@ -88,10 +88,9 @@
 //!
 //! A ray whose origin or direction is infinite or not a number, whose direction is
 //! zero or has no coordinate that is a normal number, or whose `t_max` is not above zero
-//! hits nothing; an infinite `t_max` is a ray
-//! without end. A triangle without area keeps its number and is never hit. Positions,
-//! shapes and placements that are not finite are refused as an [`Error`]. Nothing
-//! panics.
+//! hits nothing; an infinite `t_max` is a ray without end. A triangle without area keeps
+//! its number and is never hit. Positions, shapes and placements that are not finite are
+//! refused as an [`Error`]. Nothing panics.
 //!
 //! # The same answers everywhere
 //!
