@@ -98,7 +98,7 @@ impl Flat {
 
     /// `t`, or that of the nearest or farthest corner if it is beyond.
     #[inline]
-    fn within(&self, t: f32) -> f32 {
+    pub(crate) fn within(&self, t: f32) -> f32 {
         let (first, last) = (least(self.depths), greatest(self.depths));
         let t = if t < first { first } else { t };
         if t > last { last } else { t }

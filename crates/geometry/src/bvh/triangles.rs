@@ -4,6 +4,7 @@ use super::contents::{Holds, offer};
 use super::{Bvh, Options, Precision, check_count, widened};
 use crate::shape::ShapeHit;
 use crate::tree::block::Block;
+use crate::tree::lanes::Passed;
 use crate::tree::query::Query;
 use crate::tree::walk::ones;
 use crate::tree::{GRAIN, Tree, lanes, parallel};
@@ -112,17 +113,26 @@ fn fast_hits<L: lanes::Triangles, Q: Query>(
         let hit = if flat.is_settled() {
             flat.meet(query.limit())
         } else {
-            unsettled_hit(block, lane, ray, query.limit())
+            unsettled_hit(block, lane, &passed, ray, query.limit())
         };
         offer(hit, block.number(lane), query)?;
     }
     ControlFlow::Continue(())
 }
 
-/// Where signs are in doubt, as exactly as can be.
+/// Where signs are in doubt, as exactly as can be, but between the depths of the corners: a
+/// triangle that begins beyond a hit by these is not asked.
 #[cold]
 #[inline(never)]
-fn unsettled_hit(block: &Block, lane: usize, ray: &Ray, limit: f32) -> Option<ShapeHit> {
+fn unsettled_hit(
+    block: &Block,
+    lane: usize,
+    passed: &Passed,
+    ray: &Ray,
+    limit: f32,
+) -> Option<ShapeHit> {
     let axes = watertight::axes(&ray.direction);
-    watertight::meet(ray, axes, limit, block.picked(lane, axes))
+    let hit = watertight::meet(ray, axes, f32::INFINITY, block.picked(lane, axes))?;
+    let t = passed.flat(lane).within(hit.t);
+    (0.0 < t && t < limit).then_some(ShapeHit { t, ..hit })
 }

@@ -1,6 +1,7 @@
 //! Trees over meshes find what asking each triangle finds.
 
 use crate::bvh::*;
+use crate::coarse::Shear;
 use crate::testing::{Random, icosphere};
 use crate::{Mesh, Sides};
 
@@ -100,6 +101,24 @@ fn batches_answer_each_ray() {
         let mut hits = vec![bvh.nearest(&Ray::new(Vec3::ZERO, Vec3::X)); count];
         bvh.nearest_each(&rays[..count], &mut hits);
         assert!(hits.iter().zip(&rays).all(|(hit, ray)| *hit == bvh.nearest(ray)));
+    }
+}
+
+/// Beyond a hit, triangles are left out that begin farther by these depths; so none may be
+/// hit before them, also where signs are in doubt and are computed in double precision.
+#[test]
+fn a_fast_hit_lies_between_the_depths_of_the_corners() {
+    let corners = [[-4.0, -3.0, 0.0], [-4.0, 0.0, 3.0], [3.0, -3.0, 1.0]].map(Vec3::from);
+    let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
+    let fast = Options { precision: Precision::Fast, ..Options::default() };
+    let bvh = Bvh::build_with(&mesh, fast).unwrap();
+    for i in 0..100_u8 {
+        let origin = Vec3::new(-4.0, -2.0, -6.5e13 - 1e10 * f32::from(i));
+        let ray = Ray::new(origin, Vec3::new(0.0, 3.0, 2.2e20));
+        let flat = Shear::along(&ray.direction).flat(&corners, &ray);
+        assert!(!flat.is_settled());
+        // From so far away all corners are equally far in single precision.
+        assert_eq!(bvh.nearest(&ray).map(|hit| hit.t), Some(flat.depths[0]), "{ray:?}");
     }
 }
 
