@@ -32,7 +32,7 @@ impl<S: Shape> Bvh<Shapes<S>> {
         Ok(Self { tree, contents: Shapes(shapes), bounds })
     }
 
-    /// The shapes in the caller's order, which [`Hit::primitive`] counts in.
+    /// The shapes in the caller's order, which [`Hit::primitive`](crate::Hit::primitive) counts in.
     pub fn shapes(&self) -> &[S] {
         &self.contents.0
     }
