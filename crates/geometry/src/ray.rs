@@ -48,8 +48,8 @@ impl Ray {
         0.0 < t && t < self.t_max
     }
 
-    /// The longest coordinate of a direction is at least this: the reciprocal of a smaller
-    /// one might be no number.
+    /// The coordinates of a direction, all counted as positive, sum up to this at least: the
+    /// reciprocal of the longest might be no number otherwise.
     pub(crate) const SMALLEST: f32 = f32::MIN_POSITIVE;
 
     /// Whether there is anything to trace: finite numbers, a direction, a
@@ -59,7 +59,7 @@ impl Ray {
         // Zero for all numbers, and not a number for what is none or infinite.
         let nothing = 0.0 * self.origin + 0.0 * self.direction;
         nothing.x + nothing.y + nothing.z == 0.0
-            && self.direction.abs().max_element() >= Self::SMALLEST
+            && self.direction.abs().element_sum() >= Self::SMALLEST
             && self.t_max > 0.0
     }
 }

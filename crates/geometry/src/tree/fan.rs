@@ -52,7 +52,7 @@ fn goes_together(rays: &[Ray; FAN]) -> bool {
             differing |= turned & 1 << 31;
         }
         nothing += 0.0 * ray.direction.element_sum();
-        smallest = lesser(ray.direction.abs().max_element(), smallest);
+        smallest = lesser(ray.direction.abs().element_sum(), smallest);
         shortest = if ray.t_max > 0.0 { shortest } else { 0.0 };
     }
     differing == 0
@@ -71,12 +71,15 @@ pub(crate) fn walk_fans<'a, L: Lanes, T: Triangles, B: Batch<'a>>(
     triangles: impl Fn(&'a Ray) -> T,
     batch: &mut B,
 ) -> Vec<Range<usize>> {
-    let mut left = Vec::new();
+    let mut left: Vec<Range<usize>> = Vec::new();
     for (chunk, rays) in batch.rays().chunks(FAN).enumerate() {
         let places = FAN * chunk..FAN * chunk + rays.len();
         match fan(rays) {
             Some(rays) => walk_fan(tree, root, (&lanes, &triangles), batch, places.start, rays),
-            None => left.push(places),
+            None => match left.last_mut().filter(|last| last.end == places.start) {
+                Some(last) => last.end = places.end,
+                None => left.push(places),
+            },
         }
     }
     left
