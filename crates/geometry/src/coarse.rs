@@ -1,4 +1,4 @@
-//! Where a ray meets a triangle in single precision, and how far that may be off.
+//! Where a ray meets a triangle in single precision.
 //!
 //! The formulas of [`watertight`](crate::watertight), which see for the idea, as kernels
 //! compute them for many triangles at once, operation by operation in the same order.

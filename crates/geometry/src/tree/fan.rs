@@ -44,7 +44,7 @@ fn goes_together(rays: &[Ray; FAN]) -> bool {
     let mut differing = 0;
     // Stays zero with numbers, and else is not a number.
     let mut nothing = 0.0;
-    let (mut smallest, mut shortest) = (f32::INFINITY, f32::INFINITY);
+    let (mut smallest, mut all_ask) = (f32::INFINITY, true);
     for ray in rays {
         for axis in 0..3 {
             differing |= ray.origin[axis].to_bits() ^ first.origin[axis].to_bits();
@@ -53,13 +53,9 @@ fn goes_together(rays: &[Ray; FAN]) -> bool {
         }
         nothing += 0.0 * ray.direction.element_sum();
         smallest = lesser(ray.direction.abs().element_sum(), smallest);
-        shortest = if ray.t_max > 0.0 { shortest } else { 0.0 };
+        all_ask &= ray.t_max > 0.0;
     }
-    differing == 0
-        && first.is_traceable()
-        && nothing == 0.0
-        && smallest >= Ray::SMALLEST
-        && shortest > 0.0
+    differing == 0 && first.is_traceable() && nothing == 0.0 && smallest >= Ray::SMALLEST && all_ask
 }
 
 /// Takes all fans among the rays to their leaves. The places of the rays that are left.

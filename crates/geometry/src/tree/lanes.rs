@@ -1,6 +1,7 @@
 //! One ray against eight boxes or four triangles, for each instruction set.
 //!
-//! All do the same operations in the same order, so they agree to the bit.
+//! What decides is the same operations in the same order for all, so they agree to the bit;
+//! what only leaves out may differ.
 
 mod scalar;
 #[cfg(target_arch = "x86_64")]
@@ -50,8 +51,8 @@ pub(crate) trait Lanes: Triangles {
 
 /// A ray prepared for tests of many triangles at once.
 pub(crate) trait Triangles: Copy {
-    /// One bit for each triangle that the ray may meet at 0 < t < `limit`; of few that it
-    /// does not meet. How the ray sees them has the last word.
+    /// One bit for each triangle that the ray may meet at 0 < t < `limit`, and perhaps for
+    /// others: [`meet`](Self::meet) has the last word.
     fn candidates(&self, block: &Block, limit: f32) -> u32;
 
     /// One bit for each triangle that the line of the ray passes and of which a point
