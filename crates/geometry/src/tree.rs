@@ -16,6 +16,7 @@ mod prefetch;
 pub(crate) mod query;
 mod sizes;
 mod stack;
+mod turns;
 pub(crate) mod walk;
 
 pub(crate) use kernel::Kernel;

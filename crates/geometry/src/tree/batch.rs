@@ -1,18 +1,18 @@
-//! Many rays at a time: while one waits for memory or for a result, others go on.
+//! Many rays at a time.
 
 use super::Tree;
 use super::lanes::Lanes;
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
-use super::stack::{Room, Stack};
+use super::stack::Stack;
+use super::turns::{Waiting, Way, take_turns};
 use super::walk::{Visitor, visit};
 use crate::Ray;
 use std::ops::Range;
+use std::vec::IntoIter;
 
-/// The most rays under way at once.
-const MOST: usize = 8;
-
-/// So many are best where the tree fits into the caches.
+/// So many rays are best where the tree does not fit into the caches, and where it does.
+const MANY: usize = 8;
 const FEW: usize = 4;
 
 /// Questions about many rays, and where the answers go.
@@ -28,17 +28,7 @@ pub(crate) trait Batch<'a> {
     fn end(&mut self, index: usize, visitor: &Self::Visitor);
 }
 
-/// A ray under way.
-struct Slot<'r, L, V> {
-    index: usize,
-    next: Option<usize>,
-    current: Child,
-    lanes: L,
-    visitor: V,
-    stack: Stack<'r>,
-}
-
-/// Takes the rays at these places to their leaves, each one box further in turn.
+/// Takes the rays at these places to their leaves.
 #[inline(always)]
 pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     tree: &Tree,
@@ -47,67 +37,79 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
     batch: &mut B,
     left: Vec<Range<usize>>,
 ) {
-    let (rays, ahead) = (batch.rays(), Ahead::of(tree));
-    let (mut left, mut places) = (left.into_iter(), 0..0);
-    let mut waiting = std::iter::from_fn(|| {
+    let (rays, left) = (batch.rays(), left.into_iter());
+    let mut singles = Singles { rays, root, lanes, left, places: 0..0 };
+    let count = if tree.is_large() { MANY } else { FEW };
+    take_turns(tree, count, batch, &mut singles);
+}
+
+/// Rays that wait.
+struct Singles<'a, F> {
+    rays: &'a [Ray],
+    root: Child,
+    lanes: F,
+    left: IntoIter<Range<usize>>,
+    /// The places that come before those.
+    places: Range<usize>,
+}
+
+/// A ray under way.
+struct Single<L, V> {
+    index: usize,
+    current: Child,
+    lanes: L,
+    visitor: V,
+}
+
+impl<'a, L, B, F> Waiting<B, Single<L, B::Visitor>> for Singles<'a, F>
+where
+    L: Lanes,
+    B: Batch<'a>,
+    F: Fn(&'a Ray) -> L,
+{
+    type Question = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
         loop {
-            match places.next() {
-                Some(index) if rays[index].is_traceable() => return Some(index),
+            match self.places.next() {
+                Some(index) if self.rays[index].is_traceable() => return Some(index),
                 Some(_) => {}
-                None => places = left.next()?,
+                None => self.places = self.left.next()?,
             }
         }
-    });
-    let mut rooms = [const { Room::new() }; MOST];
-    let mut slots = Vec::with_capacity(MOST);
-    for room in rooms.iter_mut().take(if tree.is_large() { MOST } else { FEW }) {
-        let Some(index) = waiting.next() else { break };
-        let (lanes, visitor) = (lanes(&rays[index]), batch.begin(index));
-        slots.push(Slot {
-            index,
-            next: Some(index),
-            current: root,
-            lanes,
-            visitor,
-            stack: Stack::new(room),
-        });
     }
-    while !slots.is_empty() {
-        let mut done = false;
-        for slot in &mut slots {
-            if step(tree, &ahead, slot) {
-                continue;
-            }
-            batch.end(slot.index, &slot.visitor);
-            slot.next = waiting.next();
-            if let Some(index) = slot.next {
-                slot.index = index;
-                slot.current = root;
-                slot.lanes = lanes(&rays[index]);
-                slot.visitor = batch.begin(index);
-                slot.stack.clear();
-            } else {
-                done = true;
-            }
-        }
-        if done {
-            slots.retain(|slot| slot.next.is_some());
-        }
+
+    #[inline(always)]
+    fn begin(&self, index: usize, batch: &B) -> Single<L, B::Visitor> {
+        let (lanes, visitor) = ((self.lanes)(&self.rays[index]), batch.begin(index));
+        Single { index, current: self.root, lanes, visitor }
+    }
+
+    #[inline(always)]
+    fn begin_anew(&self, index: usize, batch: &B, way: &mut Single<L, B::Visitor>) {
+        *way = self.begin(index, batch);
     }
 }
 
-/// Opens one box; tells whether there is another.
-#[inline(always)]
-fn step<L: Lanes, V: Visitor>(tree: &Tree, ahead: &Ahead, slot: &mut Slot<L, V>) -> bool {
-    let Slot { current, lanes, visitor, stack, .. } = slot;
-    if let Content::Node(index) = current.open() {
-        let node = &tree.nodes[index];
-        lanes.open(node, &node.children, visitor.limit(), stack);
-    } else if visit(tree, *current, lanes, visitor).is_break() {
-        return false;
+impl<'a, L: Lanes, B: Batch<'a>> Way<B> for Single<L, B::Visitor> {
+    #[inline(always)]
+    fn step(&mut self, tree: &Tree, ahead: &Ahead, stack: &mut Stack) -> bool {
+        let Self { current, lanes, visitor, .. } = self;
+        if let Content::Node(index) = current.open() {
+            let node = &tree.nodes[index];
+            lanes.open(node, &node.children, visitor.limit(), stack);
+        } else if visit(tree, *current, lanes, visitor).is_break() {
+            return false;
+        }
+        let Some(next) = stack.pop(visitor.limit()) else { return false };
+        *current = next;
+        ahead.ask(next);
+        true
     }
-    let Some(next) = stack.pop(visitor.limit()) else { return false };
-    *current = next;
-    ahead.ask(next);
-    true
+
+    #[inline(always)]
+    fn end(&self, batch: &mut B) {
+        batch.end(self.index, &self.visitor);
+    }
 }

@@ -2,61 +2,31 @@
 //! boxes together.
 
 mod slopes;
+mod together;
 
 use super::Tree;
 use super::batch::Batch;
-use super::lanes::{Lanes, Triangles, greater, lesser};
+use super::lanes::{Lanes, Triangles, greater};
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
-use super::stack::{Room, Stack};
+use super::stack::Stack;
+use super::turns::{Waiting, Way, take_turns};
 use super::walk::{Visitor, ones, visit};
 use crate::Ray;
 use slopes::Slopes;
 use std::array::from_fn;
+use std::iter::Enumerate;
 use std::ops::Range;
+use std::slice::Chunks;
+use together::fan;
+
+/// So many fans at once are best where the tree does not fit into the caches, and where it
+/// does.
+const MANY: usize = 4;
+const FEW: usize = 2;
 
 /// Rays in a fan.
 const FAN: usize = 8;
-
-/// The least cosine between the first ray of a fan and the last.
-const NARROW: f32 = 0.99;
-
-/// The rays, if they make a fan: rays that can be traced, of one origin and octant and not
-/// far apart.
-#[inline(always)]
-fn fan(rays: &[Ray]) -> Option<&[Ray; FAN]> {
-    let rays: &[Ray; FAN] = rays.try_into().ok()?;
-    let (first, last) = (&rays[0], &rays[FAN - 1]);
-    // Most rays are told by the first and the last.
-    (first.origin == last.origin && is_narrow(first, last) && goes_together(rays)).then_some(rays)
-}
-
-#[inline(always)]
-fn is_narrow(first: &Ray, last: &Ray) -> bool {
-    let (along, aside) = (first.direction, last.direction);
-    let lengths = along.length_squared() * aside.length_squared();
-    along.dot(aside) > NARROW * lengths.sqrt()
-}
-
-#[inline(always)]
-fn goes_together(rays: &[Ray; FAN]) -> bool {
-    let first = &rays[0];
-    let mut differing = 0;
-    // Stays zero with numbers, and else is not a number.
-    let mut nothing = 0.0;
-    let (mut smallest, mut all_ask) = (f32::INFINITY, true);
-    for ray in rays {
-        for axis in 0..3 {
-            differing |= ray.origin[axis].to_bits() ^ first.origin[axis].to_bits();
-            let turned = ray.direction[axis].to_bits() ^ first.direction[axis].to_bits();
-            differing |= turned & 1 << 31;
-        }
-        nothing += 0.0 * ray.direction.element_sum();
-        smallest = lesser(ray.direction.abs().element_sum(), smallest);
-        all_ask &= ray.t_max > 0.0;
-    }
-    differing == 0 && first.is_traceable() && nothing == 0.0 && smallest >= Ray::SMALLEST && all_ask
-}
 
 /// Takes all fans among the rays to their leaves. The places of the rays that are left.
 #[inline(always)]
@@ -67,62 +37,120 @@ pub(crate) fn walk_fans<'a, L: Lanes, T: Triangles, B: Batch<'a>>(
     triangles: impl Fn(&'a Ray) -> T,
     batch: &mut B,
 ) -> Vec<Range<usize>> {
-    let mut left: Vec<Range<usize>> = Vec::new();
-    for (chunk, rays) in batch.rays().chunks(FAN).enumerate() {
-        let places = FAN * chunk..FAN * chunk + rays.len();
-        match fan(rays) {
-            Some(rays) => walk_fan(tree, root, (&lanes, &triangles), batch, places.start, rays),
-            None => match left.last_mut().filter(|last| last.end == places.start) {
-                Some(last) => last.end = places.end,
-                None => left.push(places),
-            },
-        }
-    }
-    left
+    let chunks = batch.rays().chunks(FAN).enumerate();
+    let mut fans = Fans { root, lanes, triangles, chunks, left: Vec::new() };
+    let count = if tree.is_large() { MANY } else { FEW };
+    take_turns(tree, count, batch, &mut fans);
+    fans.left
 }
 
-/// Takes a fan, whose first ray has number `first`, to all leaves that its rays meet.
-#[inline(always)]
-fn walk_fan<'a, L: Lanes, T: Triangles, B: Batch<'a>>(
-    tree: &Tree,
+/// Fans that wait.
+struct Fans<'a, F, G> {
     root: Child,
-    (lanes, triangles): (&impl Fn(&'a Ray) -> L, &impl Fn(&'a Ray) -> T),
-    batch: &mut B,
+    lanes: F,
+    triangles: G,
+    chunks: Enumerate<Chunks<'a, Ray>>,
+    /// The places of rays that make no fan.
+    left: Vec<Range<usize>>,
+}
+
+/// A fan under way.
+struct Fan<L, T, V> {
+    /// The number of its first ray.
     first: usize,
-    rays: &'a [Ray; FAN],
-) {
-    let slopes = Slopes::of(rays);
-    let [near, far] = slopes.widest();
-    let all = lanes(&rays[0]).with_slopes(near, far);
-    let ahead = Ahead::of(tree);
-    let mut each = [triangles(&rays[0]); FAN];
-    for (each, ray) in each.iter_mut().zip(rays).skip(1) {
-        *each = triangles(ray);
-    }
-    let mut fan = Visitors::new(from_fn(|i| batch.begin(first + i)));
-    let mut room = Room::new();
-    let mut stack = Stack::new(&mut room);
-    let mut next = Some((root, u32::MAX >> (32 - FAN)));
-    loop {
-        if let Some((child, active)) = next {
-            match child.open() {
-                Content::Node(index) => {
-                    let names = Child::slots(index);
-                    all.open(&tree.nodes[index], &names, fan.limit, &mut stack);
-                }
-                _ => fan.visit(tree, child, &each, active),
+    current: Child,
+    /// One bit for each ray that goes there.
+    active: u32,
+    slopes: Slopes,
+    /// All rays before boxes, and each before triangles.
+    all: L,
+    each: [T; FAN],
+    visitors: Visitors<V>,
+}
+
+impl<'a, L, T, B, F, G> Waiting<B, Fan<L, T, B::Visitor>> for Fans<'a, F, G>
+where
+    L: Lanes,
+    T: Triangles,
+    B: Batch<'a>,
+    F: Fn(&'a Ray) -> L,
+    G: Fn(&'a Ray) -> T,
+{
+    type Question = (usize, &'a [Ray; FAN]);
+
+    /// The next fan and the number of its first ray.
+    #[inline(always)]
+    fn next(&mut self) -> Option<Self::Question> {
+        for (chunk, rays) in &mut self.chunks {
+            if let Some(rays) = fan(rays) {
+                return Some((FAN * chunk, rays));
             }
-            if let Some((node, lane)) = stack.top().map(Child::slot) {
-                ahead.ask(tree.nodes[node].children[lane]);
+            let places = FAN * chunk..FAN * chunk + rays.len();
+            match self.left.last_mut().filter(|last| last.end == places.start) {
+                Some(last) => last.end = places.end,
+                None => self.left.push(places),
             }
         }
-        let Some((index, lane)) = stack.pop(fan.limit).map(Child::slot) else { break };
-        let node = &tree.nodes[index];
-        let active = slopes.meet(node, lane, &fan.limits);
-        next = (active != 0).then(|| (node.children[lane], active));
+        None
     }
-    for (i, visitor) in fan.each.iter().enumerate() {
-        batch.end(first + i, visitor);
+
+    #[inline(always)]
+    fn begin(&self, (first, rays): Self::Question, batch: &B) -> Fan<L, T, B::Visitor> {
+        let (all, each) = ((self.lanes)(&rays[0]), [(self.triangles)(&rays[0]); FAN]);
+        let visitors = Visitors::new(from_fn(|i| batch.begin(first + i)));
+        let slopes = Slopes::of(rays);
+        let mut fan = Fan { first, current: self.root, active: 0, slopes, all, each, visitors };
+        self.begin_anew((first, rays), batch, &mut fan);
+        fan
+    }
+
+    /// A fan is made where it stays: to move it would take as long as to open a few boxes.
+    #[inline(always)]
+    fn begin_anew(
+        &self,
+        (first, rays): Self::Question,
+        batch: &B,
+        fan: &mut Fan<L, T, B::Visitor>,
+    ) {
+        fan.slopes = Slopes::of(rays);
+        let [near, far] = fan.slopes.widest();
+        fan.all = (self.lanes)(&rays[0]).with_slopes(near, far);
+        for (each, ray) in fan.each.iter_mut().zip(rays) {
+            *each = (self.triangles)(ray);
+        }
+        fan.visitors = Visitors::new(from_fn(|i| batch.begin(first + i)));
+        fan.first = first;
+        fan.current = self.root;
+        fan.active = u32::MAX >> (32 - FAN);
+    }
+}
+
+impl<'a, L: Lanes, T: Triangles, B: Batch<'a>> Way<B> for Fan<L, T, B::Visitor> {
+    #[inline(always)]
+    fn step(&mut self, tree: &Tree, ahead: &Ahead, stack: &mut Stack) -> bool {
+        let Self { slopes, all, each, visitors, .. } = self;
+        if let Content::Node(index) = self.current.open() {
+            all.open(&tree.nodes[index], &Child::slots(index), visitors.limit, stack);
+        } else {
+            visitors.visit(tree, self.current, each, self.active);
+        }
+        while let Some((index, lane)) = stack.pop(visitors.limit).map(Child::slot) {
+            let node = &tree.nodes[index];
+            self.active = slopes.meet(node, lane, &visitors.limits);
+            if self.active != 0 {
+                self.current = node.children[lane];
+                ahead.ask(self.current);
+                return true;
+            }
+        }
+        false
+    }
+
+    #[inline(always)]
+    fn end(&self, batch: &mut B) {
+        for (i, visitor) in self.visitors.each.iter().enumerate() {
+            batch.end(self.first + i, visitor);
+        }
     }
 }
 
@@ -158,39 +186,5 @@ impl<V: Visitor> Visitors<V> {
             self.limits[i % FAN] = if is_done { -1.0 } else { visitor.limit() };
         }
         self.see_limits();
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::Vec3;
-
-    fn side_by_side() -> [Ray; FAN] {
-        from_fn(|i| Ray::new(Vec3::ONE, Vec3::new(1.0, -0.01 * i as f32 - 0.01, 0.0)))
-    }
-
-    #[test]
-    fn rays_side_by_side_make_a_fan() {
-        assert!(fan(&side_by_side()).is_some());
-        assert!(fan(&side_by_side()[1..]).is_none());
-        let spoil = [
-            |ray: &mut Ray| ray.origin.x = 1.5,
-            |ray: &mut Ray| ray.direction.y = 0.01,
-            |ray: &mut Ray| ray.direction = Vec3::ZERO,
-            |ray: &mut Ray| ray.direction.x = f32::NAN,
-            |ray: &mut Ray| ray.direction.x = f32::INFINITY,
-            |ray: &mut Ray| ray.t_max = f32::NAN,
-        ];
-        for spoil in spoil {
-            for i in 0..FAN {
-                let mut rays = side_by_side();
-                spoil(&mut rays[i]);
-                assert!(fan(&rays).is_none(), "{:?}", rays[i]);
-            }
-        }
-        let mut wide = side_by_side();
-        wide[FAN - 1].direction.y = -0.2;
-        assert!(fan(&wide).is_none());
     }
 }
