@@ -25,7 +25,6 @@ use crate::{Aabb, Ray, Vec3};
 use block::Block;
 use build::Quality;
 use node::{Child, Node};
-use pages::Pages;
 use sizes::Sizes;
 use walk::Visitor;
 
@@ -38,8 +37,8 @@ const LARGE: usize = 16 << 20;
 /// Boxes in boxes, with numbers in the innermost.
 #[derive(Clone, Debug)]
 pub(crate) struct Tree {
-    pub(crate) nodes: Pages<Node>,
-    pub(crate) blocks: Pages<Block>,
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) blocks: Vec<Block>,
     /// Numbers of what is no triangle, in the order the leaves list them.
     pub(crate) order: Vec<u32>,
     root: Option<Child>,
@@ -70,10 +69,8 @@ impl Tree {
         });
         let memory =
             size_of_val(&*built.nodes) + size_of_val(&*blocks) + size_of_val(&*built.shapes);
-        let (nodes, blocks) =
-            parallel::join(true, || Pages::new(built.nodes), || Pages::new(blocks));
         Self {
-            nodes,
+            nodes: built.nodes,
             blocks,
             order: built.shapes,
             root: built.root,

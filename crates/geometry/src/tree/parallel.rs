@@ -4,6 +4,7 @@
 //! depend on the number of threads: everything comes back in the order of its
 //! numbers.
 
+use super::pages::room;
 #[cfg(feature = "rayon")]
 use rayon::prelude::*;
 use std::ops::Range;
@@ -16,10 +17,14 @@ pub(crate) fn map<T: Send>(
 ) -> Vec<T> {
     #[cfg(feature = "rayon")]
     if count > grain && rayon::current_num_threads() > 1 {
-        return (0..count).into_par_iter().with_min_len(grain).map(f).collect();
+        let mut list = room(count);
+        (0..count).into_par_iter().with_min_len(grain).map(f).collect_into_vec(&mut list);
+        return list;
     }
     let _ = grain;
-    (0..count).map(f).collect()
+    let mut list = room(count);
+    list.extend((0..count).map(f));
+    list
 }
 
 /// What `f` makes of each chunk of so many numbers of 0, 1, …, `count` − 1.
