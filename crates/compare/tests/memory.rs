@@ -16,16 +16,19 @@ fn buffer() -> Vec<u8> {
     black_box(vec![1; BYTES as usize])
 }
 
+/// What the thread that waits for the test may take or give back meanwhile.
+const OTHERS: u64 = BYTES / 16;
+
 #[test]
 fn what_is_held_and_what_was_held_is_counted() {
     let (left, peak) = peak_during(|| buffer().len() as u64);
     assert_eq!(left, BYTES);
-    assert!((BYTES..BYTES + BYTES / 16).contains(&peak), "{peak}");
+    assert!(peak.abs_diff(BYTES) < OTHERS, "{peak}");
 
-    let (kept, bytes) = held_by(|| [buffer(), buffer()].map(|b| b.len()).len());
-    assert_eq!((kept, bytes), (2, 0));
+    let (_, bytes) = held_by(|| buffer().len());
+    assert!(bytes < OTHERS, "{bytes}");
     let (kept, bytes) = held_by(buffer);
-    assert_eq!((kept.len() as u64, bytes), (BYTES, BYTES));
+    assert!(bytes.abs_diff(kept.len() as u64) < OTHERS, "{bytes}");
 
     let scene = prepare("cornell", &Options::parse_from(["x", "--quick"])).unwrap();
     assert!(scene.bytes > 0);
