@@ -19,6 +19,15 @@ const SMALLEST: u32 = 14;
 /// Where in a float the power of two is.
 const EXPONENT_SHIFT: i32 = 23;
 
+/// The exponent, with bias, of the largest sizes of which edge functions do not overflow:
+/// the corners of a triangle that is met are at most twice as far from the ray, and a
+/// product of two such distances is less than 2¹²⁷.
+const LARGEST: u32 = 127 + 62;
+
+/// That of the greatest float. With it and all classes from there errors overflow, which
+/// leaves all triangles in doubt.
+const GREATEST: u32 = 127 + 127;
+
 /// The classes of a tree: up to a power of two, up to a quarter of it, and so on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sizes {
@@ -33,9 +42,10 @@ impl Sizes {
 
     /// Classes for triangles whose extents along the axes are at most `greatest`.
     pub(crate) fn up_to(greatest: f32) -> Self {
-        // No class of so large a size falls below what a float can hold. The largest floats
-        // are above their power of two, but errors overflow there and leave all in doubt.
-        Self { greatest: exponent(greatest.max(2.0_f32.powi(-90))) << EXPONENT_SHIFT }
+        // No class of so large a size falls below what a float can hold.
+        let exponent = exponent(greatest.max(2.0_f32.powi(-90)));
+        let exponent = if exponent > LARGEST { GREATEST } else { exponent };
+        Self { greatest: exponent << EXPONENT_SHIFT }
     }
 
     /// The number of a triangle and the class of its extent, in a word.
@@ -60,7 +70,7 @@ impl Sizes {
 /// The exponent, with bias, of the least power of two that is not below a size.
 fn exponent(size: f32) -> u32 {
     let exponent = (size.to_bits() + (1 << EXPONENT_SHIFT) - 1) >> EXPONENT_SHIFT;
-    exponent.min(0xfe)
+    exponent.min(GREATEST)
 }
 
 #[cfg(test)]

@@ -143,3 +143,22 @@ fn a_ray_along_a_triangle_passes_it_by() {
     assert_eq!(bvh.nearest(&ray), hits.first().copied());
     assert!(hits.iter().all(|hit| hit.primitive == 1), "{hits:?}");
 }
+
+/// Where products of coordinates overflow in single precision, all triangles are in doubt.
+#[test]
+fn triangles_are_met_however_large() {
+    let corners = [[-4.0, -4.0, -4.0], [-4.0, -3.0, -2.0], [-2.0, 0.0, -1.0]].map(Vec3::from);
+    let (origin, direction) = (Vec3::new(0.0, 0.0, -4.0), Vec3::new(-2.09, -0.12, 2.97));
+    for exponent in (-20..=20).chain(55..=124) {
+        let unit = 2.0_f32.powi(exponent);
+        for winding in [[0, 1, 2], [0, 2, 1], [1, 2, 0]] {
+            let corners = corners.map(|corner| corner * unit).to_vec();
+            let mesh = Mesh::new(corners, vec![winding]).unwrap();
+            let ray = Ray::new(origin * unit, direction * unit);
+            let hit = Bvh::build(&mesh).unwrap().nearest(&ray);
+            assert_eq!(hit, brute_force(&mesh, &ray), "{exponent}");
+            // Of larger ones the area overflows: they count as having none.
+            assert_eq!(hit.is_some(), exponent < 64, "{exponent}");
+        }
+    }
+}
