@@ -159,3 +159,14 @@ fn places(depths: &[f32; WIDTH]) -> [u32; WIDTH] {
     }
     places
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_farthest_comes_first_and_of_equals_the_first() {
+        let depths = [1.0, -2.0, 0.0, f32::INFINITY, 1.0, -3.0, 7.0, f32::INFINITY];
+        assert_eq!(places(&depths), [3, 6, 5, 0, 4, 7, 2, 1]);
+    }
+}

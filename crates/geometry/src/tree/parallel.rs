@@ -15,14 +15,13 @@ pub(crate) fn map<T: Send>(
     grain: usize,
     f: impl Fn(usize) -> T + Send + Sync,
 ) -> Vec<T> {
+    let mut list = room(count);
     #[cfg(feature = "rayon")]
     if count > grain && rayon::current_num_threads() > 1 {
-        let mut list = room(count);
         (0..count).into_par_iter().with_min_len(grain).map(f).collect_into_vec(&mut list);
         return list;
     }
     let _ = grain;
-    let mut list = room(count);
     list.extend((0..count).map(f));
     list
 }
