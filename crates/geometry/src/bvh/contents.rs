@@ -63,6 +63,8 @@ impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
 }
 
 impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
+    const IN_ORDER: bool = Q::IN_ORDER;
+
     #[inline]
     fn limit(&self) -> f32 {
         self.query.limit()

@@ -104,6 +104,8 @@ struct Within<'a, Q> {
 }
 
 impl<Q: Query> Query for Within<'_, Q> {
+    const IN_ORDER: bool = Q::IN_ORDER;
+
     #[inline]
     fn limit(&self) -> f32 {
         self.query.limit()

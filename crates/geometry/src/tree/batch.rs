@@ -98,7 +98,7 @@ impl<'a, L: Lanes, B: Batch<'a>> Way<B> for Single<L, B::Visitor> {
         let Self { current, lanes, visitor, .. } = self;
         if let Content::Node(index) = current.open() {
             let node = &tree.nodes[index];
-            lanes.open(node, &node.children, visitor.limit(), stack);
+            lanes.open(node, &node.children, visitor.limit(), B::Visitor::IN_ORDER, stack);
         } else if visit(tree, *current, lanes, visitor).is_break() {
             return false;
         }

@@ -130,7 +130,13 @@ impl<'a, L: Lanes, T: Triangles, B: Batch<'a>> Way<B> for Fan<L, T, B::Visitor> 
     fn step(&mut self, tree: &Tree, ahead: &Ahead, stack: &mut Stack) -> bool {
         let Self { slopes, all, each, visitors, .. } = self;
         if let Content::Node(index) = self.current.open() {
-            all.open(&tree.nodes[index], &Child::slots(index), visitors.limit, stack);
+            all.open(
+                &tree.nodes[index],
+                &Child::slots(index),
+                visitors.limit,
+                B::Visitor::IN_ORDER,
+                stack,
+            );
         } else {
             visitors.visit(tree, self.current, each, self.active);
         }

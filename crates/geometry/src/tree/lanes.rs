@@ -29,12 +29,19 @@ pub(super) const FARTHER: f32 = 1.0 + 64.0 * f32::EPSILON;
 /// A ray prepared for tests of many boxes, and triangles, at once.
 pub(crate) trait Lanes: Triangles {
     /// Puts the boxes that the ray meets before `limit` on the stack by these names, in
-    /// the order of its octant.
+    /// the order of its octant; unless `in_order` is asked, perhaps in another.
     ///
     /// A ray parallel to a plane and in it gets 0 · ∞ here, which must not count
     /// against the box: a minimum or a maximum with what is not a number is the
     /// other operand.
-    fn open(&self, node: &Node, names: &[Child; WIDTH], limit: f32, stack: &mut Stack);
+    fn open(
+        &self,
+        node: &Node,
+        names: &[Child; WIDTH],
+        limit: f32,
+        in_order: bool,
+        stack: &mut Stack,
+    );
 
     /// For rays that go together: from a distance along each axis to t, for near planes
     /// with the reciprocal nearest to zero and for far planes with that farthest from it, so
@@ -43,8 +50,14 @@ pub(crate) trait Lanes: Triangles {
 
     /// [`open`](Self::open), and the box to open next.
     #[inline(always)]
-    fn open_next(&self, node: &Node, limit: f32, stack: &mut Stack) -> Option<Child> {
-        self.open(node, &node.children, limit, stack);
+    fn open_next(
+        &self,
+        node: &Node,
+        limit: f32,
+        in_order: bool,
+        stack: &mut Stack,
+    ) -> Option<Child> {
+        self.open(node, &node.children, limit, in_order, stack);
         stack.pop(limit)
     }
 }

@@ -5,6 +5,9 @@ use std::ops::ControlFlow;
 
 /// A question that is answered hit by hit.
 pub(crate) trait Query {
+    /// Whether the nearer boxes are better opened first.
+    const IN_ORDER: bool;
+
     /// Hits count below this t.
     fn limit(&self) -> f32;
 
@@ -13,6 +16,8 @@ pub(crate) trait Query {
 }
 
 impl<Q: Query> Query for &mut Q {
+    const IN_ORDER: bool = Q::IN_ORDER;
+
     #[inline]
     fn limit(&self) -> f32 {
         (**self).limit()
@@ -46,6 +51,8 @@ impl Nearest {
 }
 
 impl Query for Nearest {
+    const IN_ORDER: bool = true;
+
     #[inline]
     fn limit(&self) -> f32 {
         self.limit
@@ -78,6 +85,8 @@ impl Any {
 }
 
 impl Query for Any {
+    const IN_ORDER: bool = false;
+
     #[inline]
     fn limit(&self) -> f32 {
         self.limit
@@ -97,6 +106,8 @@ pub(crate) struct All {
 }
 
 impl Query for All {
+    const IN_ORDER: bool = false;
+
     #[inline]
     fn limit(&self) -> f32 {
         self.limit

@@ -10,6 +10,10 @@ use std::ops::{ControlFlow, Range};
 
 /// What a ray does in the leaves it comes to.
 pub(crate) trait Visitor {
+    /// Whether the nearer boxes are better opened first. Where any hit will do they are not:
+    /// most rays start on a surface, and what is in the boxes around it they just left.
+    const IN_ORDER: bool;
+
     /// Boxes that begin beyond it are left out.
     fn limit(&self) -> f32;
 
@@ -20,8 +24,7 @@ pub(crate) trait Visitor {
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
 }
 
-/// Takes a ray to all leaves it meets, the nearer boxes of a node first, until the
-/// visitor breaks.
+/// Takes a ray to all leaves it meets until the visitor breaks.
 #[inline(always)]
 pub(crate) fn walk<L: Lanes, V: Visitor>(tree: &Tree, root: Child, lanes: &L, visitor: &mut V) {
     let mut room = Room::new();
@@ -30,7 +33,7 @@ pub(crate) fn walk<L: Lanes, V: Visitor>(tree: &Tree, root: Child, lanes: &L, vi
     let mut next = Some(root);
     while let Some(current) = next {
         next = if let Content::Node(index) = current.open() {
-            lanes.open_next(&tree.nodes[index], visitor.limit(), &mut stack)
+            lanes.open_next(&tree.nodes[index], visitor.limit(), V::IN_ORDER, &mut stack)
         } else if visit(tree, current, lanes, visitor).is_break() {
             None
         } else {

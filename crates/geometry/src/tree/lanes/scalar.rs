@@ -42,7 +42,14 @@ impl<'a> Scalar<'a> {
 
 impl Lanes for Scalar<'_> {
     #[inline]
-    fn open(&self, node: &Node, names: &[Child; WIDTH], limit: f32, stack: &mut Stack) {
+    fn open(
+        &self,
+        node: &Node,
+        names: &[Child; WIDTH],
+        limit: f32,
+        _in_order: bool,
+        stack: &mut Stack,
+    ) {
         let mut entries = [0.0; WIDTH];
         let mut mask = 0;
         for (lane, entry) in entries.iter_mut().enumerate() {

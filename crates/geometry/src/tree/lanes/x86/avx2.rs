@@ -64,19 +64,19 @@ impl Avx2 {
     }
 }
 
-/// The boxes of a node that a ray meets, in the order of its octant.
+/// The boxes of a node that a ray meets.
 struct Met {
-    /// By box, not in that order.
+    /// By box.
     enter: __m256,
-    /// Which box comes at which place, the farthest first.
-    order: __m256i,
+    /// Which box comes at which place, the farthest first; `None` for box by box.
+    order: Option<__m256i>,
     /// One bit for each place whose box is met.
     mask: u32,
 }
 
 impl Avx2 {
     #[inline(always)]
-    fn meet(&self, node: &Node, limit: f32) -> Met {
+    fn meet(&self, node: &Node, limit: f32, in_order: bool) -> Met {
         // SAFETY: `self` shows that the machine has AVX2; a node is aligned to 64
         // bytes and has six rows of 32, at whose starts the offsets are.
         unsafe {
@@ -99,10 +99,13 @@ impl Avx2 {
                 _mm256_min_ps(far(2), _mm256_set1_ps(limit)),
             );
             let met = _mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave);
-            let order = _mm256_load_si256(node.order.as_ptr().cast());
-            let order = _mm256_srlv_epi32(order, self.order_shift);
-            let mask = _mm256_movemask_ps(_mm256_permutevar8x32_ps(met, order)) as u32;
-            Met { enter, order, mask }
+            let of_octant = || {
+                let order = _mm256_load_si256(node.order.as_ptr().cast());
+                _mm256_srlv_epi32(order, self.order_shift)
+            };
+            let order = in_order.then(of_octant);
+            let met = order.map_or(met, |order| _mm256_permutevar8x32_ps(met, order));
+            Met { enter, order, mask: _mm256_movemask_ps(met) as u32 }
         }
     }
 
@@ -114,12 +117,13 @@ impl Avx2 {
         // is spare room for eight numbers each.
         unsafe {
             let packed = _mm_cvtsi64_si128(PACK[met.mask as usize & 0xff].cast_signed());
-            let order = _mm256_permutevar8x32_epi32(met.order, _mm256_cvtepu8_epi32(packed));
+            let places = _mm256_cvtepu8_epi32(packed);
+            let boxes = met.order.map_or(places, |o| _mm256_permutevar8x32_epi32(o, places));
             let (enter_room, child_room) = stack.spare();
-            let enter = _mm256_permutevar8x32_ps(met.enter, order);
+            let enter = _mm256_permutevar8x32_ps(met.enter, boxes);
             _mm256_storeu_ps(enter_room.as_mut_ptr().cast(), enter);
             let names = _mm256_loadu_si256(names.as_ptr().cast());
-            let names = _mm256_permutevar8x32_epi32(names, order);
+            let names = _mm256_permutevar8x32_epi32(names, boxes);
             _mm256_storeu_si256(child_room.as_mut_ptr().cast(), names);
         }
     }
@@ -127,25 +131,39 @@ impl Avx2 {
 
 impl Lanes for Avx2 {
     #[inline(always)]
-    fn open(&self, node: &Node, names: &[Child; WIDTH], limit: f32, stack: &mut Stack) {
-        let met = self.meet(node, limit);
+    fn open(
+        &self,
+        node: &Node,
+        names: &[Child; WIDTH],
+        limit: f32,
+        in_order: bool,
+        stack: &mut Stack,
+    ) {
+        let met = self.meet(node, limit, in_order);
         Self::write(names, &met, stack);
         // SAFETY: as many were written first as there are bits.
         unsafe { stack.grow(met.mask.count_ones() as usize) };
     }
 
-    /// The nearest box does not go through the stack, which would take longer.
+    /// The last box does not go through the stack, which would take longer.
     #[inline(always)]
-    fn open_next(&self, node: &Node, limit: f32, stack: &mut Stack) -> Option<Child> {
-        let met = self.meet(node, limit);
-        let Some(nearest) = met.mask.checked_ilog2() else { return stack.pop(limit) };
-        let lane = (node.order[nearest as usize % WIDTH] >> (3 * self.octant)) as usize % WIDTH;
+    fn open_next(
+        &self,
+        node: &Node,
+        limit: f32,
+        in_order: bool,
+        stack: &mut Stack,
+    ) -> Option<Child> {
+        let met = self.meet(node, limit, in_order);
+        let Some(last) = met.mask.checked_ilog2() else { return stack.pop(limit) };
+        let lane =
+            if in_order { node.order[last as usize % WIDTH] >> (3 * self.octant) } else { last };
         if !met.mask.is_power_of_two() {
             Self::write(&node.children, &met, stack);
             // SAFETY: one less than were written.
             unsafe { stack.grow(met.mask.count_ones() as usize - 1) };
         }
-        Some(node.children[lane])
+        Some(node.children[lane as usize % WIDTH])
     }
 
     #[inline(always)]

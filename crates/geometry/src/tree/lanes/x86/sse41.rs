@@ -62,7 +62,14 @@ impl Sse41 {
 
 impl Lanes for Sse41 {
     #[inline(always)]
-    fn open(&self, node: &Node, names: &[Child; WIDTH], limit: f32, stack: &mut Stack) {
+    fn open(
+        &self,
+        node: &Node,
+        names: &[Child; WIDTH],
+        limit: f32,
+        _in_order: bool,
+        stack: &mut Stack,
+    ) {
         let (low, low_mask) = self.enter_half(node, limit, 0);
         let (high, high_mask) = self.enter_half(node, limit, 1);
         let mut entries = [0.0; WIDTH];
