@@ -233,8 +233,10 @@ impl Comparison {
         2 * self.p_values.len() >= self.tiles
     }
 
+    /// Nothing is decided by the few tiles that are steady early where rare light is still
+    /// to come: they are steady because they lack it.
     fn is_decided(&self) -> bool {
-        self.refused || (self.is_equivalent() && self.sees_enough())
+        self.sees_enough() && (self.refused || self.is_equivalent())
     }
 
     fn finding(&self, subject: &Subject<'_>, other: &Other, tiles: &Tiles, level: f64) -> Finding {

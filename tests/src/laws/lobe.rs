@@ -77,9 +77,15 @@ impl Lobe {
         )
     }
 
-    /// The part of the lobe below the horizon.
+    /// The part of the lobe below the horizon. The lobe reaches it at a right angle to the
+    /// normal; all u above that are visible, and where these are nearly all, what is left
+    /// would be lost in a difference from one.
     pub fn hidden(&self) -> f64 {
-        1.0 - self.visible().iter().sum::<f64>()
+        const STEPS: usize = 64 * FINE;
+        let reached = self.sin.powf(self.exponent + 1.0);
+        let step = reached / STEPS as f64;
+        let rings = (0..STEPS).map(|i| self.ring(self.lack((i as f64 + 0.5) * step)));
+        rings.map(|ring| step * (1.0 - ring.half / PI)).sum()
     }
 
     /// The share of light that a modified Phong lobe with ks = 1 reflects:

@@ -47,7 +47,7 @@ fn relief_agrees(looks: &[u32], promise: f64) {
     let others = [
         other(Combined, 4),
         other(Strict, 4),
-        other(PureMc, 8),
+        other(PureMc, 16),
         other(BdptBalance, 1),
         other(Particle, 4),
     ];
