@@ -31,7 +31,10 @@ use walk::Visitor;
 /// Blocks, or triangles, that a thread takes at once.
 pub(crate) const GRAIN: usize = 1 << 12;
 
-/// Beyond so many bytes more rays under way at once still gain.
+/// Trees of up to so many bytes stay in the cache that a core has for itself.
+const CACHED: usize = 1 << 20;
+
+/// Trees of more bytes hardly stay in any cache.
 const LARGE: usize = 16 << 20;
 
 /// Boxes in boxes, with numbers in the innermost.
@@ -96,6 +99,12 @@ impl Tree {
         if let Some(root) = self.root {
             self.kernel.walk_each(self, root, batch);
         }
+    }
+
+    /// Whether all of it is near a processor, so that rays hardly wait for memory.
+    #[inline]
+    pub(crate) fn is_cached(&self) -> bool {
+        self.memory <= CACHED
     }
 
     /// Whether it is far larger than what is near a processor, so that rays wait

@@ -39,7 +39,7 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
 ) {
     let (rays, left) = (batch.rays(), left.into_iter());
     let mut singles = Singles { rays, root, lanes, left, places: 0..0 };
-    let count = if tree.is_large() { MANY } else { FEW };
+    let count = if tree.is_cached() { FEW } else { MANY };
     take_turns(tree, count, batch, &mut singles);
 }
 

@@ -39,7 +39,7 @@ pub(crate) fn walk_fans<'a, L: Lanes, T: Triangles, B: Batch<'a>>(
 ) -> Vec<Range<usize>> {
     let chunks = batch.rays().chunks(FAN).enumerate();
     let mut fans = Fans { root, lanes, triangles, chunks, left: Vec::new() };
-    let count = if tree.is_large() { MANY } else { FEW };
+    let count = if tree.is_cached() { FEW } else { MANY };
     take_turns(tree, count, batch, &mut fans);
     fans.left
 }

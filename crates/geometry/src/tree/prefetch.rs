@@ -9,9 +9,6 @@ use super::node::{Child, Node};
 /// Bytes that memory moves at once.
 const LINE: usize = 64;
 
-/// Trees of up to so many bytes stay in the cache that a core has for itself.
-const CACHED: usize = 1 << 20;
-
 /// Where a tree has what is in its boxes.
 pub(crate) struct Ahead {
     /// Where the nodes start and how large each is, and the same for blocks. Looked up
@@ -25,7 +22,7 @@ impl Ahead {
     pub(crate) fn of(tree: &Tree) -> Self {
         let nodes = (tree.nodes.as_ptr().cast(), size_of::<Node>());
         let blocks = (tree.blocks.as_ptr().cast(), size_of::<Block>());
-        Self { lists: [nodes, blocks], is_of_use: tree.memory > CACHED }
+        Self { lists: [nodes, blocks], is_of_use: !tree.is_cached() }
     }
 
     /// Asks for what is in a box, which will be opened soon. Shapes come from
