@@ -268,3 +268,28 @@ fn quantile() -> f64 {
     let law = StudentsT::new(0.0, 1.0, (BATCHES - 1) as f64);
     law.map_or(f64::INFINITY, |law| -law.inverse_cdf(0.5 * EQUIVALENCE_LEVEL))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Shown to differ on so many steady tiles of twelve.
+    fn differing(steady: usize) -> Comparison {
+        Comparison {
+            p_values: vec![1e-20; steady],
+            refused: true,
+            tiles: 12,
+            ratio: 0.9,
+            half_width: 0.01,
+            promise: 0.05,
+        }
+    }
+
+    #[test]
+    fn a_few_steady_tiles_decide_nothing_early() {
+        assert!(!differing(0).is_decided() && !differing(5).is_decided());
+        assert!(differing(6).is_decided());
+        let same = |steady| Comparison { refused: false, ratio: 1.0, ..differing(steady) };
+        assert!(same(6).is_decided() && !same(5).is_decided());
+    }
+}

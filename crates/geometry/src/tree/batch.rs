@@ -11,7 +11,8 @@ use crate::Ray;
 use std::ops::Range;
 use std::vec::IntoIter;
 
-/// So many rays are best where the tree does not fit into the caches, and where it does.
+/// So many rays are best where the tree does not fit into the cache of a core, and where it
+/// does.
 const MANY: usize = 8;
 const FEW: usize = 4;
 

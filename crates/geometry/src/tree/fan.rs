@@ -20,8 +20,8 @@ use std::ops::Range;
 use std::slice::Chunks;
 use together::fan;
 
-/// So many fans at once are best where the tree does not fit into the caches, and where it
-/// does.
+/// So many fans at once are best where the tree does not fit into the cache of a core, and
+/// where it does.
 const MANY: usize = 4;
 const FEW: usize = 2;
 
