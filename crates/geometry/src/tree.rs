@@ -6,7 +6,8 @@
 pub(crate) mod batch;
 pub(crate) mod block;
 pub(crate) mod build;
-mod fan;
+pub(crate) mod eights;
+pub(crate) mod fan;
 mod kernel;
 pub(crate) mod lanes;
 pub(crate) mod node;

@@ -3,6 +3,8 @@
 use crate::shape::ShapeHit;
 use crate::tree::batch::Batch;
 use crate::tree::block::Block;
+use crate::tree::eights::Eights;
+use crate::tree::fan::{Sight, Visitors};
 use crate::tree::lanes::Triangles;
 use crate::tree::query::Query;
 use crate::tree::walk::Visitor;
@@ -16,7 +18,7 @@ pub trait Contents: Holds {}
 
 impl<C: Holds> Contents for C {}
 
-pub(crate) trait Holds: Send + Sync {
+pub(crate) trait Holds: Send + Sync + Sized {
     /// Numbers of shapes are below this.
     fn count(&self) -> u32;
 
@@ -28,6 +30,15 @@ pub(crate) trait Holds: Send + Sync {
         ray: &Ray,
         query: &mut Q,
     ) -> ControlFlow<()>;
+
+    /// Offers the hits with the triangles of a block to those rays of a fan that have a bit.
+    fn fan<E: Eights, Q: Query>(
+        &self,
+        rays: &mut Visitors<Leaves<'_, Self, Q>>,
+        active: u32,
+        block: &Block,
+        sight: &Sight<E>,
+    );
 
     /// Offers the hits with shape `number`, which is no triangle.
     fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()>;
@@ -57,7 +68,7 @@ pub(crate) struct Leaves<'a, C, Q> {
 impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
     /// The ray as far as anything counts.
     #[inline]
-    fn ray(&self) -> Ray {
+    pub(super) fn ray(&self) -> Ray {
         Ray { t_max: self.query.limit(), ..*self.ray }
     }
 }
@@ -73,6 +84,11 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
     #[inline(always)]
     fn triangles<T: Triangles>(&mut self, block: &Block, lanes: &T) -> ControlFlow<()> {
         self.contents.triangles(block, lanes, self.ray, &mut self.query)
+    }
+
+    #[inline(always)]
+    fn fan<E: Eights>(rays: &mut Visitors<Self>, active: u32, block: &Block, sight: &Sight<E>) {
+        rays.each[0].contents.fan(rays, active, block, sight);
     }
 
     #[inline]

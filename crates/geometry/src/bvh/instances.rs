@@ -1,11 +1,13 @@
 //! Trees placed in a larger one.
 
 use super::Bvh;
-use super::contents::{Contents, Holds};
+use super::contents::{Contents, Holds, Leaves};
 use super::widened;
 use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
+use crate::tree::eights::Eights;
+use crate::tree::fan::{Sight, Visitors};
 use crate::tree::lanes::Triangles;
 use crate::tree::query::Query;
 use crate::{Aabb, Error, Hit, Ray, Vec3};
@@ -134,6 +136,17 @@ impl<C: Contents> Holds for Instances<C> {
         _: &mut Q,
     ) -> ControlFlow<()> {
         ControlFlow::Continue(())
+    }
+
+    /// As above.
+    #[inline]
+    fn fan<E: Eights, Q: Query>(
+        &self,
+        _: &mut Visitors<Leaves<'_, Self, Q>>,
+        _: u32,
+        _: &Block,
+        _: &Sight<E>,
+    ) {
     }
 
     #[inline]

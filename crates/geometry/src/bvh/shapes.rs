@@ -1,11 +1,13 @@
 //! Shapes of any kind.
 
-use super::contents::{Holds, offer};
+use super::contents::{Holds, Leaves, offer};
 use super::{Bvh, check_count, widened};
 use crate::shape::Shape;
 use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
+use crate::tree::eights::Eights;
+use crate::tree::fan::{Sight, Visitors};
 use crate::tree::lanes::Triangles;
 use crate::tree::query::Query;
 use crate::tree::walk::ones;
@@ -65,6 +67,23 @@ impl<S: Shape> Holds for Shapes<S> {
             self.shape(block.number(lane), &ray, query)?;
         }
         ControlFlow::Continue(())
+    }
+
+    #[inline]
+    fn fan<E: Eights, Q: Query>(
+        &self,
+        rays: &mut Visitors<Leaves<'_, Self, Q>>,
+        active: u32,
+        block: &Block,
+        sight: &Sight<E>,
+    ) {
+        let candidates = sight.candidates(block, &rays.limits);
+        for (lane, candidates) in candidates.into_iter().enumerate() {
+            rays.tell(candidates & active, |_, leaves| {
+                let ray = leaves.ray();
+                self.shape(block.number(lane), &ray, &mut leaves.query)
+            });
+        }
     }
 
     #[inline]

@@ -1,10 +1,13 @@
 //! The triangles of a mesh.
 
-use super::contents::{Holds, offer};
+use super::contents::{Holds, Leaves, offer};
 use super::{Bvh, Options, Precision, check_count, widened};
+use crate::coarse::Shear;
 use crate::shape::ShapeHit;
 use crate::tree::block::Block;
-use crate::tree::lanes::Passed;
+use crate::tree::eights::Eights;
+use crate::tree::fan::{Sight, Visitors};
+use crate::tree::node::LEAF;
 use crate::tree::query::Query;
 use crate::tree::walk::ones;
 use crate::tree::{GRAIN, Tree, lanes, parallel};
@@ -75,6 +78,20 @@ impl Holds for Triangles {
         }
     }
 
+    #[inline(always)]
+    fn fan<E: Eights, Q: Query>(
+        &self,
+        rays: &mut Visitors<Leaves<'_, Self, Q>>,
+        active: u32,
+        block: &Block,
+        sight: &Sight<E>,
+    ) {
+        match self.precision {
+            Precision::Watertight => watertight_fan(rays, active, block, sight),
+            Precision::Fast => fast_fan(rays, active, block, sight),
+        }
+    }
+
     /// There is nothing but triangles.
     #[inline]
     fn shape<Q: Query>(&self, _: u32, _: &Ray, _: &mut Q) -> ControlFlow<()> {
@@ -101,6 +118,63 @@ fn watertight_hits<L: lanes::Triangles, Q: Query>(
 }
 
 #[inline(always)]
+fn watertight_fan<E: Eights, Q: Query>(
+    rays: &mut Visitors<Leaves<'_, Triangles, Q>>,
+    active: u32,
+    block: &Block,
+    sight: &Sight<E>,
+) {
+    let candidates = sight.candidates(block, &rays.limits);
+    for lane in 0..LEAF {
+        let candidates = candidates[lane] & active;
+        if candidates == 0 {
+            continue;
+        }
+        let number = block.number(lane);
+        if let Some(hits) = sight.meet(block, lane, candidates, &rays.limits) {
+            rays.tell(hits.mask, |i, leaves| offer(Some(hits.hit(i)), number, &mut leaves.query));
+        } else {
+            watertight_rays(rays, candidates, block, lane);
+        }
+    }
+}
+
+/// Where rounding decides for one of the rays.
+#[cold]
+#[inline(never)]
+fn watertight_rays<Q: Query>(
+    rays: &mut Visitors<Leaves<'_, Triangles, Q>>,
+    candidates: u32,
+    block: &Block,
+    lane: usize,
+) {
+    rays.tell(candidates, |_, Leaves { ray, query, .. }| {
+        let axes = watertight::axes(&ray.direction);
+        let hit = watertight::meet(ray, axes, query.limit(), block.picked(lane, axes));
+        offer(hit, block.number(lane), query)
+    });
+}
+
+#[inline(always)]
+fn fast_fan<E: Eights, Q: Query>(
+    rays: &mut Visitors<Leaves<'_, Triangles, Q>>,
+    active: u32,
+    block: &Block,
+    sight: &Sight<E>,
+) {
+    for lane in 0..LEAF {
+        let Some((hits, unsettled)) = sight.meet_fast(block, lane, active, &rays.limits) else {
+            continue;
+        };
+        let number = block.number(lane);
+        rays.tell(hits.mask, |i, leaves| offer(Some(hits.hit(i)), number, &mut leaves.query));
+        rays.tell(unsettled, |_, Leaves { ray, query, .. }| {
+            offer(unsettled_hit(block, lane, ray, query.limit()), number, query)
+        });
+    }
+}
+
+#[inline(always)]
 fn fast_hits<L: lanes::Triangles, Q: Query>(
     block: &Block,
     lanes: &L,
@@ -113,7 +187,7 @@ fn fast_hits<L: lanes::Triangles, Q: Query>(
         let hit = if flat.is_settled() {
             flat.meet(query.limit())
         } else {
-            unsettled_hit(block, lane, &passed, ray, query.limit())
+            unsettled_hit(block, lane, ray, query.limit())
         };
         offer(hit, block.number(lane), query)?;
     }
@@ -124,15 +198,10 @@ fn fast_hits<L: lanes::Triangles, Q: Query>(
 /// triangle that begins beyond a hit by these is not asked.
 #[cold]
 #[inline(never)]
-fn unsettled_hit(
-    block: &Block,
-    lane: usize,
-    passed: &Passed,
-    ray: &Ray,
-    limit: f32,
-) -> Option<ShapeHit> {
+fn unsettled_hit(block: &Block, lane: usize, ray: &Ray, limit: f32) -> Option<ShapeHit> {
+    let flat = Shear::along(&ray.direction).flat(&block.triangle(lane), ray);
     let axes = watertight::axes(&ray.direction);
     let hit = watertight::meet(ray, axes, f32::INFINITY, block.picked(lane, axes))?;
-    let t = passed.flat(lane).within(hit.t);
+    let t = flat.within(hit.t);
     (0.0 < t && t < limit).then_some(ShapeHit { t, ..hit })
 }

@@ -56,11 +56,9 @@ impl Block {
     /// The same with their coordinates in this order.
     #[inline(always)]
     pub(crate) fn picked(&self, lane: usize, axes: [usize; 3]) -> [[f32; 3]; 3] {
-        let numbers = self.corners.as_flattened().as_flattened();
         let place = |axis: usize| LEAF * axis + lane;
         let [x, y, z] = [place(axes[0]), place(axes[1]), place(axes[2])];
-        let corner = |i: usize| &numbers[3 * LEAF * i..];
-        let [a, b, c] = [corner(0), corner(1), corner(2)];
+        let [a, b, c] = [0, 1, 2].map(|corner| self.corners[corner].as_flattened());
         [[a[x], a[y], a[z]], [b[x], b[y], b[z]], [c[x], c[y], c[z]]]
     }
 }

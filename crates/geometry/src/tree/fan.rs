@@ -1,91 +1,92 @@
 //! Rays from one point that go almost the same way, as those of a camera do: they open
-//! boxes together.
+//! boxes and meet triangles together.
 
+mod rays;
+mod sight;
 mod slopes;
-mod together;
+
+pub(crate) use sight::Sight;
 
 use super::Tree;
 use super::batch::Batch;
-use super::lanes::{Lanes, Triangles, greater};
+use super::eights::{ALL, EIGHT, Eights};
+use super::lanes::{Lanes, greater};
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
 use super::stack::Stack;
 use super::turns::{Waiting, Way, take_turns};
-use super::walk::{Visitor, ones, visit};
+use super::walk::{Visitor, ones};
 use crate::Ray;
+use rays::Rays;
 use slopes::Slopes;
 use std::array::from_fn;
 use std::iter::Enumerate;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::slice::Chunks;
-use together::fan;
 
 /// So many fans at once are best where the tree does not fit into the cache of a core, and
 /// where it does.
 const MANY: usize = 4;
 const FEW: usize = 2;
 
-/// Rays in a fan.
-const FAN: usize = 8;
-
 /// Takes all fans among the rays to their leaves. The places of the rays that are left.
 #[inline(always)]
-pub(crate) fn walk_fans<'a, L: Lanes, T: Triangles, B: Batch<'a>>(
+pub(crate) fn walk_fans<'a, L: Lanes, E: Eights, B: Batch<'a>>(
     tree: &Tree,
     root: Child,
     lanes: impl Fn(&'a Ray) -> L,
-    triangles: impl Fn(&'a Ray) -> T,
+    eights: E,
     batch: &mut B,
 ) -> Vec<Range<usize>> {
-    let chunks = batch.rays().chunks(FAN).enumerate();
-    let mut fans = Fans { root, lanes, triangles, chunks, left: Vec::new() };
+    let chunks = batch.rays().chunks(EIGHT).enumerate();
+    let mut fans = Fans { tree, root, lanes, eights, chunks, left: Vec::new() };
     let count = if tree.is_cached() { FEW } else { MANY };
     take_turns(tree, count, batch, &mut fans);
     fans.left
 }
 
 /// Fans that wait.
-struct Fans<'a, F, G> {
+struct Fans<'a, 't, F, E> {
+    tree: &'t Tree,
     root: Child,
     lanes: F,
-    triangles: G,
+    eights: E,
     chunks: Enumerate<Chunks<'a, Ray>>,
     /// The places of rays that make no fan.
     left: Vec<Range<usize>>,
 }
 
 /// A fan under way.
-struct Fan<L, T, V> {
+struct Fan<L, E: Eights, V> {
     /// The number of its first ray.
     first: usize,
     current: Child,
     /// One bit for each ray that goes there.
     active: u32,
-    slopes: Slopes,
-    /// All rays before boxes, and each before triangles.
+    /// All rays before boxes, each before a box, and each before triangles.
     all: L,
-    each: [T; FAN],
+    slopes: Slopes<E>,
+    sight: Sight<E>,
     visitors: Visitors<V>,
 }
 
-impl<'a, L, T, B, F, G> Waiting<B, Fan<L, T, B::Visitor>> for Fans<'a, F, G>
+impl<'a, L, E, B, F> Waiting<B, Fan<L, E, B::Visitor>> for Fans<'a, '_, F, E>
 where
     L: Lanes,
-    T: Triangles,
+    E: Eights,
     B: Batch<'a>,
     F: Fn(&'a Ray) -> L,
-    G: Fn(&'a Ray) -> T,
 {
-    type Question = (usize, &'a [Ray; FAN]);
+    type Question = (usize, &'a Ray, Rays<E>);
 
-    /// The next fan and the number of its first ray.
+    /// The next fan, and the number of its first ray and that ray.
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Question> {
         for (chunk, rays) in &mut self.chunks {
-            if let Some(rays) = fan(rays) {
-                return Some((FAN * chunk, rays));
+            if let Some(fan) = Rays::of(self.eights, rays) {
+                return Some((EIGHT * chunk, &rays[0], fan));
             }
-            let places = FAN * chunk..FAN * chunk + rays.len();
+            let places = EIGHT * chunk..EIGHT * chunk + rays.len();
             match self.left.last_mut().filter(|last| last.end == places.start) {
                 Some(last) => last.end = places.end,
                 None => self.left.push(places),
@@ -95,40 +96,45 @@ where
     }
 
     #[inline(always)]
-    fn begin(&self, (first, rays): Self::Question, batch: &B) -> Fan<L, T, B::Visitor> {
-        let (all, each) = ((self.lanes)(&rays[0]), [(self.triangles)(&rays[0]); FAN]);
-        let visitors = Visitors::new(from_fn(|i| batch.begin(first + i)));
-        let slopes = Slopes::of(rays);
-        let mut fan = Fan { first, current: self.root, active: 0, slopes, all, each, visitors };
-        self.begin_anew((first, rays), batch, &mut fan);
-        fan
+    fn begin(&self, (first, ray, rays): Self::Question, batch: &B) -> Fan<L, E, B::Visitor> {
+        let slopes = Slopes::of(&rays);
+        let [near, far] = slopes.widest();
+        Fan {
+            first,
+            current: self.root,
+            active: ALL,
+            all: (self.lanes)(ray).with_slopes(near, far),
+            slopes,
+            sight: Sight::of(&rays, self.tree.sizes),
+            visitors: Visitors::new(from_fn(|i| batch.begin(first + i))),
+        }
     }
 
-    /// A fan is made where it stays: to move it would take as long as to open a few boxes.
+    /// Part by part: to move a whole fan takes longer.
     #[inline(always)]
     fn begin_anew(
         &self,
-        (first, rays): Self::Question,
+        (first, ray, rays): Self::Question,
         batch: &B,
-        fan: &mut Fan<L, T, B::Visitor>,
+        fan: &mut Fan<L, E, B::Visitor>,
     ) {
-        fan.slopes = Slopes::of(rays);
+        fan.slopes = Slopes::of(&rays);
         let [near, far] = fan.slopes.widest();
-        fan.all = (self.lanes)(&rays[0]).with_slopes(near, far);
-        for (each, ray) in fan.each.iter_mut().zip(rays) {
-            *each = (self.triangles)(ray);
+        fan.all = (self.lanes)(ray).with_slopes(near, far);
+        fan.sight = Sight::of(&rays, self.tree.sizes);
+        for (i, visitor) in fan.visitors.each.iter_mut().enumerate() {
+            *visitor = batch.begin(first + i);
+            fan.visitors.limits[i] = visitor.limit();
         }
-        fan.visitors = Visitors::new(from_fn(|i| batch.begin(first + i)));
-        fan.first = first;
-        fan.current = self.root;
-        fan.active = u32::MAX >> (32 - FAN);
+        fan.visitors.see_limits();
+        (fan.first, fan.current, fan.active) = (first, self.root, ALL);
     }
 }
 
-impl<'a, L: Lanes, T: Triangles, B: Batch<'a>> Way<B> for Fan<L, T, B::Visitor> {
+impl<'a, L: Lanes, E: Eights, B: Batch<'a>> Way<B> for Fan<L, E, B::Visitor> {
     #[inline(always)]
     fn step(&mut self, tree: &Tree, ahead: &Ahead, stack: &mut Stack) -> bool {
-        let Self { slopes, all, each, visitors, .. } = self;
+        let Self { slopes, all, visitors, .. } = self;
         if let Content::Node(index) = self.current.open() {
             all.open(
                 &tree.nodes[index],
@@ -138,7 +144,7 @@ impl<'a, L: Lanes, T: Triangles, B: Batch<'a>> Way<B> for Fan<L, T, B::Visitor> 
                 stack,
             );
         } else {
-            visitors.visit(tree, self.current, each, self.active);
+            visitors.visit(tree, self.current, &self.sight, self.active);
         }
         while let Some((index, lane)) = stack.pop(visitors.limit).map(Child::slot) {
             let node = &tree.nodes[index];
@@ -161,17 +167,17 @@ impl<'a, L: Lanes, T: Triangles, B: Batch<'a>> Way<B> for Fan<L, T, B::Visitor> 
 }
 
 /// What the rays of a fan do in leaves.
-struct Visitors<V> {
-    each: [V; FAN],
+pub(crate) struct Visitors<V> {
+    pub(crate) each: [V; EIGHT],
     /// Below zero once a ray asks nothing more.
-    limits: [f32; FAN],
+    pub(crate) limits: [f32; EIGHT],
     /// The farthest of them.
     limit: f32,
 }
 
 impl<V: Visitor> Visitors<V> {
     #[inline(always)]
-    fn new(visitors: [V; FAN]) -> Self {
+    fn new(visitors: [V; EIGHT]) -> Self {
         let limits = from_fn(|i| visitors[i].limit());
         let mut this = Self { each: visitors, limits, limit: 0.0 };
         this.see_limits();
@@ -183,13 +189,29 @@ impl<V: Visitor> Visitors<V> {
         self.limit = self.limits.iter().fold(-1.0, |farthest, &limit| greater(limit, farthest));
     }
 
+    /// Tells something to those rays that have a bit, by their places.
+    #[inline(always)]
+    pub(crate) fn tell(
+        &mut self,
+        rays: u32,
+        mut told: impl FnMut(usize, &mut V) -> ControlFlow<()>,
+    ) {
+        for i in ones(rays) {
+            let visitor = &mut self.each[i % EIGHT];
+            let is_done = told(i % EIGHT, visitor).is_break();
+            self.limits[i % EIGHT] = if is_done { -1.0 } else { visitor.limit() };
+        }
+    }
+
     /// Takes the rays that have a bit to a leaf.
     #[inline(always)]
-    fn visit<T: Triangles>(&mut self, tree: &Tree, leaf: Child, each: &[T; FAN], active: u32) {
-        for i in ones(active) {
-            let visitor = &mut self.each[i % FAN];
-            let is_done = visit(tree, leaf, &each[i % FAN], visitor).is_break();
-            self.limits[i % FAN] = if is_done { -1.0 } else { visitor.limit() };
+    fn visit<E: Eights>(&mut self, tree: &Tree, leaf: Child, sight: &Sight<E>, active: u32) {
+        match leaf.open() {
+            Content::Node(_) => {}
+            Content::Block(index) => V::fan(self, active, &tree.blocks[index], sight),
+            Content::Shapes(places) => {
+                self.tell(active, |_, visitor| visitor.shapes(places.clone()));
+            }
         }
         self.see_limits();
     }

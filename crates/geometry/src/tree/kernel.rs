@@ -4,6 +4,7 @@
 
 use super::Tree;
 use super::batch::{Batch, walk_each};
+use super::eights::Portable;
 use super::fan::walk_fans;
 use super::lanes::Scalar;
 use super::node::Child;
@@ -13,7 +14,9 @@ use std::hint::black_box;
 use std::ops::Range;
 
 #[cfg(target_arch = "x86_64")]
-use super::lanes::{Avx2, Sse41, TriangleRay};
+use super::eights::Avx2Eights;
+#[cfg(target_arch = "x86_64")]
+use super::lanes::{Avx2, Sse41};
 
 /// An instruction set that this machine has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,7 +75,7 @@ impl Kernel {
     pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
         match self.0 {
             Set::Scalar => {
-                let left = walk_fans(tree, root, Scalar::new, Scalar::new, batch);
+                let left = walk_fans(tree, root, Scalar::new, Portable, batch);
                 walk_each(tree, root, Scalar::new, batch, left);
             }
             // SAFETY: as above.
@@ -114,9 +117,7 @@ fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
 fn walk_fans_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where SSE4.1 is.
     let lanes = |ray| unsafe { Sse41::new(ray, tree.sizes) };
-    // SAFETY: as above.
-    let triangles = |ray| unsafe { TriangleRay::<false>::new(ray, tree.sizes) };
-    walk_fans(tree, root, lanes, triangles, batch)
+    walk_fans(tree, root, lanes, Portable, batch)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -137,8 +138,8 @@ fn walk_fans_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> 
     // SAFETY: this function runs only where AVX2 and FMA are.
     let lanes = |ray| unsafe { Avx2::new(ray, tree.sizes) };
     // SAFETY: as above.
-    let triangles = |ray| unsafe { TriangleRay::<true>::new(ray, tree.sizes) };
-    walk_fans(tree, root, lanes, triangles, batch)
+    let eights = unsafe { Avx2Eights::new() };
+    walk_fans(tree, root, lanes, eights, batch)
 }
 
 #[cfg(target_arch = "x86_64")]

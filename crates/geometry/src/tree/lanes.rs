@@ -9,7 +9,7 @@ mod x86;
 
 pub(crate) use scalar::Scalar;
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Avx2, Sse41, TriangleRay};
+pub(crate) use x86::{Avx2, Sse41};
 
 use super::block::Block;
 use super::node::{Child, LEAF, Node, WIDTH};
@@ -74,29 +74,30 @@ pub(crate) trait Triangles: Copy {
 
     /// [`watertight::meet`] for those triangles that have a bit.
     #[inline(always)]
-    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits<LEAF> {
         meet_in_turn(block, candidates, ray, limit)
     }
 }
 
-/// Where a ray meets the triangles of a block; one bit for each that it does meet.
-pub(crate) struct Hits {
+/// Where a ray meets the triangles of a block, or the rays of a fan one triangle; one bit for
+/// each that does meet.
+pub(crate) struct Hits<const N: usize> {
     pub(crate) mask: u32,
-    pub(crate) t: [f32; LEAF],
-    pub(crate) u: [f32; LEAF],
-    pub(crate) v: [f32; LEAF],
+    pub(crate) t: [f32; N],
+    pub(crate) u: [f32; N],
+    pub(crate) v: [f32; N],
 }
 
-impl Hits {
-    /// The hit with a triangle that has a bit.
+impl<const N: usize> Hits<N> {
+    /// One of those that have a bit.
     #[inline(always)]
     pub(crate) fn hit(&self, lane: usize) -> ShapeHit {
-        ShapeHit { t: self.t[lane], u: self.u[lane], v: self.v[lane] }
+        ShapeHit { t: self.t[lane % N], u: self.u[lane % N], v: self.v[lane % N] }
     }
 }
 
 #[inline(always)]
-fn meet_in_turn(block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+fn meet_in_turn(block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits<LEAF> {
     let none = [0.0; LEAF];
     let mut hits = Hits { mask: 0, t: none, u: none, v: none };
     let axes = watertight::axes(&ray.direction);

@@ -55,8 +55,8 @@ impl Sizes {
     }
 
     /// The size that the class in a word stands for.
-    #[cfg(test)]
-    fn greatest_of(self, word: u32) -> f32 {
+    #[inline(always)]
+    pub(crate) fn size(self, word: u32) -> f32 {
         f32::from_bits(self.greatest.wrapping_sub(word >> CLASS_SHIFT << Self::CLASS_IN_FLOAT))
     }
 
@@ -85,7 +85,7 @@ mod tests {
                 let (number, extent) = (123_456_789, part * greatest);
                 let word = sizes.word(number, extent);
                 assert_eq!(Sizes::number(word), number);
-                let (class, size) = (word >> CLASS_SHIFT, sizes.greatest_of(word));
+                let (class, size) = (word >> CLASS_SHIFT, sizes.size(word));
                 assert!(size >= extent && size > 0.0, "{size:e} {extent:e}");
                 assert!(class == SMALLEST || size <= 8.0 * extent.max(2.0_f32.powi(-90)));
             }

@@ -2,6 +2,8 @@
 
 use super::Tree;
 use super::block::Block;
+use super::eights::Eights;
+use super::fan::{Sight, Visitors};
 use super::lanes::{Lanes, Triangles};
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
@@ -9,7 +11,7 @@ use super::stack::{Room, Stack};
 use std::ops::{ControlFlow, Range};
 
 /// What a ray does in the leaves it comes to.
-pub(crate) trait Visitor {
+pub(crate) trait Visitor: Sized {
     /// Whether the nearer boxes are better opened first. Where any hit will do they are not:
     /// most rays start on a surface, and what is in the boxes around it they just left.
     const IN_ORDER: bool;
@@ -19,6 +21,9 @@ pub(crate) trait Visitor {
 
     /// A block of triangles.
     fn triangles<T: Triangles>(&mut self, block: &Block, lanes: &T) -> ControlFlow<()>;
+
+    /// A block of triangles, for those rays of a fan that have a bit.
+    fn fan<E: Eights>(rays: &mut Visitors<Self>, active: u32, block: &Block, sight: &Sight<E>);
 
     /// A run of other shapes, as places in the order of the leaves.
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;

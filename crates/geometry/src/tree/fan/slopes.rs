@@ -1,71 +1,61 @@
 //! A fan before boxes.
 
-use super::FAN;
-use crate::Ray;
-use crate::tree::lanes::{FARTHER, NEARER, greater, lesser};
+use super::rays::Rays;
+use crate::tree::eights::{EIGHT, Eights, Numbers, Single};
+use crate::tree::lanes::{FARTHER, NEARER};
 use crate::tree::node::Node;
 
-/// A fan as boxes see it, by axis, by ray.
-pub(super) struct Slopes {
+/// A fan as boxes see it.
+#[derive(Clone, Copy)]
+pub(super) struct Slopes<E: Eights> {
+    eights: E,
     origin: [f32; 3],
-    /// From a distance along an axis to t, for near and for far planes.
-    near: [[f32; FAN]; 3],
-    far: [[f32; FAN]; 3],
+    /// For each axis 1 if they go backward along it.
+    backward: [usize; 3],
+    /// By axis: from a distance along it to t, for near and for far planes.
+    near: [E::Single; 3],
+    far: [E::Single; 3],
 }
 
-impl Slopes {
+impl<E: Eights> Slopes<E> {
     #[inline(always)]
-    pub(super) fn of(rays: &[Ray; FAN]) -> Self {
-        let none = [[0.0; FAN]; 3];
-        let origin = rays[0].origin.to_array();
-        let mut this = Self { origin, near: none, far: none };
-        for axis in 0..3 {
-            for (i, ray) in rays.iter().enumerate() {
-                let reciprocal = 1.0 / ray.direction[axis];
-                this.near[axis][i] = reciprocal * NEARER;
-                this.far[axis][i] = reciprocal * FARTHER;
-            }
+    pub(super) fn of(rays: &Rays<E>) -> Self {
+        let eights = rays.eights;
+        let [x, y, z] = rays.directions;
+        let [x, y, z] = [x.reciprocal(), y.reciprocal(), z.reciprocal()];
+        let [nearer, farther] = [eights.splat(NEARER), eights.splat(FARTHER)];
+        Self {
+            eights,
+            origin: rays.origin.to_array(),
+            backward: [0, 1, 2].map(|axis| rays.octant >> axis & 1),
+            near: [x * nearer, y * nearer, z * nearer],
+            far: [x * farther, y * farther, z * farther],
         }
-        this
     }
 
     /// The slopes with which a box is open that is open to any of the rays: of each axis the
     /// nearest to zero for near planes, the farthest from it for far ones.
     #[inline(always)]
     pub(super) fn widest(&self) -> [[f32; 3]; 2] {
-        let (mut nearest, mut farthest) = ([f32::INFINITY; 3], [0.0; 3]);
-        for axis in 0..3 {
-            for i in 0..FAN {
-                nearest[axis] = lesser(self.near[axis][i].abs(), nearest[axis]);
-                farthest[axis] = greater(self.far[axis][i].abs(), farthest[axis]);
-            }
-            nearest[axis] = nearest[axis].copysign(self.near[axis][0]);
-            farthest[axis] = farthest[axis].copysign(self.far[axis][0]);
-        }
-        [nearest, farthest]
+        let signed = |axis: usize, size: f32| {
+            if self.backward[axis] == 0 { size } else { -size }
+        };
+        let near = |axis: usize| signed(axis, self.near[axis].abs().smallest());
+        let far = |axis: usize| signed(axis, self.far[axis].abs().largest());
+        [[near(0), near(1), near(2)], [far(0), far(1), far(2)]]
     }
 
     /// One bit for each ray that meets a box of a node before its limit.
     #[inline(always)]
-    pub(super) fn meet(&self, node: &Node, lane: usize, limits: &[f32; FAN]) -> u32 {
-        let plane = |axis: usize, is_far: bool| {
-            let side = usize::from((self.near[axis][0] < 0.0) ^ is_far);
-            node.planes[2 * axis + side][lane] - self.origin[axis]
+    pub(super) fn meet(&self, node: &Node, lane: usize, limits: &[f32; EIGHT]) -> u32 {
+        let plane = |axis: usize, side: usize| {
+            self.eights.splat(node.planes[2 * axis + side % 2][lane] - self.origin[axis])
         };
-        let near = [plane(0, false), plane(1, false), plane(2, false)];
-        let far = [plane(0, true), plane(1, true), plane(2, true)];
-        mask(|i| {
-            let near = |axis: usize| near[axis] * self.near[axis][i];
-            let far = |axis: usize| far[axis] * self.far[axis][i];
-            let enter = greater(greater(near(0), near(1)), greater(near(2), 0.0));
-            let leave = lesser(lesser(far(0), far(1)), lesser(far(2), limits[i]));
-            enter <= leave
-        })
+        let limits = self.eights.load(*limits);
+        let near = |axis: usize| plane(axis, self.backward[axis]) * self.near[axis];
+        let far = |axis: usize| plane(axis, 1 ^ self.backward[axis]) * self.far[axis];
+        let enter = near(0).greater(near(1)).greater(near(2).greater(self.eights.splat(0.0)));
+        let leave = far(0).lesser(far(1)).lesser(far(2).lesser(limits));
+        enter.at_most(leave)
     }
-}
-
-/// One bit for each ray of which something is true.
-#[inline(always)]
-fn mask(is_set: impl Fn(usize) -> bool) -> u32 {
-    (0..FAN).fold(0, |mask, i| mask | u32::from(is_set(i)) << i)
 }

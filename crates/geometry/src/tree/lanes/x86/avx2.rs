@@ -5,7 +5,7 @@ use super::triangles::TriangleRay;
 use crate::Ray;
 use crate::tree::block::Block;
 use crate::tree::lanes::{Hits, Lanes, Passed, Triangles};
-use crate::tree::node::{Child, Node, WIDTH};
+use crate::tree::node::{Child, LEAF, Node, WIDTH};
 use crate::tree::sizes::Sizes;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
@@ -186,7 +186,7 @@ impl Triangles for Avx2 {
     }
 
     #[inline(always)]
-    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits<LEAF> {
         self.triangles.meet(block, candidates, ray, limit)
     }
 }

@@ -25,7 +25,7 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
         candidates: u32,
         ray: &Ray,
         limit: f32,
-    ) -> Hits {
+    ) -> Hits<LEAF> {
         // SAFETY: `FUSED` shows that the machine has AVX2.
         unsafe {
             let zero = _mm256_setzero_pd();
@@ -95,6 +95,6 @@ fn edge(p: &Corners, q: &Corners) -> __m256d {
 /// Where a ray passes through an edge, as far as rounded products tell.
 #[cold]
 #[inline(never)]
-fn meet_in_turn_rarely(block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+fn meet_in_turn_rarely(block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits<LEAF> {
     meet_in_turn(block, candidates, ray, limit)
 }

@@ -83,7 +83,7 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
 
 impl<const FUSED: bool> Triangles for TriangleRay<FUSED> {
     #[inline(always)]
-    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits {
+    fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits<LEAF> {
         if FUSED {
             self.meet_at_once(block, candidates, ray, limit)
         } else {

@@ -1,0 +1,97 @@
+//! Eight numbers at once, one for each ray of a fan.
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+mod portable;
+
+#[cfg(target_arch = "x86_64")]
+pub(crate) use avx2::Avx2Eights;
+pub(crate) use portable::Portable;
+
+use std::ops::{Add, Div, Mul, Sub};
+
+/// So many at once.
+pub(crate) const EIGHT: usize = 8;
+
+/// All eight have a bit.
+pub(crate) const ALL: u32 = u32::MAX >> (32 - EIGHT);
+
+/// An instruction set: where numbers come from.
+pub(crate) trait Eights: Copy {
+    type Single: Single;
+
+    fn load(self, numbers: [f32; EIGHT]) -> Self::Single;
+
+    /// The same number eight times.
+    fn splat(self, number: f32) -> Self::Single;
+
+    /// The same number eight times.
+    fn splat_double(self, number: f64) -> <Self::Single as Single>::Double;
+}
+
+/// What numbers of either precision can do. Masks have one bit for each.
+pub(crate) trait Numbers:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+    /// The lesser of each pair; if one is not a number, that of `other`.
+    fn lesser(self, other: Self) -> Self;
+
+    /// The greater of each pair; if one is not a number, that of `other`.
+    fn greater(self, other: Self) -> Self;
+
+    /// Which are less than those of `other`.
+    fn below(self, other: Self) -> u32;
+
+    /// Which are not greater than those of `other`, and numbers.
+    fn at_most(self, other: Self) -> u32;
+
+    /// The least of three.
+    #[inline(always)]
+    fn least([a, b, c]: [Self; 3]) -> Self {
+        a.lesser(b).lesser(c)
+    }
+
+    /// The greatest of three.
+    #[inline(always)]
+    fn greatest([a, b, c]: [Self; 3]) -> Self {
+        a.greater(b).greater(c)
+    }
+}
+
+/// Eight numbers in single precision.
+pub(crate) trait Single: Numbers {
+    type Double: Double<Single = Self>;
+
+    /// `self` − `a` `b`, rounded once or twice.
+    fn minus_about(self, a: Self, b: Self) -> Self;
+
+    fn abs(self) -> Self;
+
+    fn reciprocal(self) -> Self;
+
+    /// Which have a minus, zeros too.
+    fn signs(self) -> u32;
+
+    fn widen(self) -> Self::Double;
+
+    fn to_array(self) -> [f32; EIGHT];
+
+    /// The least of the eight, all numbers.
+    fn smallest(self) -> f32;
+
+    /// The greatest of the eight, all numbers.
+    fn largest(self) -> f32;
+
+    /// `self` − `a` `b`, both rounded.
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
+}
+
+/// Eight numbers in double precision.
+pub(crate) trait Double: Numbers + Div<Output = Self> {
+    type Single: Single<Double = Self>;
+
+    fn narrow(self) -> Self::Single;
+}

@@ -1,0 +1,158 @@
+//! For any machine.
+
+use super::{Double, EIGHT, Eights, Numbers, Single};
+use std::array::from_fn;
+use std::ops::{Add, Div, Mul, Sub};
+
+/// No instruction set but the one that is compiled for.
+#[derive(Clone, Copy)]
+pub(crate) struct Portable;
+
+#[derive(Clone, Copy)]
+pub(crate) struct Array<T>([T; EIGHT]);
+
+impl<T: Copy> Array<T> {
+    #[inline(always)]
+    fn with<U>(self, other: Self, combined: impl Fn(T, T) -> U) -> [U; EIGHT] {
+        from_fn(|i| combined(self.0[i], other.0[i]))
+    }
+}
+
+/// One bit for each that is true.
+#[inline(always)]
+fn mask(is_set: [bool; EIGHT]) -> u32 {
+    is_set.iter().rev().fold(0, |mask, &bit| mask << 1 | u32::from(bit))
+}
+
+impl Eights for Portable {
+    type Single = Array<f32>;
+
+    #[inline(always)]
+    fn load(self, numbers: [f32; EIGHT]) -> Array<f32> {
+        Array(numbers)
+    }
+
+    #[inline(always)]
+    fn splat(self, number: f32) -> Array<f32> {
+        Array([number; EIGHT])
+    }
+
+    #[inline(always)]
+    fn splat_double(self, number: f64) -> Array<f64> {
+        Array([number; EIGHT])
+    }
+}
+
+impl<T: Copy + Add<Output = T>> Add for Array<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.with(other, T::add))
+    }
+}
+
+impl<T: Copy + Sub<Output = T>> Sub for Array<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.with(other, T::sub))
+    }
+}
+
+impl<T: Copy + Mul<Output = T>> Mul for Array<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self(self.with(other, T::mul))
+    }
+}
+
+impl<T: Copy + Div<Output = T>> Div for Array<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self(self.with(other, T::div))
+    }
+}
+
+impl<T> Numbers for Array<T>
+where
+    T: Copy + PartialOrd + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+{
+    #[inline(always)]
+    fn lesser(self, other: Self) -> Self {
+        Self(self.with(other, |a, b| if a < b { a } else { b }))
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> Self {
+        Self(self.with(other, |a, b| if a > b { a } else { b }))
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> u32 {
+        mask(self.with(other, |a, b| a < b))
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> u32 {
+        mask(self.with(other, |a, b| a <= b))
+    }
+}
+
+impl Single for Array<f32> {
+    type Double = Array<f64>;
+
+    #[inline(always)]
+    fn minus_about(self, a: Self, b: Self) -> Self {
+        self.minus_product(a, b)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.map(f32::abs))
+    }
+
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        Self(self.0.map(f32::recip))
+    }
+
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        mask(self.0.map(f32::is_sign_negative))
+    }
+
+    #[inline(always)]
+    fn widen(self) -> Array<f64> {
+        Array(self.0.map(f64::from))
+    }
+
+    #[inline(always)]
+    fn to_array(self) -> [f32; EIGHT] {
+        self.0
+    }
+
+    #[inline(always)]
+    fn smallest(self) -> f32 {
+        self.0.into_iter().fold(f32::INFINITY, f32::min)
+    }
+
+    #[inline(always)]
+    fn largest(self) -> f32 {
+        self.0.into_iter().fold(f32::NEG_INFINITY, f32::max)
+    }
+}
+
+impl Double for Array<f64> {
+    type Single = Array<f32>;
+
+    #[inline(always)]
+    fn narrow(self) -> Array<f32> {
+        Array(self.0.map(|x| x as f32))
+    }
+}
