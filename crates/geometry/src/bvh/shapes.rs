@@ -77,9 +77,8 @@ impl<S: Shape> Holds for Shapes<S> {
         block: &Block,
         sight: &Sight<E>,
     ) {
-        let candidates = sight.candidates(block, &rays.limits);
-        for (lane, candidates) in candidates.into_iter().enumerate() {
-            rays.tell(candidates & active, |_, leaves| {
+        for (lane, candidates) in sight.candidates(block, active, &rays.limits) {
+            rays.tell(candidates, |_, leaves| {
                 let ray = leaves.ray();
                 self.shape(block.number(lane), &ray, &mut leaves.query)
             });

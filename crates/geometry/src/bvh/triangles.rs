@@ -13,6 +13,7 @@ use crate::tree::walk::ones;
 use crate::tree::{GRAIN, Tree, lanes, parallel};
 use crate::watertight;
 use crate::{Aabb, Error, Mesh, Ray, Triangle, Vec3};
+use std::hint::black_box;
 use std::ops::ControlFlow;
 
 /// What a [`Bvh`] of a mesh holds: its triangles, whose corners are in the tree.
@@ -124,12 +125,7 @@ fn watertight_fan<E: Eights, Q: Query>(
     block: &Block,
     sight: &Sight<E>,
 ) {
-    let candidates = sight.candidates(block, &rays.limits);
-    for lane in 0..LEAF {
-        let candidates = candidates[lane] & active;
-        if candidates == 0 {
-            continue;
-        }
+    for (lane, candidates) in sight.candidates(block, active, &rays.limits) {
         let number = block.number(lane);
         if let Some(hits) = sight.meet(block, lane, candidates, &rays.limits) {
             rays.tell(hits.mask, |i, leaves| offer(Some(hits.hit(i)), number, &mut leaves.query));
@@ -162,8 +158,10 @@ fn fast_fan<E: Eights, Q: Query>(
     block: &Block,
     sight: &Sight<E>,
 ) {
+    let corners = sight.corners(block);
+    let corners = black_box(&corners);
     for lane in 0..LEAF {
-        let Some((hits, unsettled)) = sight.meet_fast(block, lane, active, &rays.limits) else {
+        let Some((hits, unsettled)) = sight.meet_fast(corners, lane, active, &rays.limits) else {
             continue;
         };
         let number = block.number(lane);

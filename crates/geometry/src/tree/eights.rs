@@ -1,4 +1,5 @@
-//! Eight numbers at once, one for each ray of a fan.
+//! Eight numbers at once, one for each ray of a fan; and four, one for each triangle of a
+//! block.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -13,23 +14,32 @@ use std::ops::{Add, Div, Mul, Sub};
 /// So many at once.
 pub(crate) const EIGHT: usize = 8;
 
+/// One for each triangle of a block.
+pub(crate) const FOUR: usize = 4;
+
 /// All eight have a bit.
 pub(crate) const ALL: u32 = u32::MAX >> (32 - EIGHT);
 
 /// An instruction set: where numbers come from.
 pub(crate) trait Eights: Copy {
     type Single: Single;
+    type Four: Four;
 
     fn load(self, numbers: [f32; EIGHT]) -> Self::Single;
 
     /// The same number eight times.
     fn splat(self, number: f32) -> Self::Single;
 
+    fn load_four(self, numbers: [f32; FOUR]) -> Self::Four;
+
+    /// The same number four times.
+    fn splat_four(self, number: f32) -> Self::Four;
+
     /// The same number eight times.
     fn splat_double(self, number: f64) -> <Self::Single as Single>::Double;
 }
 
-/// What numbers of either precision can do. Masks have one bit for each.
+/// What numbers of any kind can do. Masks have one bit for each.
 pub(crate) trait Numbers:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
@@ -87,6 +97,11 @@ pub(crate) trait Single: Numbers {
     fn minus_product(self, a: Self, b: Self) -> Self {
         self - a * b
     }
+}
+
+/// Four numbers in single precision.
+pub(crate) trait Four: Numbers {
+    fn to_array(self) -> [f32; FOUR];
 }
 
 /// Eight numbers in double precision.

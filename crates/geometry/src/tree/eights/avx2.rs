@@ -8,7 +8,7 @@
 // The names of the instructions tell where they come from.
 #![allow(clippy::wildcard_imports)]
 
-use super::{Double, EIGHT, Eights, Numbers, Single};
+use super::{Double, EIGHT, Eights, FOUR, Four, Numbers, Single};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -28,12 +28,16 @@ impl Avx2Eights {
 #[derive(Clone, Copy)]
 pub(crate) struct Singles(__m256);
 
+#[derive(Clone, Copy)]
+pub(crate) struct Fours(__m128);
+
 /// The first four and the others.
 #[derive(Clone, Copy)]
 pub(crate) struct Doubles([__m256d; 2]);
 
 impl Eights for Avx2Eights {
     type Single = Singles;
+    type Four = Fours;
 
     #[inline(always)]
     fn load(self, numbers: [f32; EIGHT]) -> Singles {
@@ -45,6 +49,18 @@ impl Eights for Avx2Eights {
     fn splat(self, number: f32) -> Singles {
         // SAFETY: as above.
         Singles(unsafe { _mm256_set1_ps(number) })
+    }
+
+    #[inline(always)]
+    fn load_four(self, numbers: [f32; FOUR]) -> Fours {
+        // SAFETY: as above; four numbers are 16 bytes.
+        Fours(unsafe { _mm_loadu_ps(numbers.as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn splat_four(self, number: f32) -> Fours {
+        // SAFETY: as above.
+        Fours(unsafe { _mm_set1_ps(number) })
     }
 
     #[inline(always)]
@@ -83,15 +99,25 @@ impl Doubles {
     }
 }
 
-/// An operator of two instructions.
+/// An operator, by its instructions.
 macro_rules! operator {
-    ($operator:ident, $method:ident, $single:ident, $double:ident) => {
-        impl $operator for Singles {
+    ($operator:ident, $method:ident, $four:ident, $single:ident, $double:ident) => {
+        impl $operator for Fours {
             type Output = Self;
 
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 // SAFETY: numbers exist only where the machine has AVX2.
+                Self(unsafe { $four(self.0, other.0) })
+            }
+        }
+
+        impl $operator for Singles {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                // SAFETY: as above.
                 Self(unsafe { $single(self.0, other.0) })
             }
         }
@@ -108,38 +134,46 @@ macro_rules! operator {
     };
 }
 
-operator!(Add, add, _mm256_add_ps, _mm256_add_pd);
-operator!(Sub, sub, _mm256_sub_ps, _mm256_sub_pd);
-operator!(Mul, mul, _mm256_mul_ps, _mm256_mul_pd);
-operator!(Div, div, _mm256_div_ps, _mm256_div_pd);
+operator!(Add, add, _mm_add_ps, _mm256_add_ps, _mm256_add_pd);
+operator!(Sub, sub, _mm_sub_ps, _mm256_sub_ps, _mm256_sub_pd);
+operator!(Mul, mul, _mm_mul_ps, _mm256_mul_ps, _mm256_mul_pd);
+operator!(Div, div, _mm_div_ps, _mm256_div_ps, _mm256_div_pd);
 
-// SAFETY, here and below: numbers exist only where the machine has AVX2 and FMA.
-impl Numbers for Singles {
-    #[inline(always)]
-    fn lesser(self, other: Self) -> Self {
-        // SAFETY: as said above.
-        Self(unsafe { _mm256_min_ps(self.0, other.0) })
-    }
+/// [`Numbers`] of one register, by their instructions.
+macro_rules! numbers {
+    ($numbers:ident, $min:ident, $max:ident, $compare:ident, $mask:ident) => {
+        impl Numbers for $numbers {
+            #[inline(always)]
+            fn lesser(self, other: Self) -> Self {
+                // SAFETY: numbers exist only where the machine has AVX2.
+                Self(unsafe { $min(self.0, other.0) })
+            }
 
-    #[inline(always)]
-    fn greater(self, other: Self) -> Self {
-        // SAFETY: as said above.
-        Self(unsafe { _mm256_max_ps(self.0, other.0) })
-    }
+            #[inline(always)]
+            fn greater(self, other: Self) -> Self {
+                // SAFETY: as above.
+                Self(unsafe { $max(self.0, other.0) })
+            }
 
-    #[inline(always)]
-    fn below(self, other: Self) -> u32 {
-        // SAFETY: as said above.
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, other.0)) as u32 }
-    }
+            #[inline(always)]
+            fn below(self, other: Self) -> u32 {
+                // SAFETY: as above.
+                unsafe { $mask($compare::<_CMP_LT_OQ>(self.0, other.0)) as u32 }
+            }
 
-    #[inline(always)]
-    fn at_most(self, other: Self) -> u32 {
-        // SAFETY: as said above.
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0)) as u32 }
-    }
+            #[inline(always)]
+            fn at_most(self, other: Self) -> u32 {
+                // SAFETY: as above.
+                unsafe { $mask($compare::<_CMP_LE_OQ>(self.0, other.0)) as u32 }
+            }
+        }
+    };
 }
 
+numbers!(Fours, _mm_min_ps, _mm_max_ps, _mm_cmp_ps, _mm_movemask_ps);
+numbers!(Singles, _mm256_min_ps, _mm256_max_ps, _mm256_cmp_ps, _mm256_movemask_ps);
+
+// SAFETY, below: numbers exist only where the machine has AVX2 and FMA.
 impl Numbers for Doubles {
     #[inline(always)]
     fn lesser(self, other: Self) -> Self {
@@ -221,6 +255,16 @@ impl Single for Singles {
     fn largest(self) -> f32 {
         // SAFETY: as said above.
         self.fold(|a, b| unsafe { _mm_max_ps(a, b) })
+    }
+}
+
+impl Four for Fours {
+    #[inline(always)]
+    fn to_array(self) -> [f32; FOUR] {
+        let mut numbers = [0.0; FOUR];
+        // SAFETY: as said above; four numbers are 16 bytes.
+        unsafe { _mm_storeu_ps(numbers.as_mut_ptr(), self.0) };
+        numbers
     }
 }
 

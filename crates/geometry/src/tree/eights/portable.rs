@@ -1,6 +1,6 @@
 //! For any machine.
 
-use super::{Double, EIGHT, Eights, Numbers, Single};
+use super::{Double, EIGHT, Eights, FOUR, Four, Numbers, Single};
 use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -9,41 +9,52 @@ use std::ops::{Add, Div, Mul, Sub};
 pub(crate) struct Portable;
 
 #[derive(Clone, Copy)]
-pub(crate) struct Array<T>([T; EIGHT]);
+pub(crate) struct Array<T, const N: usize>([T; N]);
 
-impl<T: Copy> Array<T> {
+impl<T: Copy, const N: usize> Array<T, N> {
     #[inline(always)]
-    fn with<U>(self, other: Self, combined: impl Fn(T, T) -> U) -> [U; EIGHT] {
+    fn with<U>(self, other: Self, combined: impl Fn(T, T) -> U) -> [U; N] {
         from_fn(|i| combined(self.0[i], other.0[i]))
     }
 }
 
 /// One bit for each that is true.
 #[inline(always)]
-fn mask(is_set: [bool; EIGHT]) -> u32 {
+fn mask<const N: usize>(is_set: [bool; N]) -> u32 {
     is_set.iter().rev().fold(0, |mask, &bit| mask << 1 | u32::from(bit))
 }
 
 impl Eights for Portable {
-    type Single = Array<f32>;
+    type Single = Array<f32, EIGHT>;
+    type Four = Array<f32, FOUR>;
 
     #[inline(always)]
-    fn load(self, numbers: [f32; EIGHT]) -> Array<f32> {
+    fn load(self, numbers: [f32; EIGHT]) -> Array<f32, EIGHT> {
         Array(numbers)
     }
 
     #[inline(always)]
-    fn splat(self, number: f32) -> Array<f32> {
+    fn splat(self, number: f32) -> Array<f32, EIGHT> {
         Array([number; EIGHT])
     }
 
     #[inline(always)]
-    fn splat_double(self, number: f64) -> Array<f64> {
+    fn load_four(self, numbers: [f32; FOUR]) -> Array<f32, FOUR> {
+        Array(numbers)
+    }
+
+    #[inline(always)]
+    fn splat_four(self, number: f32) -> Array<f32, FOUR> {
+        Array([number; FOUR])
+    }
+
+    #[inline(always)]
+    fn splat_double(self, number: f64) -> Array<f64, EIGHT> {
         Array([number; EIGHT])
     }
 }
 
-impl<T: Copy + Add<Output = T>> Add for Array<T> {
+impl<T: Copy + Add<Output = T>, const N: usize> Add for Array<T, N> {
     type Output = Self;
 
     #[inline(always)]
@@ -52,7 +63,7 @@ impl<T: Copy + Add<Output = T>> Add for Array<T> {
     }
 }
 
-impl<T: Copy + Sub<Output = T>> Sub for Array<T> {
+impl<T: Copy + Sub<Output = T>, const N: usize> Sub for Array<T, N> {
     type Output = Self;
 
     #[inline(always)]
@@ -61,7 +72,7 @@ impl<T: Copy + Sub<Output = T>> Sub for Array<T> {
     }
 }
 
-impl<T: Copy + Mul<Output = T>> Mul for Array<T> {
+impl<T: Copy + Mul<Output = T>, const N: usize> Mul for Array<T, N> {
     type Output = Self;
 
     #[inline(always)]
@@ -70,7 +81,7 @@ impl<T: Copy + Mul<Output = T>> Mul for Array<T> {
     }
 }
 
-impl<T: Copy + Div<Output = T>> Div for Array<T> {
+impl<T: Copy + Div<Output = T>, const N: usize> Div for Array<T, N> {
     type Output = Self;
 
     #[inline(always)]
@@ -79,7 +90,7 @@ impl<T: Copy + Div<Output = T>> Div for Array<T> {
     }
 }
 
-impl<T> Numbers for Array<T>
+impl<T, const N: usize> Numbers for Array<T, N>
 where
     T: Copy + PartialOrd + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
 {
@@ -104,8 +115,8 @@ where
     }
 }
 
-impl Single for Array<f32> {
-    type Double = Array<f64>;
+impl Single for Array<f32, EIGHT> {
+    type Double = Array<f64, EIGHT>;
 
     #[inline(always)]
     fn minus_about(self, a: Self, b: Self) -> Self {
@@ -128,7 +139,7 @@ impl Single for Array<f32> {
     }
 
     #[inline(always)]
-    fn widen(self) -> Array<f64> {
+    fn widen(self) -> Array<f64, EIGHT> {
         Array(self.0.map(f64::from))
     }
 
@@ -148,11 +159,18 @@ impl Single for Array<f32> {
     }
 }
 
-impl Double for Array<f64> {
-    type Single = Array<f32>;
+impl Four for Array<f32, FOUR> {
+    #[inline(always)]
+    fn to_array(self) -> [f32; FOUR] {
+        self.0
+    }
+}
+
+impl Double for Array<f64, EIGHT> {
+    type Single = Array<f32, EIGHT>;
 
     #[inline(always)]
-    fn narrow(self) -> Array<f32> {
+    fn narrow(self) -> Array<f32, EIGHT> {
         Array(self.0.map(|x| x as f32))
     }
 }

@@ -2,10 +2,12 @@
 
 use super::rays::Rays;
 use crate::tree::block::Block;
-use crate::tree::eights::{Double, EIGHT, Eights, Numbers, Single};
-use crate::tree::lanes::{FARTHER, Hits, greater, lesser};
+use crate::tree::eights::{Double, EIGHT, Eights, Four, Numbers, Single};
+use crate::tree::lanes::{FARTHER, Hits};
 use crate::tree::node::LEAF;
 use crate::tree::sizes::{ROUNDING, Sizes};
+use crate::tree::walk::ones;
+use std::hint::black_box;
 
 /// A fan as triangles see it; the longest coordinate comes last.
 #[derive(Clone, Copy)]
@@ -23,11 +25,19 @@ pub(crate) struct Sight<E: Eights> {
     sizes: Sizes,
 }
 
-/// A triangle as each ray sees it: see [`Flat`](crate::coarse::Flat).
-struct Seen<S> {
-    edges: [S; 3],
-    /// Along the longest coordinate, the same for all.
-    depths: [f32; 3],
+/// Coordinates of the corners of triangles: by corner, by axis, by triangle.
+pub(crate) type Corners = [[[f32; LEAF]; 3]; 3];
+
+/// Triangles as all rays see them.
+struct Reach {
+    /// From the origin, in the order of the axes.
+    corners: Corners,
+    /// Along the longest coordinate.
+    nearest: [f32; LEAF],
+    /// How far edge functions may be off by rounding.
+    doubt: [f32; LEAF],
+    /// One bit for each that is not behind.
+    ahead: u32,
 }
 
 type DoubleOf<E> = <<E as Eights>::Single as Single>::Double;
@@ -57,30 +67,107 @@ impl<E: Eights> Sight<E> {
         }
     }
 
-    /// For each triangle of a block those rays that may meet it at 0 < t < their limit, one
-    /// bit each, and perhaps others: [`meet`](Self::meet) has the last word.
+    /// The triangles of a block that rays may meet at 0 < t < their limit: the place of each
+    /// with one bit for each ray that has one in `active`. Perhaps others too:
+    /// [`meet`](Self::meet) has the last word.
     #[inline(always)]
-    pub(crate) fn candidates(&self, block: &Block, limits: &[f32; EIGHT]) -> [u32; LEAF] {
+    pub(crate) fn candidates(
+        &self,
+        block: &Block,
+        active: u32,
+        limits: &[f32; EIGHT],
+    ) -> impl Iterator<Item = (usize, u32)> + use<E> {
+        // In memory, from where instructions take one number eight times.
+        let reach = self.reach(block);
+        let Reach { corners, nearest, doubt, ahead } = black_box(&reach);
         let limits = self.eights.load(*limits) * self.eights.splat(FARTHER);
-        let mut candidates = [0; LEAF];
-        for (lane, candidates) in candidates.iter_mut().enumerate() {
-            *candidates = self.candidates_of(block, lane, limits);
+        let mut all = 0;
+        for lane in ones(*ahead) {
+            let edges = self.edges(corners, lane % LEAF, E::Single::minus_about);
+            let doubt = self.eights.splat(doubt[lane % LEAF]);
+            let nearest = self.eights.splat(nearest[lane % LEAF]);
+            // Products may vanish that are not zero; what is not a number stays in doubt.
+            let nothing = self.eights.splat(-f32::MIN_POSITIVE);
+            let outside = (E::Single::least(edges) + doubt).below(nothing)
+                & (doubt - E::Single::greatest(edges)).below(nothing);
+            let reached = (nearest * self.reciprocal.abs()).below(limits);
+            all |= (reached & !outside & active) << (EIGHT * lane);
         }
-        candidates
+        bytes(all)
     }
 
     #[inline(always)]
-    fn candidates_of(&self, block: &Block, lane: usize, limits: E::Single) -> u32 {
-        let Seen { edges, depths } = self.see(block, lane, E::Single::minus_about);
-        let [a, b, c] = depths.map(|depth| depth * self.ahead);
-        let (nearest, farthest) = (lesser(lesser(a, b), c), greater(greater(a, b), c));
-        let doubt = self.eights.splat(doubt(self.sizes.size(block.words[lane]), farthest));
-        // Products may vanish that are not zero; what is not a number stays in doubt.
-        let nothing = self.eights.splat(-f32::MIN_POSITIVE);
-        let outside = (E::Single::least(edges) + doubt).below(nothing)
-            & (doubt - E::Single::greatest(edges)).below(nothing);
-        let reached = (self.eights.splat(nearest) * self.reciprocal.abs()).below(limits);
-        if farthest > 0.0 { reached & !outside } else { 0 }
+    fn reach(&self, block: &Block) -> Reach {
+        let corners = self.relative(block);
+        let ahead = self.eights.splat_four(self.ahead);
+        let depths = [corners[0][2] * ahead, corners[1][2] * ahead, corners[2][2] * ahead];
+        let farthest = E::Four::greatest(depths);
+        let size = self.eights.load_four(block.words.map(|word| self.sizes.size(word)));
+        Reach {
+            corners: arrays(corners),
+            nearest: E::Four::least(depths).to_array(),
+            doubt: self.doubt(size, farthest).to_array(),
+            ahead: self.eights.splat_four(0.0).below(farthest),
+        }
+    }
+
+    /// How far edge functions of triangles may be off by rounding: of what a ray sees, see
+    /// [`candidates`](crate::tree::lanes::Triangles::candidates).
+    #[inline(always)]
+    fn doubt(&self, size: E::Four, depth: E::Four) -> E::Four {
+        let by_depth = depth * self.eights.splat_four(48.0 * ROUNDING);
+        let by_size = size * self.eights.splat_four(96.0 * ROUNDING);
+        (size + by_depth) * (by_size + by_depth)
+    }
+
+    /// The corners of triangles from the origin, in the order of the axes.
+    #[inline(always)]
+    fn relative(&self, block: &Block) -> [[E::Four; 3]; 3] {
+        let corner = |corner: usize| {
+            [self.row(block, corner, 0), self.row(block, corner, 1), self.row(block, corner, 2)]
+        };
+        [corner(0), corner(1), corner(2)]
+    }
+
+    #[inline(always)]
+    fn row(&self, block: &Block, corner: usize, i: usize) -> E::Four {
+        let row = block.corners[corner][self.axes[i]];
+        self.eights.load_four(row) - self.eights.splat_four(self.origin[i])
+    }
+
+    /// The edge functions of a triangle for each ray: see [`Flat`](crate::coarse::Flat).
+    #[inline(always)]
+    fn edges(
+        &self,
+        corners: &Corners,
+        lane: usize,
+        minus_product: impl Fn(E::Single, E::Single, E::Single) -> E::Single,
+    ) -> [E::Single; 3] {
+        let a = self.place(&corners[0], lane, &minus_product);
+        let b = self.place(&corners[1], lane, &minus_product);
+        let c = self.place(&corners[2], lane, &minus_product);
+        let cross = |p: [E::Single; 2], q: [E::Single; 2]| minus_product(p[0] * q[1], p[1], q[0]);
+        [cross(b, c), cross(c, a), cross(a, b)]
+    }
+
+    /// Where rays have a corner, in single precision.
+    #[inline(always)]
+    fn place(
+        &self,
+        corner: &[[f32; LEAF]; 3],
+        lane: usize,
+        minus_product: impl Fn(E::Single, E::Single, E::Single) -> E::Single,
+    ) -> [E::Single; 2] {
+        let x = self.eights.splat(corner[0][lane]);
+        let y = self.eights.splat(corner[1][lane]);
+        let depth = self.eights.splat(corner[2][lane]);
+        [minus_product(x, self.slope[0], depth), minus_product(y, self.slope[1], depth)]
+    }
+
+    /// The corners of triangles from the origin, in the order of the axes.
+    #[inline(always)]
+    pub(crate) fn corners(&self, block: &Block) -> Corners {
+        arrays(self.relative(block))
     }
 
     /// [`Flat::meet`](crate::coarse::Flat::meet) for each ray that has a bit and a triangle of
@@ -88,17 +175,18 @@ impl<E: Eights> Sight<E> {
     #[inline(always)]
     pub(crate) fn meet_fast(
         &self,
-        block: &Block,
+        corners: &Corners,
         lane: usize,
         active: u32,
         limits: &[f32; EIGHT],
     ) -> Option<(Hits<EIGHT>, u32)> {
-        let Seen { edges, depths } = self.see(block, lane, E::Single::minus_product);
+        let edges = self.edges(corners, lane, E::Single::minus_product);
         let [of_a, of_b, of_c] = edges;
         let (zero, limits) = (self.eights.splat(0.0), self.eights.load(*limits));
-        let [a, b, c] = depths.map(|depth| self.eights.splat(depth));
-        let depths = [a * self.reciprocal, b * self.reciprocal, c * self.reciprocal];
-        let (first, last) = (E::Single::least(depths), E::Single::greatest(depths));
+        let a = self.eights.splat(corners[0][2][lane]) * self.reciprocal;
+        let b = self.eights.splat(corners[1][2][lane]) * self.reciprocal;
+        let c = self.eights.splat(corners[2][2][lane]) * self.reciprocal;
+        let (first, last) = (E::Single::least([a, b, c]), E::Single::greatest([a, b, c]));
         let (least, greatest) = (E::Single::least(edges), E::Single::greatest(edges));
         let inside = zero.at_most(least) | greatest.at_most(zero);
         let passed = inside & zero.below(last) & first.below(limits) & active;
@@ -107,7 +195,7 @@ impl<E: Eights> Sight<E> {
         }
         let settled = zero.below(least) | greatest.below(zero);
         let reciprocal = (of_a + of_b + of_c).reciprocal();
-        let sum = of_a * depths[0] + of_b * depths[1] + of_c * depths[2];
+        let sum = of_a * a + of_b * b + of_c * c;
         // Between the nearest corner and the farthest; what is not a number stays.
         let t = last.lesser(first.greater(sum * reciprocal));
         let counts = zero.below(t) & t.below(limits);
@@ -118,34 +206,6 @@ impl<E: Eights> Sight<E> {
             v: (of_c * reciprocal).to_array(),
         };
         Some((hits, passed & !settled))
-    }
-
-    #[inline(always)]
-    fn see(
-        &self,
-        block: &Block,
-        lane: usize,
-        minus_product: impl Fn(E::Single, E::Single, E::Single) -> E::Single,
-    ) -> Seen<E::Single> {
-        let corners @ [a, b, c] = block.picked(lane, self.axes);
-        let a = self.place(a, &minus_product);
-        let b = self.place(b, &minus_product);
-        let c = self.place(c, &minus_product);
-        let cross = |p: [E::Single; 2], q: [E::Single; 2]| minus_product(p[0] * q[1], p[1], q[0]);
-        let edges = [cross(b, c), cross(c, a), cross(a, b)];
-        Seen { edges, depths: corners.map(|corner| corner[2] - self.origin[2]) }
-    }
-
-    /// Where rays have a corner, in single precision.
-    #[inline(always)]
-    fn place(
-        &self,
-        corner: [f32; 3],
-        minus_product: impl Fn(E::Single, E::Single, E::Single) -> E::Single,
-    ) -> [E::Single; 2] {
-        let [x, y, depth] = [0, 1, 2].map(|i| corner[i] - self.origin[i]);
-        let (x, y, depth) = (self.eights.splat(x), self.eights.splat(y), self.eights.splat(depth));
-        [minus_product(x, self.slope[0], depth), minus_product(y, self.slope[1], depth)]
     }
 
     /// [`watertight::meet`] for each ray that has a bit and a triangle of a block; `None`
@@ -204,10 +264,19 @@ impl<D: Double> Corner<D> {
     }
 }
 
-/// How far an edge function of a triangle may be off by rounding: of what a ray sees, see
-/// [`candidates`](crate::tree::lanes::Triangles::candidates).
+/// The bytes of a number that are not zero, with their places.
 #[inline(always)]
-fn doubt(size: f32, depth: f32) -> f32 {
-    let by_depth = 48.0 * ROUNDING * depth;
-    (size + by_depth) * (96.0 * ROUNDING * size + by_depth)
+fn bytes(mut number: u32) -> impl Iterator<Item = (usize, u32)> {
+    std::iter::from_fn(move || {
+        let place = (number != 0).then(|| number.trailing_zeros() / u8::BITS)?;
+        let byte = number >> (u8::BITS * place) & u32::from(u8::MAX);
+        number ^= byte << (u8::BITS * place);
+        Some((place as usize, byte))
+    })
+}
+
+#[inline(always)]
+fn arrays<F: Four>([a, b, c]: [[F; 3]; 3]) -> Corners {
+    let rows = |[x, y, z]: [F; 3]| [x.to_array(), y.to_array(), z.to_array()];
+    [rows(a), rows(b), rows(c)]
 }
