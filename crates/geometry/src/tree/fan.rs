@@ -17,7 +17,7 @@ use super::stack::Stack;
 use super::turns::{Waiting, Way, take_turns};
 use super::walk::{Visitor, ones};
 use crate::Ray;
-use rays::Rays;
+use rays::{Rays, fan};
 use slopes::Slopes;
 use std::array::from_fn;
 use std::iter::Enumerate;
@@ -77,14 +77,14 @@ where
     B: Batch<'a>,
     F: Fn(&'a Ray) -> L,
 {
-    type Question = (usize, &'a Ray, Rays<E>);
+    type Question = (usize, &'a [Ray; EIGHT]);
 
-    /// The next fan, and the number of its first ray and that ray.
+    /// The next fan and the number of its first ray.
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Question> {
         for (chunk, rays) in &mut self.chunks {
-            if let Some(fan) = Rays::of(self.eights, rays) {
-                return Some((EIGHT * chunk, &rays[0], fan));
+            if let Some(rays) = fan(self.eights, rays) {
+                return Some((EIGHT * chunk, rays));
             }
             let places = EIGHT * chunk..EIGHT * chunk + rays.len();
             match self.left.last_mut().filter(|last| last.end == places.start) {
@@ -96,7 +96,8 @@ where
     }
 
     #[inline(always)]
-    fn begin(&self, (first, ray, rays): Self::Question, batch: &B) -> Fan<L, E, B::Visitor> {
+    fn begin(&self, (first, rays): Self::Question, batch: &B) -> Fan<L, E, B::Visitor> {
+        let (ray, rays) = (&rays[0], Rays::of(self.eights, rays));
         let slopes = Slopes::of(&rays);
         let [near, far] = slopes.widest();
         Fan {
@@ -114,10 +115,11 @@ where
     #[inline(always)]
     fn begin_anew(
         &self,
-        (first, ray, rays): Self::Question,
+        (first, rays): Self::Question,
         batch: &B,
         fan: &mut Fan<L, E, B::Visitor>,
     ) {
+        let (ray, rays) = (&rays[0], Rays::of(self.eights, rays));
         fan.slopes = Slopes::of(&rays);
         let [near, far] = fan.slopes.widest();
         fan.all = (self.lanes)(ray).with_slopes(near, far);

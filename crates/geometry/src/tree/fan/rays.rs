@@ -10,56 +10,60 @@ pub(super) const FAN: usize = EIGHT;
 /// The least cosine between the first ray of a fan and the last.
 const NARROW: f32 = 0.99;
 
-/// Rays that can be traced, of one origin and octant, with the same longest coordinate.
+/// The rays of a fan: of one origin and octant, with the same longest coordinate.
 #[derive(Clone, Copy)]
 pub(super) struct Rays<E: Eights> {
     pub(super) eights: E,
     pub(super) origin: Vec3,
     /// By axis.
     pub(super) directions: [E::Single; 3],
-    /// One bit for each axis along which they go backward.
-    pub(super) octant: usize,
-    /// As [`watertight::axes`] has them, for all rays.
+    /// For each axis 1 if they go backward along it.
+    pub(super) backward: [usize; 3],
+    /// As [`watertight::axes`] has them.
     pub(super) axes: [usize; 3],
 }
 
 impl<E: Eights> Rays<E> {
-    /// The rays, if they make a fan.
     #[inline(always)]
-    pub(super) fn of(eights: E, rays: &[Ray]) -> Option<Self> {
-        let rays: &[Ray; FAN] = rays.try_into().ok()?;
-        let (first, last) = (&rays[0], &rays[FAN - 1]);
-        // Most rays are told by the first and the last.
-        if first.origin != last.origin || !is_narrow(first, last) || !start_together(rays) {
-            return None;
-        }
+    pub(super) fn of(eights: E, rays: &[Ray; FAN]) -> Self {
         let direction = |axis: usize| eights.load(from_fn(|i| rays[i].direction[axis]));
-        let directions = [direction(0), direction(1), direction(2)];
-        let limits = eights.load(from_fn(|i| rays[i].t_max));
-        let signs = [directions[0].signs(), directions[1].signs(), directions[2].signs()];
-        let axes = watertight::axes(&first.direction);
-        let this = Self {
+        let backward = |axis: usize| usize::from(rays[0].direction[axis].is_sign_negative());
+        Self {
             eights,
-            origin: first.origin,
-            directions,
-            octant: (0..3).map(|axis| (signs[axis] as usize & 1) << axis).sum(),
-            axes,
-        };
-        let is_one_way = signs.iter().all(|&signs| signs == 0 || signs == ALL);
-        let can_all_ask = eights.splat(0.0).below(limits) == ALL && first.is_traceable();
-        (is_one_way && can_all_ask && this.have_length()).then_some(this)
+            origin: rays[0].origin,
+            directions: [direction(0), direction(1), direction(2)],
+            backward: [backward(0), backward(1), backward(2)],
+            axes: watertight::axes(&rays[0].direction),
+        }
     }
 
-    /// Whether all directions are some, and the same coordinate is the longest of each.
+    /// Whether all directions are some, of one octant, and have the same longest coordinate.
     #[inline(always)]
-    fn have_length(&self) -> bool {
-        let size = |i: usize| self.directions[self.axes[i] % 3].abs();
-        let [x, y, longest] = [size(0), size(1), size(2)];
-        let size = x + y + longest;
-        let are_directions = self.eights.splat(Ray::SMALLEST).at_most(size)
-            & size.below(self.eights.splat(f32::INFINITY));
-        are_directions & x.below(longest) & y.below(longest) == ALL
+    fn go_together(&self) -> bool {
+        let [x, y, z] = self.directions;
+        let is_one_way = [x.signs(), y.signs(), z.signs()].iter().all(|&s| s == 0 || s == ALL);
+        let size = |i: usize| self.directions[self.axes[i]].abs();
+        let (aside, across, along) = (size(0), size(1), size(2));
+        let sum = aside + across + along;
+        let are_directions = self.eights.splat(Ray::SMALLEST).at_most(sum)
+            & sum.below(self.eights.splat(f32::INFINITY));
+        is_one_way && are_directions & aside.below(along) & across.below(along) == ALL
     }
+}
+
+/// The rays, if they make a fan and all can be traced.
+#[inline(always)]
+pub(super) fn fan<E: Eights>(eights: E, rays: &[Ray]) -> Option<&[Ray; FAN]> {
+    let rays: &[Ray; FAN] = rays.try_into().ok()?;
+    let (first, last) = (&rays[0], &rays[FAN - 1]);
+    // Most rays are told by the first and the last.
+    let is_fan = first.origin == last.origin
+        && is_narrow(first, last)
+        && start_together(rays)
+        && first.is_traceable()
+        && eights.splat(0.0).below(eights.load(from_fn(|i| rays[i].t_max))) == ALL
+        && Rays::of(eights, rays).go_together();
+    is_fan.then_some(rays)
 }
 
 #[inline(always)]
@@ -91,7 +95,7 @@ mod tests {
     }
 
     fn is_fan(rays: &[Ray]) -> bool {
-        Rays::of(Portable, rays).is_some()
+        fan(Portable, rays).is_some()
     }
 
     #[test]

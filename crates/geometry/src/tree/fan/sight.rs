@@ -53,7 +53,7 @@ impl<E: Eights> Sight<E> {
     #[inline(always)]
     pub(super) fn of(rays: &Rays<E>, sizes: Sizes) -> Self {
         let axes = rays.axes;
-        let direction = [0, 1, 2].map(|i| rays.directions[axes[i] % 3]);
+        let direction = [0, 1, 2].map(|i| rays.directions[axes[i]]);
         let reciprocal = direction[2].reciprocal();
         Self {
             eights: rays.eights,
@@ -62,7 +62,7 @@ impl<E: Eights> Sight<E> {
             direction,
             slope: [direction[0] * reciprocal, direction[1] * reciprocal],
             reciprocal,
-            ahead: if rays.octant >> axes[2] & 1 == 0 { 1.0 } else { -1.0 },
+            ahead: if rays.backward[axes[2]] == 0 { 1.0 } else { -1.0 },
             sizes,
         }
     }

@@ -27,7 +27,7 @@ impl<E: Eights> Slopes<E> {
         Self {
             eights,
             origin: rays.origin.to_array(),
-            backward: [0, 1, 2].map(|axis| rays.octant >> axis & 1),
+            backward: rays.backward,
             near: [x * nearer, y * nearer, z * nearer],
             far: [x * farther, y * farther, z * farther],
         }
