@@ -9,8 +9,8 @@ pub(crate) use sight::Sight;
 
 use super::Tree;
 use super::batch::Batch;
-use super::eights::{ALL, EIGHT, Eights};
-use super::lanes::{Lanes, greater};
+use super::eights::{ALL, EIGHT, Eights, Single};
+use super::lanes::Lanes;
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
 use super::stack::Stack;
@@ -107,7 +107,7 @@ where
             all: (self.lanes)(ray).with_slopes(near, far),
             slopes,
             sight: Sight::of(&rays, self.tree.sizes),
-            visitors: Visitors::new(from_fn(|i| batch.begin(first + i))),
+            visitors: Visitors::new(self.eights, from_fn(|i| batch.begin(first + i))),
         }
     }
 
@@ -126,9 +126,8 @@ where
         fan.sight = Sight::of(&rays, self.tree.sizes);
         for (i, visitor) in fan.visitors.each.iter_mut().enumerate() {
             *visitor = batch.begin(first + i);
-            fan.visitors.limits[i] = visitor.limit();
         }
-        fan.visitors.see_limits();
+        fan.visitors.see_limits(self.eights);
         (fan.first, fan.current, fan.active) = (first, self.root, ALL);
     }
 }
@@ -171,7 +170,7 @@ impl<'a, L: Lanes, E: Eights, B: Batch<'a>> Way<B> for Fan<L, E, B::Visitor> {
 /// What the rays of a fan do in leaves.
 pub(crate) struct Visitors<V> {
     pub(crate) each: [V; EIGHT],
-    /// Below zero once a ray asks nothing more.
+    /// As they were before the leaf.
     pub(crate) limits: [f32; EIGHT],
     /// The farthest of them.
     limit: f32,
@@ -179,16 +178,18 @@ pub(crate) struct Visitors<V> {
 
 impl<V: Visitor> Visitors<V> {
     #[inline(always)]
-    fn new(visitors: [V; EIGHT]) -> Self {
-        let limits = from_fn(|i| visitors[i].limit());
-        let mut this = Self { each: visitors, limits, limit: 0.0 };
-        this.see_limits();
+    fn new(eights: impl Eights, each: [V; EIGHT]) -> Self {
+        let mut this = Self { each, limits: [0.0; EIGHT], limit: 0.0 };
+        this.see_limits(eights);
         this
     }
 
+    /// All at once: what is written one by one and read together makes a processor wait.
     #[inline(always)]
-    fn see_limits(&mut self) {
-        self.limit = self.limits.iter().fold(-1.0, |farthest, &limit| greater(limit, farthest));
+    fn see_limits(&mut self, eights: impl Eights) {
+        let limits = eights.load(from_fn(|i| self.each[i].limit()));
+        self.limits = limits.to_array();
+        self.limit = limits.largest();
     }
 
     /// Tells something to those rays that have a bit, by their places.
@@ -199,9 +200,8 @@ impl<V: Visitor> Visitors<V> {
         mut told: impl FnMut(usize, &mut V) -> ControlFlow<()>,
     ) {
         for i in ones(rays) {
-            let visitor = &mut self.each[i % EIGHT];
-            let is_done = told(i % EIGHT, visitor).is_break();
-            self.limits[i % EIGHT] = if is_done { -1.0 } else { visitor.limit() };
+            // One that breaks has no limit any more.
+            let _ = told(i % EIGHT, &mut self.each[i % EIGHT]);
         }
     }
 
@@ -215,6 +215,6 @@ impl<V: Visitor> Visitors<V> {
                 self.tell(active, |_, visitor| visitor.shapes(places.clone()));
             }
         }
-        self.see_limits();
+        self.see_limits(sight.eights());
     }
 }

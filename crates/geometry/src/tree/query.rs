@@ -8,7 +8,7 @@ pub(crate) trait Query {
     /// Whether the nearer boxes are better opened first.
     const IN_ORDER: bool;
 
-    /// Hits count below this t.
+    /// Hits count below this t: none, once it has broken.
     fn limit(&self) -> f32;
 
     /// Takes a hit with t below the limit; breaks when nothing more is asked.
@@ -94,7 +94,7 @@ impl Query for Any {
 
     #[inline]
     fn offer(&mut self, _: Hit) -> ControlFlow<()> {
-        self.found = true;
+        (self.limit, self.found) = (-1.0, true);
         ControlFlow::Break(())
     }
 }

@@ -16,7 +16,7 @@ pub(crate) trait Visitor: Sized {
     /// most rays start on a surface, and what is in the boxes around it they just left.
     const IN_ORDER: bool;
 
-    /// Boxes that begin beyond it are left out.
+    /// Boxes that begin beyond it are left out: all, once it has broken.
     fn limit(&self) -> f32;
 
     /// A block of triangles.

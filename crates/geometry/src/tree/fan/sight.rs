@@ -67,6 +67,11 @@ impl<E: Eights> Sight<E> {
         }
     }
 
+    #[inline(always)]
+    pub(super) fn eights(&self) -> E {
+        self.eights
+    }
+
     /// The triangles of a block that rays may meet at 0 < t < their limit: the place of each
     /// with one bit for each ray that has one in `active`. Perhaps others too:
     /// [`meet`](Self::meet) has the last word.
