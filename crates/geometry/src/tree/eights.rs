@@ -110,3 +110,6 @@ pub(crate) trait Double: Numbers + Div<Output = Self> {
 
     fn narrow(self) -> Self::Single;
 }
+
+#[cfg(all(test, target_arch = "x86_64", not(miri)))]
+mod tests;

@@ -1,6 +1,9 @@
 //! Rays from one point that go almost the same way, as those of a camera do: they open
 //! boxes and meet triangles together.
 
+mod candidates;
+mod exact;
+mod fast;
 mod rays;
 mod sight;
 mod slopes;
@@ -215,6 +218,6 @@ impl<V: Visitor> Visitors<V> {
                 self.tell(active, |_, visitor| visitor.shapes(places.clone()));
             }
         }
-        self.see_limits(sight.eights());
+        self.see_limits(sight.eights);
     }
 }

@@ -1,0 +1,94 @@
+//! All instruction sets compute the same.
+
+use super::{Avx2Eights, Double, EIGHT, Eights, Four, Numbers, Portable, Single};
+use crate::testing::Random;
+use std::array::from_fn;
+
+/// What all operations make of two lists, as bits; what is not a number is the same whatever
+/// its bits.
+fn answers<E: Eights>(eights: E, a: [f32; EIGHT], b: [f32; EIGHT]) -> Vec<u64> {
+    let (x, y) = (eights.load(a), eights.load(b));
+    let singles = [x + y, x - y, x * y, x.lesser(y), x.greater(y), x.abs(), x.reciprocal()];
+    let (v, w) = (x.widen(), y.widen());
+    let doubles = [v + w, v - w, v * w, v / w, v.lesser(w), v.greater(w)];
+    let exactly = eights.splat_double(1e-60);
+    let narrow = doubles.map(|d| d.narrow().to_array()).into_iter().flatten();
+    let four = |all: [f32; EIGHT]| eights.load_four(from_fn(|i| all[i]));
+    let (f, g) = (four(a), four(b));
+    let fours = [f + g, f - g, f * g, f.lesser(g), f.greater(g), eights.splat_four(a[1])];
+    let masks = [
+        [x.below(y), x.at_most(y), x.signs(), y.signs()],
+        [v.below(w), v.at_most(w), (v * exactly).below(w * exactly), w.at_most(v)],
+        [f.below(g), f.at_most(g), g.below(f), g.at_most(f)],
+    ];
+    let product = eights.splat(b[0]).minus_product(x, y).to_array();
+    let singles = singles.map(Single::to_array).into_iter().flatten();
+    let fours = fours.map(Four::to_array).into_iter().flatten();
+    let numbers = singles.chain(narrow).chain(fours).chain(product);
+    let numbers = numbers.map(|x| if x.is_nan() { u64::MAX } else { u64::from(x.to_bits()) });
+    numbers.chain(masks.into_iter().flatten().map(u64::from)).collect()
+}
+
+fn avx2() -> Option<Avx2Eights> {
+    let is_there = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+    // SAFETY: the machine has them.
+    #[allow(unsafe_code)]
+    is_there.then(|| unsafe { Avx2Eights::new() })
+}
+
+const SPECIAL: [f32; 12] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    f32::NAN,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::MAX,
+    f32::MIN_POSITIVE,
+    1e-45,
+    -3.5e-20,
+    2.25,
+];
+
+#[test]
+fn operations_give_the_same_bits() {
+    let Some(avx2) = avx2() else { return };
+    let mut random = Random::new(3);
+    for round in 0..2000 {
+        let mut number = || {
+            let place = (random.number() * 48.0) as usize;
+            SPECIAL.get(place).copied().unwrap_or_else(|| random.number() * 4.0 - 2.0)
+        };
+        let (a, b) = (from_fn(|_| number()), from_fn(|_| number()));
+        assert_eq!(answers(avx2, a, b), answers(Portable, a, b), "{round}: {a:?} {b:?}");
+    }
+}
+
+#[test]
+fn the_least_and_the_greatest_of_eight_are_found() {
+    let Some(avx2) = avx2() else { return };
+    for place in 0..EIGHT {
+        let numbers: [f32; EIGHT] = from_fn(|i| ((i + place) % EIGHT) as f32 - 3.0);
+        let both = |least: f32, greatest: f32| assert_eq!([least, greatest], [-3.0, 4.0]);
+        both(avx2.load(numbers).smallest(), avx2.load(numbers).largest());
+        both(Portable.load(numbers).smallest(), Portable.load(numbers).largest());
+    }
+}
+
+/// Once or twice rounded, it is within a rounding of the product and one of the result.
+#[test]
+fn a_difference_from_a_product_is_about_right() {
+    let Some(avx2) = avx2() else { return };
+    let mut random = Random::new(4);
+    for _ in 0..1000 {
+        let [a, b, c] = from_fn(|_| from_fn(|_| random.number() * 2.0 - 1.0));
+        let about = avx2.load(a).minus_about(avx2.load(b), avx2.load(c)).to_array();
+        for i in 0..EIGHT {
+            let product = f64::from(b[i]) * f64::from(c[i]);
+            let exact = f64::from(a[i]) - product;
+            let room = f64::from(f32::EPSILON) * (product.abs() + exact.abs());
+            assert!((f64::from(about[i]) - exact).abs() <= room, "{a:?} {b:?} {c:?}");
+        }
+    }
+}
