@@ -11,9 +11,7 @@ use crate::Ray;
 use std::ops::Range;
 use std::vec::IntoIter;
 
-/// So many rays are best where the tree does not fit into the cache of a core, and where it
-/// does.
-const MANY: usize = 8;
+/// So many rays at once are best where the tree fits into the cache of a core.
 const FEW: usize = 4;
 
 /// Questions about many rays, and where the answers go.
@@ -40,8 +38,7 @@ pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
 ) {
     let (rays, left) = (batch.rays(), left.into_iter());
     let mut singles = Singles { rays, root, lanes, left, places: 0..0 };
-    let count = if tree.is_cached() { FEW } else { MANY };
-    take_turns(tree, count, batch, &mut singles);
+    take_turns(tree, FEW, batch, &mut singles);
 }
 
 /// Rays that wait.

@@ -27,9 +27,7 @@ use std::iter::Enumerate;
 use std::ops::{ControlFlow, Range};
 use std::slice::Chunks;
 
-/// So many fans at once are best where the tree does not fit into the cache of a core, and
-/// where it does.
-const MANY: usize = 4;
+/// So many fans at once are best where the tree fits into the cache of a core.
 const FEW: usize = 2;
 
 /// Takes all fans among the rays to their leaves. The places of the rays that are left.
@@ -43,8 +41,7 @@ pub(crate) fn walk_fans<'a, L: Lanes, E: Eights, B: Batch<'a>>(
 ) -> Vec<Range<usize>> {
     let chunks = batch.rays().chunks(EIGHT).enumerate();
     let mut fans = Fans { tree, root, lanes, eights, chunks, left: Vec::new() };
-    let count = if tree.is_cached() { FEW } else { MANY };
-    take_turns(tree, count, batch, &mut fans);
+    take_turns(tree, FEW, batch, &mut fans);
     fans.left
 }
 

@@ -5,8 +5,8 @@ use super::Tree;
 use super::prefetch::Ahead;
 use super::stack::{Room, Stack};
 
-/// The most that can be under way at once.
-const MOST: usize = 8;
+/// So many at once are best where the tree does not fit into the cache of a core.
+const MANY: usize = 8;
 
 /// Questions under way.
 pub(super) trait Way<B> {
@@ -37,17 +37,19 @@ struct Slot<'r, W> {
     is_done: bool,
 }
 
-/// Takes all ways to their ends, up to `count` at once, each one box further in turn.
+/// Takes all ways to their ends, each one box further in turn: up to `few` at once where the
+/// tree fits into the cache of a core, and [`MANY`] where it does not.
 #[inline(always)]
 pub(super) fn take_turns<B, W: Way<B>>(
     tree: &Tree,
-    count: usize,
+    few: usize,
     batch: &mut B,
     waiting: &mut impl Waiting<B, W>,
 ) {
     let ahead = Ahead::of(tree);
-    let mut rooms = [const { Room::new() }; MOST];
-    let mut slots = Vec::with_capacity(MOST);
+    let count = if tree.is_cached() { few } else { MANY };
+    let mut rooms = [const { Room::new() }; MANY];
+    let mut slots = Vec::with_capacity(MANY);
     for room in rooms.iter_mut().take(count) {
         let Some(question) = waiting.next() else { break };
         let way = waiting.begin(question, batch);
