@@ -30,11 +30,12 @@ enum Task {
     AnyHit(fn(&RaySets) -> &[Ray]),
 }
 
-const TASKS: [(&str, Task); 8] = [
+const TASKS: [(&str, Task); 9] = [
     ("build-fast", Task::Build(Quality::Fast)),
     ("build-balanced", Task::Build(Quality::Balanced)),
     ("build-best", Task::Build(Quality::Best)),
     ("primary", Task::Nearest(Precision::Watertight, |sets| &sets.primary)),
+    ("primary-batch", Task::NearestEach(|sets| &sets.primary)),
     ("bounces", Task::Nearest(Precision::Watertight, |sets| &sets.bounces)),
     ("bounces-fast", Task::Nearest(Precision::Fast, |sets| &sets.bounces)),
     ("bounces-batch", Task::NearestEach(|sets| &sets.bounces)),
