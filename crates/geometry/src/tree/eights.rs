@@ -1,13 +1,13 @@
 //! Eight numbers at once, one for each ray of a fan; and four, one for each triangle of a
 //! block.
 
-#[cfg(target_arch = "x86_64")]
-mod avx2;
 mod portable;
-
 #[cfg(target_arch = "x86_64")]
-pub(crate) use avx2::Avx2Eights;
+mod x86;
+
 pub(crate) use portable::Portable;
+#[cfg(target_arch = "x86_64")]
+pub(crate) use x86::{Avx2Eights, Sse41Eights};
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -41,8 +41,11 @@ pub(crate) trait Eights: Copy {
 
 /// What numbers of any kind can do. Masks have one bit for each.
 pub(crate) trait Numbers:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
+    /// How many there are.
+    const COUNT: u32;
+
     /// The lesser of each pair; if one is not a number, that of `other`.
     fn lesser(self, other: Self) -> Self;
 
@@ -105,7 +108,7 @@ pub(crate) trait Four: Numbers {
 }
 
 /// Eight numbers in double precision.
-pub(crate) trait Double: Numbers + Div<Output = Self> {
+pub(crate) trait Double: Numbers {
     type Single: Single<Double = Self>;
 
     fn narrow(self) -> Self::Single;

@@ -14,7 +14,7 @@ use std::hint::black_box;
 use std::ops::Range;
 
 #[cfg(target_arch = "x86_64")]
-use super::eights::Avx2Eights;
+use super::eights::{Avx2Eights, Sse41Eights};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Sse41};
 
@@ -117,7 +117,7 @@ fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
 fn walk_fans_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where SSE4.1 is.
     let lanes = |ray| unsafe { Sse41::new(ray, tree.sizes) };
-    walk_fans(tree, root, lanes, Portable, batch)
+    walk_fans(tree, root, lanes, Sse41Eights, batch)
 }
 
 #[cfg(target_arch = "x86_64")]

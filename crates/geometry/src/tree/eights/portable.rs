@@ -21,7 +21,8 @@ impl<T: Copy, const N: usize> Array<T, N> {
 /// One bit for each that is true.
 #[inline(always)]
 fn mask<const N: usize>(is_set: [bool; N]) -> u32 {
-    is_set.iter().rev().fold(0, |mask, &bit| mask << 1 | u32::from(bit))
+    let bits: [u32; N] = from_fn(|i| if is_set[i] { 1 << i } else { 0 });
+    bits.iter().fold(0, |mask, bit| mask | bit)
 }
 
 impl Eights for Portable {
@@ -92,8 +93,10 @@ impl<T: Copy + Div<Output = T>, const N: usize> Div for Array<T, N> {
 
 impl<T, const N: usize> Numbers for Array<T, N>
 where
-    T: Copy + PartialOrd + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+    T: Copy + PartialOrd + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
 {
+    const COUNT: u32 = N as u32;
+
     #[inline(always)]
     fn lesser(self, other: Self) -> Self {
         Self(self.with(other, |a, b| if a < b { a } else { b }))

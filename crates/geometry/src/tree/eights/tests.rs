@@ -1,6 +1,6 @@
 //! All instruction sets compute the same.
 
-use super::{Avx2Eights, Double, EIGHT, Eights, Four, Numbers, Portable, Single};
+use super::{Avx2Eights, Double, EIGHT, Eights, Four, Numbers, Portable, Single, Sse41Eights};
 use crate::testing::Random;
 use std::array::from_fn;
 
@@ -53,7 +53,6 @@ const SPECIAL: [f32; 12] = [
 
 #[test]
 fn operations_give_the_same_bits() {
-    let Some(avx2) = avx2() else { return };
     let mut random = Random::new(3);
     for round in 0..2000 {
         let mut number = || {
@@ -61,34 +60,44 @@ fn operations_give_the_same_bits() {
             SPECIAL.get(place).copied().unwrap_or_else(|| random.number() * 4.0 - 2.0)
         };
         let (a, b) = (from_fn(|_| number()), from_fn(|_| number()));
-        assert_eq!(answers(avx2, a, b), answers(Portable, a, b), "{round}: {a:?} {b:?}");
+        let expected = answers(Portable, a, b);
+        assert_eq!(answers(Sse41Eights, a, b), expected, "{round}: {a:?} {b:?}");
+        if let Some(avx2) = avx2() {
+            assert_eq!(answers(avx2, a, b), expected, "{round}: {a:?} {b:?}");
+        }
     }
 }
 
 #[test]
 fn the_least_and_the_greatest_of_eight_are_found() {
-    let Some(avx2) = avx2() else { return };
-    for place in 0..EIGHT {
-        let numbers: [f32; EIGHT] = from_fn(|i| ((i + place) % EIGHT) as f32 - 3.0);
-        let both = |least: f32, greatest: f32| assert_eq!([least, greatest], [-3.0, 4.0]);
-        both(avx2.load(numbers).smallest(), avx2.load(numbers).largest());
-        both(Portable.load(numbers).smallest(), Portable.load(numbers).largest());
+    fn check<E: Eights>(eights: E) {
+        for place in 0..EIGHT {
+            let numbers = eights.load(from_fn(|i| ((i + place) % EIGHT) as f32 - 3.0));
+            assert_eq!([numbers.smallest(), numbers.largest()], [-3.0, 4.0]);
+        }
     }
+    check(Portable);
+    check(Sse41Eights);
+    avx2().into_iter().for_each(check);
 }
 
 /// Once or twice rounded, it is within a rounding of the product and one of the result.
 #[test]
 fn a_difference_from_a_product_is_about_right() {
-    let Some(avx2) = avx2() else { return };
-    let mut random = Random::new(4);
-    for _ in 0..1000 {
-        let [a, b, c] = from_fn(|_| from_fn(|_| random.number() * 2.0 - 1.0));
-        let about = avx2.load(a).minus_about(avx2.load(b), avx2.load(c)).to_array();
-        for i in 0..EIGHT {
-            let product = f64::from(b[i]) * f64::from(c[i]);
-            let exact = f64::from(a[i]) - product;
-            let room = f64::from(f32::EPSILON) * (product.abs() + exact.abs());
-            assert!((f64::from(about[i]) - exact).abs() <= room, "{a:?} {b:?} {c:?}");
+    fn check<E: Eights>(eights: E) {
+        let mut random = Random::new(4);
+        for _ in 0..1000 {
+            let [a, b, c] = from_fn(|_| from_fn(|_| random.number() * 2.0 - 1.0));
+            let about = eights.load(a).minus_about(eights.load(b), eights.load(c)).to_array();
+            for i in 0..EIGHT {
+                let product = f64::from(b[i]) * f64::from(c[i]);
+                let exact = f64::from(a[i]) - product;
+                let room = f64::from(f32::EPSILON) * (product.abs() + exact.abs());
+                assert!((f64::from(about[i]) - exact).abs() <= room, "{a:?} {b:?} {c:?}");
+            }
         }
     }
+    check(Portable);
+    check(Sse41Eights);
+    avx2().into_iter().for_each(check);
 }

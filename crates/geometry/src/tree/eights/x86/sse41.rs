@@ -1,0 +1,130 @@
+//! For machines with SSE4.1, of which SSE2 is enough here.
+
+use super::super::{Double, EIGHT, Eights, FOUR, Four, Numbers, Single};
+use super::{Fours, Twice, register};
+use std::arch::x86_64::*;
+use std::ops::{Add, Div, Mul, Sub};
+
+/// Every x86-64 machine has the instructions.
+#[derive(Clone, Copy)]
+pub(crate) struct Sse41Eights;
+
+/// Two in double precision.
+#[derive(Clone, Copy)]
+pub(crate) struct TwoDoubles(__m128d);
+
+register!(
+    TwoDoubles,
+    2,
+    [_mm_add_pd, _mm_sub_pd, _mm_mul_pd, _mm_div_pd],
+    [_mm_min_pd, _mm_max_pd],
+    [_mm_cmplt_pd, _mm_cmple_pd],
+    _mm_movemask_pd
+);
+
+impl Eights for Sse41Eights {
+    type Single = Twice<Fours>;
+    type Four = Fours;
+
+    #[inline(always)]
+    fn load(self, [a, b, c, d, e, f, g, h]: [f32; EIGHT]) -> Twice<Fours> {
+        Twice([self.load_four([a, b, c, d]), self.load_four([e, f, g, h])])
+    }
+
+    #[inline(always)]
+    fn splat(self, number: f32) -> Twice<Fours> {
+        Twice([self.splat_four(number); 2])
+    }
+
+    #[inline(always)]
+    fn load_four(self, numbers: [f32; FOUR]) -> Fours {
+        // SAFETY: every x86-64 machine has SSE2; four numbers are 16 bytes.
+        Fours(unsafe { _mm_loadu_ps(numbers.as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn splat_four(self, number: f32) -> Fours {
+        // SAFETY: as above.
+        Fours(unsafe { _mm_set1_ps(number) })
+    }
+
+    #[inline(always)]
+    fn splat_double(self, number: f64) -> Twice<Twice<TwoDoubles>> {
+        // SAFETY: as above.
+        Twice([Twice([TwoDoubles(unsafe { _mm_set1_pd(number) }); 2]); 2])
+    }
+}
+
+impl Single for Twice<Fours> {
+    type Double = Twice<Twice<TwoDoubles>>;
+
+    #[inline(always)]
+    fn minus_about(self, a: Self, b: Self) -> Self {
+        self.minus_product(a, b)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        let [low, high] = self.0;
+        Self([low.abs(), high.abs()])
+    }
+
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        Sse41Eights.splat(1.0) / self
+    }
+
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        let [low, high] = self.0;
+        // SAFETY: every x86-64 machine has SSE2.
+        unsafe { Self::masks(_mm_movemask_ps(low.0) as u32, _mm_movemask_ps(high.0) as u32) }
+    }
+
+    #[inline(always)]
+    fn widen(self) -> Twice<Twice<TwoDoubles>> {
+        let [low, high] = self.0;
+        Twice([widened(low), widened(high)])
+    }
+
+    #[inline(always)]
+    fn to_array(self) -> [f32; EIGHT] {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0[0].to_array(), self.0[1].to_array());
+        [a, b, c, d, e, f, g, h]
+    }
+
+    #[inline(always)]
+    fn smallest(self) -> f32 {
+        self.0[0].lesser(self.0[1]).fold(Fours::lesser)
+    }
+
+    #[inline(always)]
+    fn largest(self) -> f32 {
+        self.0[0].greater(self.0[1]).fold(Fours::greater)
+    }
+}
+
+impl Double for Twice<Twice<TwoDoubles>> {
+    type Single = Twice<Fours>;
+
+    #[inline(always)]
+    fn narrow(self) -> Twice<Fours> {
+        let [low, high] = self.0;
+        Twice([narrowed(low), narrowed(high)])
+    }
+}
+
+#[inline(always)]
+fn widened(four: Fours) -> Twice<TwoDoubles> {
+    // SAFETY: every x86-64 machine has SSE2.
+    unsafe {
+        let high = _mm_movehl_ps(four.0, four.0);
+        Twice([TwoDoubles(_mm_cvtps_pd(four.0)), TwoDoubles(_mm_cvtps_pd(high))])
+    }
+}
+
+#[inline(always)]
+fn narrowed(Twice([low, high]): Twice<TwoDoubles>) -> Fours {
+    // SAFETY: every x86-64 machine has SSE2.
+    Fours(unsafe { _mm_movelh_ps(_mm_cvtpd_ps(low.0), _mm_cvtpd_ps(high.0)) })
+}
