@@ -1,7 +1,7 @@
 //! For machines with AVX2 and FMA.
 
 use super::super::{Double, EIGHT, Eights, FOUR, Numbers, Single};
-use super::{Fours, Twice, register};
+use super::{Fours, Sse41Eights, Twice, register};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -60,14 +60,12 @@ impl Eights for Avx2Eights {
 
     #[inline(always)]
     fn load_four(self, numbers: [f32; FOUR]) -> Fours {
-        // SAFETY: as above; four numbers are 16 bytes.
-        Fours(unsafe { _mm_loadu_ps(numbers.as_ptr()) })
+        Sse41Eights.load_four(numbers)
     }
 
     #[inline(always)]
     fn splat_four(self, number: f32) -> Fours {
-        // SAFETY: as above.
-        Fours(unsafe { _mm_set1_ps(number) })
+        Sse41Eights.splat_four(number)
     }
 
     #[inline(always)]
