@@ -10,6 +10,7 @@ pub(crate) mod eights;
 pub(crate) mod fan;
 mod kernel;
 pub(crate) mod lanes;
+pub(crate) mod mask;
 pub(crate) mod node;
 pub(crate) mod pages;
 pub(crate) mod parallel;
@@ -18,7 +19,8 @@ pub(crate) mod query;
 mod sizes;
 mod stack;
 mod turns;
-pub(crate) mod walk;
+pub(crate) mod visitor;
+mod walk;
 
 pub(crate) use kernel::Kernel;
 
@@ -27,7 +29,7 @@ use block::Block;
 use build::Quality;
 use node::{Child, Node};
 use sizes::Sizes;
-use walk::Visitor;
+use visitor::Visitor;
 
 /// Blocks, or triangles, that a thread takes at once.
 pub(crate) const GRAIN: usize = 1 << 12;

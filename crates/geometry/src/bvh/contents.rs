@@ -4,10 +4,10 @@ use crate::shape::ShapeHit;
 use crate::tree::batch::Batch;
 use crate::tree::block::Block;
 use crate::tree::eights::Eights;
-use crate::tree::fan::{Sight, Visitors};
+use crate::tree::fan::sight::Sight;
 use crate::tree::lanes::Triangles;
 use crate::tree::query::Query;
-use crate::tree::walk::Visitor;
+use crate::tree::visitor::{Visitor, Visitors};
 use crate::{Hit, Ray};
 use std::ops::{ControlFlow, Range};
 

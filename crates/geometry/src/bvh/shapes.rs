@@ -7,10 +7,11 @@ use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
 use crate::tree::eights::Eights;
-use crate::tree::fan::{Sight, Visitors};
+use crate::tree::fan::sight::Sight;
 use crate::tree::lanes::Triangles;
+use crate::tree::mask::ones;
 use crate::tree::query::Query;
-use crate::tree::walk::ones;
+use crate::tree::visitor::Visitors;
 use crate::{Aabb, Error, Ray};
 use std::ops::ControlFlow;
 

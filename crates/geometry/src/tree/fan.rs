@@ -5,26 +5,25 @@ mod candidates;
 mod exact;
 mod fast;
 mod rays;
-mod sight;
+pub(crate) mod sight;
 mod slopes;
-
-pub(crate) use sight::Sight;
 
 use super::Tree;
 use super::batch::Batch;
-use super::eights::{ALL, EIGHT, Eights, Single};
+use super::eights::{ALL, EIGHT, Eights};
 use super::lanes::Lanes;
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
 use super::stack::Stack;
 use super::turns::{Waiting, Way, take_turns};
-use super::walk::{Visitor, ones};
+use super::visitor::{Visitor, Visitors};
 use crate::Ray;
 use rays::{Rays, fan};
+use sight::Sight;
 use slopes::Slopes;
 use std::array::from_fn;
 use std::iter::Enumerate;
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::slice::Chunks;
 
 /// So many fans at once are best where the tree fits into the cache of a core.
@@ -164,57 +163,5 @@ impl<'a, L: Lanes, E: Eights, B: Batch<'a>> Way<B> for Fan<L, E, B::Visitor> {
         for (i, visitor) in self.visitors.each.iter().enumerate() {
             batch.end(self.first + i, visitor);
         }
-    }
-}
-
-/// What the rays of a fan do in leaves.
-pub(crate) struct Visitors<V> {
-    pub(crate) each: [V; EIGHT],
-    /// As they were before the leaf.
-    pub(crate) limits: [f32; EIGHT],
-    /// The farthest of them.
-    limit: f32,
-}
-
-impl<V: Visitor> Visitors<V> {
-    #[inline(always)]
-    fn new(eights: impl Eights, each: [V; EIGHT]) -> Self {
-        let mut this = Self { each, limits: [0.0; EIGHT], limit: 0.0 };
-        this.see_limits(eights);
-        this
-    }
-
-    /// All at once: what is written one by one and read together makes a processor wait.
-    #[inline(always)]
-    fn see_limits(&mut self, eights: impl Eights) {
-        let limits = eights.load(from_fn(|i| self.each[i].limit()));
-        self.limits = limits.to_array();
-        self.limit = limits.largest();
-    }
-
-    /// Tells something to those rays that have a bit, by their places.
-    #[inline(always)]
-    pub(crate) fn tell(
-        &mut self,
-        rays: u32,
-        mut told: impl FnMut(usize, &mut V) -> ControlFlow<()>,
-    ) {
-        for i in ones(rays) {
-            // One that breaks has no limit any more.
-            let _ = told(i % EIGHT, &mut self.each[i % EIGHT]);
-        }
-    }
-
-    /// Takes the rays that have a bit to a leaf.
-    #[inline(always)]
-    fn visit<E: Eights>(&mut self, tree: &Tree, leaf: Child, sight: &Sight<E>, active: u32) {
-        match leaf.open() {
-            Content::Node(_) => {}
-            Content::Block(index) => V::fan(self, active, &tree.blocks[index], sight),
-            Content::Shapes(places) => {
-                self.tell(active, |_, visitor| visitor.shapes(places.clone()));
-            }
-        }
-        self.see_limits(sight.eights);
     }
 }

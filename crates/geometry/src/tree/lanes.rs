@@ -12,9 +12,9 @@ pub(crate) use scalar::Scalar;
 pub(crate) use x86::{Avx2, Sse41};
 
 use super::block::Block;
+use super::mask::ones;
 use super::node::{Child, LEAF, Node, WIDTH};
 use super::stack::Stack;
-use super::walk::ones;
 use crate::coarse::Flat;
 use crate::shape::ShapeHit;
 use crate::{Ray, watertight};

@@ -1,33 +1,12 @@
 //! The way of a ray through a tree.
 
 use super::Tree;
-use super::block::Block;
-use super::eights::Eights;
-use super::fan::{Sight, Visitors};
 use super::lanes::{Lanes, Triangles};
 use super::node::{Child, Content};
 use super::prefetch::Ahead;
 use super::stack::{Room, Stack};
-use std::ops::{ControlFlow, Range};
-
-/// What a ray does in the leaves it comes to.
-pub(crate) trait Visitor: Sized {
-    /// Whether the nearer boxes are better opened first. Where any hit will do they are not:
-    /// most rays start on a surface, and what is in the boxes around it they just left.
-    const IN_ORDER: bool;
-
-    /// Boxes that begin beyond it are left out: all, once it has broken.
-    fn limit(&self) -> f32;
-
-    /// A block of triangles.
-    fn triangles<T: Triangles>(&mut self, block: &Block, lanes: &T) -> ControlFlow<()>;
-
-    /// A block of triangles, for those rays of a fan that have a bit.
-    fn fan<E: Eights>(rays: &mut Visitors<Self>, active: u32, block: &Block, sight: &Sight<E>);
-
-    /// A run of other shapes, as places in the order of the leaves.
-    fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
-}
+use super::visitor::Visitor;
+use std::ops::ControlFlow;
 
 /// Takes a ray to all leaves it meets until the visitor breaks.
 #[inline(always)]
@@ -65,14 +44,4 @@ pub(super) fn visit<T: Triangles, V: Visitor>(
         Content::Block(index) => visitor.triangles(&tree.blocks[index], lanes),
         Content::Shapes(places) => visitor.shapes(places),
     }
-}
-
-/// The places of the ones in a mask, the lowest first.
-#[inline(always)]
-pub(crate) fn ones(mut mask: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let place = (mask != 0).then(|| mask.trailing_zeros() as usize)?;
-        mask &= mask - 1;
-        Some(place)
-    })
 }

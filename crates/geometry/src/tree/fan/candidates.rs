@@ -4,9 +4,9 @@ use super::sight::{Corners, Sight, arrays};
 use crate::tree::block::Block;
 use crate::tree::eights::{EIGHT, Eights, Four, Numbers, Single};
 use crate::tree::lanes::FARTHER;
+use crate::tree::mask::{bytes, ones};
 use crate::tree::node::LEAF;
 use crate::tree::sizes::ROUNDING;
-use crate::tree::walk::ones;
 use std::hint::black_box;
 
 /// Triangles as all rays see them.
@@ -73,15 +73,4 @@ impl<E: Eights> Sight<E> {
         let by_size = size * self.eights.splat_four(96.0 * ROUNDING);
         (size + by_depth) * (by_size + by_depth)
     }
-}
-
-/// The bytes of a number that are not zero, with their places.
-#[inline(always)]
-fn bytes(mut number: u32) -> impl Iterator<Item = (usize, u32)> {
-    std::iter::from_fn(move || {
-        let place = (number != 0).then(|| number.trailing_zeros() / u8::BITS)?;
-        let byte = number >> (u8::BITS * place) & u32::from(u8::MAX);
-        number ^= byte << (u8::BITS * place);
-        Some((place as usize, byte))
-    })
 }

@@ -9,7 +9,7 @@ use crate::tree::sizes::Sizes;
 /// A fan as triangles see it; the longest coordinate comes last.
 #[derive(Clone, Copy)]
 pub(crate) struct Sight<E: Eights> {
-    pub(super) eights: E,
+    pub(crate) eights: E,
     pub(super) axes: [usize; 3],
     pub(super) origin: [f32; 3],
     pub(super) direction: [E::Single; 3],

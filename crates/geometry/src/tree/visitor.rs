@@ -1,0 +1,88 @@
+//! What rays do in the leaves they come to, one by one or eight together.
+
+use super::Tree;
+use super::block::Block;
+use super::eights::{EIGHT, Eights, Single};
+use super::fan::sight::Sight;
+use super::lanes::Triangles;
+use super::mask::ones;
+use super::node::{Child, Content};
+use std::array::from_fn;
+use std::ops::{ControlFlow, Range};
+
+/// What a ray does in the leaves it comes to.
+pub(crate) trait Visitor: Sized {
+    /// Whether the nearer boxes are better opened first. Where any hit will do they are not:
+    /// most rays start on a surface, and what is in the boxes around it they just left.
+    const IN_ORDER: bool;
+
+    /// Boxes that begin beyond it are left out: all, once it has broken.
+    fn limit(&self) -> f32;
+
+    /// A block of triangles.
+    fn triangles<T: Triangles>(&mut self, block: &Block, lanes: &T) -> ControlFlow<()>;
+
+    /// A block of triangles, for those rays of a fan that have a bit.
+    fn fan<E: Eights>(rays: &mut Visitors<Self>, active: u32, block: &Block, sight: &Sight<E>);
+
+    /// A run of other shapes, as places in the order of the leaves.
+    fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
+}
+
+/// What the rays of a fan do in leaves.
+pub(crate) struct Visitors<V> {
+    pub(crate) each: [V; EIGHT],
+    /// As they were before the leaf.
+    pub(crate) limits: [f32; EIGHT],
+    /// The farthest of them.
+    pub(super) limit: f32,
+}
+
+impl<V: Visitor> Visitors<V> {
+    #[inline(always)]
+    pub(super) fn new(eights: impl Eights, each: [V; EIGHT]) -> Self {
+        let mut this = Self { each, limits: [0.0; EIGHT], limit: 0.0 };
+        this.see_limits(eights);
+        this
+    }
+
+    /// All at once: what is written one by one and read together makes a processor wait.
+    #[inline(always)]
+    pub(super) fn see_limits(&mut self, eights: impl Eights) {
+        let limits = eights.load(from_fn(|i| self.each[i].limit()));
+        self.limits = limits.to_array();
+        self.limit = limits.largest();
+    }
+
+    /// Tells something to those rays that have a bit, by their places.
+    #[inline(always)]
+    pub(crate) fn tell(
+        &mut self,
+        rays: u32,
+        mut told: impl FnMut(usize, &mut V) -> ControlFlow<()>,
+    ) {
+        for i in ones(rays) {
+            // One that breaks has no limit any more.
+            let _ = told(i % EIGHT, &mut self.each[i % EIGHT]);
+        }
+    }
+
+    /// Takes the rays that have a bit to a leaf.
+    #[inline(always)]
+    pub(super) fn visit<E: Eights>(
+        &mut self,
+        tree: &Tree,
+        leaf: Child,
+        sight: &Sight<E>,
+        active: u32,
+    ) {
+        match leaf.open() {
+            Content::Node(_) => {}
+            Content::Block(index) => V::fan(self, active, &tree.blocks[index], sight),
+            Content::Shapes(places) => {
+                self.tell(active, |_, visitor| visitor.shapes(places.clone()));
+            }
+        }
+        self.see_limits(sight.eights);
+    }
+}
