@@ -7,7 +7,12 @@
 const NUMBERS: u32 = (1 << CLASS_SHIFT) - 1;
 
 /// Half the distance from one to the next number: what an operation may round by.
-pub(crate) const ROUNDING: f32 = f32::EPSILON / 2.0;
+const ROUNDING: f32 = f32::EPSILON / 2.0;
+
+/// How far an edge function may be off for each unit of depth and of size, as
+/// [`Triangles::candidates`](super::lanes::Triangles::candidates) has it.
+pub(crate) const DOUBT_BY_DEPTH: f32 = 48.0 * ROUNDING;
+pub(crate) const DOUBT_BY_SIZE: f32 = 96.0 * ROUNDING;
 
 /// Where in a word the class is.
 pub(crate) const CLASS_SHIFT: i32 = 28;

@@ -8,21 +8,22 @@ use std::array::from_fn;
 /// its bits.
 fn answers<E: Eights>(eights: E, a: [f32; EIGHT], b: [f32; EIGHT]) -> Vec<u64> {
     let (x, y) = (eights.load(a), eights.load(b));
-    let singles = [x + y, x - y, x * y, x.lesser(y), x.greater(y), x.abs(), x.reciprocal()];
+    let of_both = [x + y, x - y, x * y, x / y, x.lesser(y), x.greater(y)];
+    let of_one = [x.abs(), x.reciprocal()];
     let (v, w) = (x.widen(), y.widen());
     let doubles = [v + w, v - w, v * w, v / w, v.lesser(w), v.greater(w)];
     let exactly = eights.splat_double(1e-60);
     let narrow = doubles.map(|d| d.narrow().to_array()).into_iter().flatten();
     let four = |all: [f32; EIGHT]| eights.load_four(from_fn(|i| all[i]));
     let (f, g) = (four(a), four(b));
-    let fours = [f + g, f - g, f * g, f.lesser(g), f.greater(g), eights.splat_four(a[1])];
+    let fours = [f + g, f - g, f * g, f / g, f.lesser(g), f.greater(g), eights.splat_four(a[1])];
     let masks = [
         [x.below(y), x.at_most(y), x.signs(), y.signs()],
         [v.below(w), v.at_most(w), (v * exactly).below(w * exactly), w.at_most(v)],
         [f.below(g), f.at_most(g), g.below(f), g.at_most(f)],
     ];
     let product = eights.splat(b[0]).minus_product(x, y).to_array();
-    let singles = singles.map(Single::to_array).into_iter().flatten();
+    let singles = of_both.into_iter().chain(of_one).flat_map(Single::to_array);
     let fours = fours.map(Four::to_array).into_iter().flatten();
     let numbers = singles.chain(narrow).chain(fours).chain(product);
     let numbers = numbers.map(|x| if x.is_nan() { u64::MAX } else { u64::from(x.to_bits()) });

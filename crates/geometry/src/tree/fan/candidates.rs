@@ -6,7 +6,7 @@ use crate::tree::eights::{EIGHT, Eights, Four, Numbers, Single};
 use crate::tree::lanes::FARTHER;
 use crate::tree::mask::{bytes, ones};
 use crate::tree::node::LEAF;
-use crate::tree::sizes::ROUNDING;
+use crate::tree::sizes::{DOUBT_BY_DEPTH, DOUBT_BY_SIZE};
 use std::hint::black_box;
 
 /// Triangles as all rays see them.
@@ -69,8 +69,8 @@ impl<E: Eights> Sight<E> {
     /// [`candidates`](crate::tree::lanes::Triangles::candidates).
     #[inline(always)]
     fn doubt(&self, size: E::Four, depth: E::Four) -> E::Four {
-        let by_depth = depth * self.eights.splat_four(48.0 * ROUNDING);
-        let by_size = size * self.eights.splat_four(96.0 * ROUNDING);
+        let by_depth = depth * self.eights.splat_four(DOUBT_BY_DEPTH);
+        let by_size = size * self.eights.splat_four(DOUBT_BY_SIZE);
         (size + by_depth) * (by_size + by_depth)
     }
 }

@@ -4,9 +4,6 @@ use crate::tree::eights::{ALL, EIGHT, Eights, Numbers, Single};
 use crate::{Ray, Vec3, watertight};
 use std::array::from_fn;
 
-/// Rays in a fan.
-pub(super) const FAN: usize = EIGHT;
-
 /// The least cosine between the first ray of a fan and the last.
 const NARROW: f32 = 0.99;
 
@@ -25,7 +22,7 @@ pub(super) struct Rays<E: Eights> {
 
 impl<E: Eights> Rays<E> {
     #[inline(always)]
-    pub(super) fn of(eights: E, rays: &[Ray; FAN]) -> Self {
+    pub(super) fn of(eights: E, rays: &[Ray; EIGHT]) -> Self {
         let direction = |axis: usize| eights.load(from_fn(|i| rays[i].direction[axis]));
         let backward = |axis: usize| usize::from(rays[0].direction[axis].is_sign_negative());
         Self {
@@ -53,9 +50,9 @@ impl<E: Eights> Rays<E> {
 
 /// The rays, if they make a fan and all can be traced.
 #[inline(always)]
-pub(super) fn fan<E: Eights>(eights: E, rays: &[Ray]) -> Option<&[Ray; FAN]> {
-    let rays: &[Ray; FAN] = rays.try_into().ok()?;
-    let (first, last) = (&rays[0], &rays[FAN - 1]);
+pub(super) fn fan<E: Eights>(eights: E, rays: &[Ray]) -> Option<&[Ray; EIGHT]> {
+    let rays: &[Ray; EIGHT] = rays.try_into().ok()?;
+    let (first, last) = (&rays[0], &rays[EIGHT - 1]);
     // Most rays are told by the first and the last.
     let is_fan = first.origin == last.origin
         && is_narrow(first, last)
@@ -75,7 +72,7 @@ fn is_narrow(first: &Ray, last: &Ray) -> bool {
 
 /// Whether all have the same origin, to the bit.
 #[inline(always)]
-fn start_together(rays: &[Ray; FAN]) -> bool {
+fn start_together(rays: &[Ray; EIGHT]) -> bool {
     let mut differing = 0;
     for ray in rays {
         for axis in 0..3 {
@@ -90,7 +87,7 @@ mod tests {
     use super::*;
     use crate::tree::eights::Portable;
 
-    fn side_by_side() -> [Ray; FAN] {
+    fn side_by_side() -> [Ray; EIGHT] {
         from_fn(|i| Ray::new(Vec3::ONE, Vec3::new(1.0, -0.01 * i as f32 - 0.01, 0.0)))
     }
 
@@ -112,14 +109,14 @@ mod tests {
             |ray: &mut Ray| ray.t_max = f32::NAN,
         ];
         for spoil in spoil {
-            for i in 0..FAN {
+            for i in 0..EIGHT {
                 let mut rays = side_by_side();
                 spoil(&mut rays[i]);
                 assert!(!is_fan(&rays), "{:?}", rays[i]);
             }
         }
         let mut wide = side_by_side();
-        wide[FAN - 1].direction.y = -0.2;
+        wide[EIGHT - 1].direction.y = -0.2;
         assert!(!is_fan(&wide));
     }
 }

@@ -5,7 +5,7 @@ use crate::coarse::Shear;
 use crate::tree::block::Block;
 use crate::tree::lanes::{FARTHER, Hits, Passed, Triangles, meet_in_turn};
 use crate::tree::node::LEAF;
-use crate::tree::sizes::{CLASS_SHIFT, ROUNDING, Sizes};
+use crate::tree::sizes::{CLASS_SHIFT, DOUBT_BY_DEPTH, DOUBT_BY_SIZE, Sizes};
 use std::arch::x86_64::*;
 
 /// Four triangles at once. Exists only where SSE4.1 does and, if `FUSED`, FMA.
@@ -48,7 +48,7 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
             slope: shear.slope.map(splat),
             reciprocal: splat(shear.reciprocal),
             direction: shear.axes.map(|axis| splat(direction[axis])),
-            doubt: splat(48.0 * ROUNDING * direction[shear.axes[2]].abs()),
+            doubt: splat(DOUBT_BY_DEPTH * direction[shear.axes[2]].abs()),
             // SAFETY: as above.
             greatest: unsafe { _mm_set1_epi32(sizes.greatest.cast_signed()) },
         }
@@ -111,7 +111,7 @@ impl<const FUSED: bool> Triangles for TriangleRay<FUSED> {
             let steps = _mm_slli_epi32::<{ Sizes::CLASS_IN_FLOAT }>(class);
             let size = _mm_castsi128_ps(_mm_sub_epi32(self.greatest, steps));
             let by_depth = _mm_mul_ps(farthest, self.doubt);
-            let by_size = _mm_mul_ps(size, _mm_set1_ps(96.0 * ROUNDING));
+            let by_size = _mm_mul_ps(size, _mm_set1_ps(DOUBT_BY_SIZE));
             let doubt = _mm_mul_ps(_mm_add_ps(size, by_depth), _mm_add_ps(by_size, by_depth));
             // Products may vanish that are not zero; what is not a number stays in doubt.
             let nothing = _mm_set1_ps(-f32::MIN_POSITIVE);
