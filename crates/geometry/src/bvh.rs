@@ -51,7 +51,9 @@ pub enum Precision {
     Watertight,
     /// In single precision: which side of an edge a ray passes is right to some 10⁻⁷ of its
     /// length, and t is rounded as a sum of the corners', which is coarser on long thin
-    /// triangles.
+    /// triangles. A ray that leaves a triangle almost along it may meet it again, or a larger
+    /// neighbour in its plane: [`SurfaceSite`](crate::SurfaceSite) rules that out for
+    /// `Watertight` alone.
     Fast,
 }
 

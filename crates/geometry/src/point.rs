@@ -6,6 +6,12 @@ use traylib_math::{Defect, planted};
 /// The unit roundoff of f32, 2⁻²⁴.
 const ROUNDOFF: f32 = f32::EPSILON / 2.0;
 
+/// See [`SurfaceSite::flat`].
+const MIXED: f32 = 1.0 / (1 << 30) as f32;
+
+/// A few thousand roundings in double precision.
+const PRECISE: f32 = 1.0 / (1_u64 << 40) as f32;
+
 /// A point on a surface with a bound on its rounding error per axis, and the
 /// unit front normal.
 ///
@@ -34,6 +40,29 @@ impl SurfaceSite {
     pub(crate) fn new(position: Vec3, normal: Vec3, extent: Vec3) -> Self {
         let error = position.abs() * (4.0 * ROUNDOFF) + extent.abs() * (16.0 * ROUNDOFF);
         Self { position, error, normal }
+    }
+
+    /// A site on a flat surface whose intersection mixes the coordinates.
+    ///
+    /// In a plane of coordinates the bound per axis vanishes along the normal, and
+    /// rightly: the position is exact there. What is left are the roundings of the
+    /// intersection in double precision, 2⁻⁵³ of the extent e, times e² over the area
+    /// in slivers, times as much again where a coplanar neighbour is the larger by so
+    /// much. 2⁻³⁰ of the extent has room for a factor of 2²⁰ of both, and is a
+    /// thousandth of what the bound per axis amounts to in other planes.
+    pub(crate) fn flat(position: Vec3, normal: Vec3, extent: Vec3) -> Self {
+        let site = Self::new(position, normal, extent);
+        let vanishes = planted(Defect::FlatErrorVanishes);
+        let mixed = if vanishes { 0.0 } else { extent.max_element() * MIXED };
+        site.with_error(mixed)
+    }
+
+    /// A site that was computed in double precision and rounded once, on a surface of
+    /// this size that is met in double precision, too. `bend` is how far roundings
+    /// along the surface lead off it.
+    pub(crate) fn precise(position: Vec3, normal: Vec3, size: f32, bend: f32) -> Self {
+        let error = position.abs() * (2.0 * ROUNDOFF);
+        Self { position, error, normal }.with_error(size * PRECISE + bend)
     }
 
     /// The site with an error that reaches further along the normal by `more`.

@@ -14,6 +14,7 @@ pub use quad::Quad;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 
+use crate::precise::DVec3;
 use crate::{Aabb, Error, Ray, Vec3};
 
 /// Where a ray meets one shape.
@@ -119,6 +120,16 @@ fn sound_area(area: f64) -> Result<f32, Error> {
 /// Refuses coordinates that are not finite.
 fn all_finite(vectors: &[Vec3]) -> Result<(), Error> {
     if vectors.iter().all(|v| v.is_finite()) { Ok(()) } else { Err(Error::NotFinite) }
+}
+
+/// How far at most a point moves out of a surface bent with `radius` if its
+/// position is rounded along it, thrice: when it is made, and twice when a ray
+/// is lifted off it. It counts on wires and beads far from the
+/// origin.
+fn bend(position: DVec3, radius: f64) -> f32 {
+    let aside = 3.0 * 0.5 * f64::from(f32::EPSILON) * position.length();
+    let reach = (radius * radius + aside * aside).sqrt() + radius;
+    if reach > 0.0 { (aside * aside / reach) as f32 } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -48,11 +48,17 @@ pub enum Defect {
     AbsoluteEpsilon,
     /// Light is summed in single precision and in whatever order, as atomics do.
     SplatsAsAtomics,
+    /// The bound on error of a flat surface vanishes in a plane of coordinates.
+    FlatErrorVanishes,
+    /// A product of lengths that meets a ball is formed in single precision.
+    ProductLeavesSingle,
+    /// Parallelograms end exactly at their edges.
+    EdgesExact,
 }
 
 impl Defect {
     /// All of them.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 21] = [
         Self::SplatCosine,
         Self::LightPathsIgnoredInWeights,
         Self::LightPathsDividedTwice,
@@ -71,6 +77,9 @@ impl Defect {
         Self::PowerByPowf,
         Self::AbsoluteEpsilon,
         Self::SplatsAsAtomics,
+        Self::FlatErrorVanishes,
+        Self::ProductLeavesSingle,
+        Self::EdgesExact,
     ];
 }
 

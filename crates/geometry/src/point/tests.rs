@@ -1,3 +1,5 @@
+mod coordinate_planes;
+
 use super::*;
 use crate::testing::Random;
 use crate::{Cone, Disk, Facing, Hit, Primitive, Quad, Sides, Sphere, Triangle};

@@ -2,7 +2,7 @@
 
 mod crossing;
 
-use super::{Facing, ShapeHit, Sides, all_finite, sound_area};
+use super::{Facing, ShapeHit, Sides, all_finite, bend, sound_area};
 use crate::precise::{DVec3, difference};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use crossing::crossings;
@@ -180,15 +180,6 @@ impl Cone {
         let site = SurfaceSite::new(position.as_vec3(), normal, extent.as_vec3());
         site.with_error(bend(position, radius))
     }
-}
-
-/// How far at most a point moves out of a surface bent with `radius` if its
-/// position is rounded along it, thrice: when it is made, and twice when a ray
-/// is lifted off it. It counts on wires far from the origin.
-fn bend(position: DVec3, radius: f64) -> f32 {
-    let aside = 3.0 * 0.5 * f64::from(f32::EPSILON) * position.length();
-    let reach = (radius * radius + aside * aside).sqrt() + radius;
-    if reach > 0.0 { (aside * aside / reach) as f32 } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -1,10 +1,13 @@
 //! Flat disks and rings.
 
 use super::{ShapeHit, Sides, all_finite, sound_area};
-use crate::precise::unit;
+use crate::precise::{difference, unit};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use std::f64::consts::PI;
 use traylib_math::{Frame, warp};
+
+/// By how much of its radius a disk counts as wider: a few roundings of what it meets.
+const WIDER: f64 = 4.0 * f32::EPSILON as f64;
 
 /// A flat disk, or the ring that is left of one without a smaller disk around
 /// its centre.
@@ -81,14 +84,19 @@ impl Disk {
     /// Where a ray meets it.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
-        let slope = ray.direction.dot(self.normal);
-        let from_centre = ray.origin - self.centre;
-        let t = -from_centre.dot(self.normal) / slope;
-        if !(ray.contains(t) && sides.admit(slope)) {
+        let (direction, normal) = (ray.direction.as_dvec3(), self.normal.as_dvec3());
+        let slope = direction.dot(normal);
+        let from_centre = difference(ray.origin, self.centre);
+        let exact = -from_centre.dot(normal) / slope;
+        let t = exact as f32;
+        if !(ray.contains(t) && sides.admit(slope as f32)) {
             return None;
         }
-        let square = (from_centre + t * ray.direction).length_squared();
-        let inside = self.inner_radius.powi(2) <= square && square <= self.radius.powi(2);
+        let square = (from_centre + exact * direction).length_squared();
+        let [inner, outer] = [self.inner_radius, self.radius].map(f64::from);
+        // A little wider, so that light does not pass where it meets what it closes.
+        let (inner, outer) = (inner * (1.0 - WIDER), outer * (1.0 + WIDER));
+        let inside = inner * inner <= square && square <= outer * outer;
         inside.then_some(ShapeHit { t, u: 0.0, v: 0.0 })
     }
 

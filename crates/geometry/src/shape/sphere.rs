@@ -1,10 +1,11 @@
 //! Spheres.
 
-use super::{Facing, ShapeHit, Sides, all_finite, sound_area};
+use super::{Facing, ShapeHit, Sides, all_finite, bend, sound_area};
+use crate::precise::{DVec3, difference};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use std::f32::consts::TAU;
 use std::f64::consts::PI;
-use traylib_math::{AreaPdf, Frame, SolidAnglePdf, solid_angle_per_area, warp};
+use traylib_math::{AreaPdf, Defect, Frame, SolidAnglePdf, planted, solid_angle_per_area, warp};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,21 +61,28 @@ impl Sphere {
     /// The discriminant comes from the distance between centre and ray and the
     /// roots from a sum of equal signs, so that neither a far camera nor a
     /// tiny sphere cancels: Haines et al., *Precision Improvements for
-    /// Ray/Sphere Intersection*, Ray Tracing Gems, 2019, chapter 7.
+    /// Ray/Sphere Intersection*, Ray Tracing Gems, 2019, chapter 7. In double
+    /// precision no product of lengths overflows, and a ball as large as the
+    /// earth is as smooth as a small one.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
-        let from_centre = ray.origin - self.centre;
-        let square = ray.direction.length_squared();
-        let along = -from_centre.dot(ray.direction);
-        let beside = from_centre + (along / square) * ray.direction;
-        let room = self.radius * self.radius - beside.length_squared();
+        let from_centre = difference(ray.origin, self.centre);
+        let direction = ray.direction.as_dvec3();
+        let radius_squared = self.radius_squared();
+        let square = direction.length_squared();
+        let along = -from_centre.dot(direction);
+        let beside = from_centre + (along / square) * direction;
+        let room = radius_squared - beside.length_squared();
         // NaN has no root either.
         if room.is_nan() || room < 0.0 {
             return None;
         }
-        let outside = from_centre.length_squared() - self.radius * self.radius;
-        let sum = along + (square * room).sqrt().copysign(along);
-        let (one, other) = (outside / sum, sum / square);
+        let product = square * room;
+        let leaves_single = planted(Defect::ProductLeavesSingle);
+        let product = if leaves_single { f64::from(product as f32) } else { product };
+        let outside = from_centre.length_squared() - radius_squared;
+        let sum = along + product.sqrt().copysign(along);
+        let (one, other) = ((outside / sum) as f32, (sum / square) as f32);
         // By the sign that the sum has, which zero has too: a ray from the centre.
         let behind = along.is_sign_negative();
         let (enter, leave) = if behind { (other, one) } else { (one, other) };
@@ -88,11 +96,12 @@ impl Sphere {
 
     /// The site nearest to where the ray is at `t`.
     pub(crate) fn site(&self, ray: &Ray, t: f32) -> SurfaceSite {
-        self.site_along((ray.origin - self.centre) + t * ray.direction)
+        let near = difference(ray.origin, self.centre) + f64::from(t) * ray.direction.as_dvec3();
+        self.site_along(near)
     }
 
     pub(crate) fn sample_area(&self, u: Vec2) -> SurfaceSite {
-        self.site_along(warp::uniform_sphere(u))
+        self.site_along(warp::uniform_sphere(u).as_dvec3())
     }
 
     /// A point uniform in the cone of directions that `from` sees the sphere
@@ -110,7 +119,7 @@ impl Sphere {
         let sin_centre = (sin_at * cos - cos_at * sin).max(0.0);
         let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
         let local = Vec3::new(sin_centre * cos_phi, sin_centre * sin_phi, cos_centre);
-        Some(self.site_along(Frame::around(-sight.axis).to_world(local)))
+        Some(self.site_along(Frame::around(-sight.axis).to_world(local).as_dvec3()))
     }
 
     /// Density per area of [`sample_cone`](Self::sample_cone) at a point with
@@ -124,11 +133,17 @@ impl Sphere {
         Some(density.to_area(solid_angle_per_area(cosine, distance_squared)))
     }
 
-    /// The site in this direction from the centre.
-    fn site_along(&self, direction: Vec3) -> SurfaceSite {
-        let outward = direction.normalize_or(Vec3::Z);
-        let from_centre = self.radius * outward;
-        SurfaceSite::new(self.centre + from_centre, self.facing.turn(outward), from_centre)
+    /// The site in this direction, of any length, from the centre.
+    fn site_along(&self, direction: DVec3) -> SurfaceSite {
+        let outward = direction.normalize_or(DVec3::Z);
+        let position = self.centre.as_dvec3() + f64::from(self.radius) * outward;
+        let normal = self.facing.turn(outward.as_vec3());
+        let bend = bend(position, f64::from(self.radius));
+        SurfaceSite::precise(position.as_vec3(), normal, self.radius, bend)
+    }
+
+    fn radius_squared(&self) -> f64 {
+        f64::from(self.radius) * f64::from(self.radius)
     }
 }
 

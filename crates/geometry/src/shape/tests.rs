@@ -1,3 +1,5 @@
+mod gaps;
+
 use super::*;
 use crate::precise::{DVec3, difference};
 use crate::testing::Random;

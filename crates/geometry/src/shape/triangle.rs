@@ -68,7 +68,7 @@ impl Triangle {
     /// The site at barycentric coordinates `u`, `v`.
     pub(crate) fn site(&self, u: f32, v: f32) -> SurfaceSite {
         let (ab, ac) = (self.b - self.a, self.c - self.a);
-        SurfaceSite::new(self.a + (u * ab + v * ac), self.normal, ab.abs() + ac.abs())
+        SurfaceSite::flat(self.a + (u * ab + v * ac), self.normal, ab.abs() + ac.abs())
     }
 
     pub(crate) fn sample_area(&self, u: Vec2) -> SurfaceSite {

@@ -4,6 +4,10 @@ use super::Cone;
 use crate::Ray;
 use crate::precise::difference;
 
+/// By how much of its axis a cone counts as longer at each end: a few roundings of what
+/// it meets.
+const LONGER: f64 = 2.0 * f32::EPSILON as f64;
+
 /// A point of a line on the cone, which here has no ends.
 pub(super) struct Crossing {
     /// Where along the ray, in units of its direction's length.
@@ -16,9 +20,10 @@ pub(super) struct Crossing {
 }
 
 impl Crossing {
-    /// Whether it lies on the part of the cone that is there.
+    /// Whether it lies on the part of the cone that is there, which counts as a little
+    /// longer, so that light does not pass between it and what closes its ends.
     pub(super) fn is_between_ends(&self) -> bool {
-        (0.0..=1.0).contains(&self.height)
+        (-LONGER..=1.0 + LONGER).contains(&self.height)
     }
 }
 

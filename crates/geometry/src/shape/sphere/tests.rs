@@ -68,3 +68,41 @@ fn far_cameras_see_round_spheres() {
     }
     assert!(at(1.0001).is_none());
 }
+
+/// Products of lengths leave single precision long before lengths do.
+#[test]
+fn balls_throw_shadows_at_any_scale() {
+    for power in [-40, 0, 33, 40, 55] {
+        let scale = 2.0_f32.powi(power);
+        let ball = Sphere::new(7.8e2 * scale * Vec3::X, 0.07 * scale, Facing::Outward).unwrap();
+        let segment = Ray::segment(0.7 * scale * Vec3::X, 781.9 * scale * Vec3::X);
+        let hit = ball.intersect(&segment, Sides::Both).unwrap();
+        let plain = (7.8e2 - 0.07 - 0.7) / (781.9 - 0.7);
+        assert!((hit.t - plain).abs() < 1e-6, "2^{power}: {hit:?}");
+    }
+}
+
+/// A ball as large as the earth, whose top is the origin: rays leave it, and start no
+/// further off than a tenth of a millimetre.
+#[test]
+fn the_earth_is_smooth() {
+    let earth = Sphere::new(Vec3::Y * -6.4e6, 6.4e6, Facing::Outward).unwrap();
+    for i in 0..1000 {
+        let angle = 0.01 * i as f32;
+        let target = Vec3::new(angle.cos(), 0.0, angle.sin()) * 0.01 * i as f32;
+        let ray = Ray::new(target + Vec3::new(0.3, 1.0, -0.2), Vec3::new(-0.3, -1.0, 0.2));
+        let hit = earth.intersect(&ray, Sides::Both).unwrap();
+        let site = earth.site(&ray, hit.t);
+        // Ten metres away the ground has sunk by 8 µm.
+        assert!(site.position.y.abs() < 1e-5 && site.position.distance(target) < 1e-5, "{site:?}");
+        for out in [Vec3::Y, Vec3::new(1.0, 1e-4, 0.0), Vec3::new(0.0, 1e-3, -1.0)] {
+            let origin = site.ray_origin(out);
+            assert!(origin.distance(site.position) < 1e-4, "{site:?}");
+            assert_eq!(
+                earth.intersect(&Ray::new(origin, out), Sides::Both),
+                None,
+                "{site:?} {out}"
+            );
+        }
+    }
+}
