@@ -113,10 +113,17 @@ impl SurfaceSite {
     /// error, the rounding of this addition, and `more` per axis.
     #[inline]
     fn lifted(&self, direction: Vec3, more: Vec3) -> Vec3 {
-        let rounding = self.position.abs() * (2.0 * ROUNDOFF);
-        let height = self.normal.abs().dot(self.error + rounding + more);
+        let height = self.height() + self.normal.abs().dot(more);
         let height = if planted(Defect::AbsoluteEpsilon) { 1e-3 } else { height };
         self.position + self.normal * height.copysign(self.normal.dot(direction))
+    }
+
+    /// How far off the surface rays start: the error and the rounding of that addition,
+    /// projected onto the normal.
+    #[inline]
+    pub(crate) fn height(&self) -> f32 {
+        let rounding = self.position.abs() * (2.0 * ROUNDOFF);
+        self.normal.abs().dot(self.error + rounding)
     }
 }
 

@@ -1,10 +1,12 @@
 //! The closed set of shapes that scenes are made of.
 
+mod touch;
+
 use crate::{
-    Aabb, Cone, Disk, Hit, Quad, Ray, Shape, ShapeHit, Sides, Sphere, SurfaceSite, Triangle, Vec2,
-    Vec3,
+    Aabb, Cone, Disk, Facing, Hit, Quad, Ray, Shape, ShapeHit, Sides, Sphere, SurfaceSite,
+    Triangle, Vec2, Vec3,
 };
-use traylib_math::AreaPdf;
+use traylib_math::{AreaPdf, warp};
 
 /// One of the shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,6 +82,26 @@ impl Primitive {
             Self::Sphere(sphere) => sphere.sample_area(u),
             Self::Disk(disk) => disk.sample_area(u),
             Self::Cone(cone) => cone.sample_area(u),
+        }
+    }
+
+    /// The surface coordinates of the point that [`sample_area`](Self::sample_area)
+    /// makes of `u`, as a [`Hit`] has them: zero on shapes without any.
+    pub fn sample_coordinates(&self, u: Vec2) -> Vec2 {
+        match self {
+            Self::Triangle(_) => warp::uniform_triangle(u),
+            Self::Quad(_) => u,
+            Self::Sphere(_) | Self::Disk(_) | Self::Cone(_) => Vec2::ZERO,
+        }
+    }
+
+    /// Whether two points of the front can see one another's front: on the inside of
+    /// what is round.
+    pub fn faces_itself(&self) -> bool {
+        match self {
+            Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) => false,
+            Self::Sphere(sphere) => sphere.facing() == Facing::Inward,
+            Self::Cone(cone) => cone.facing() == Facing::Inward,
         }
     }
 

@@ -31,7 +31,12 @@ pub(crate) fn sample_light(
         return None;
     }
     let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
-    let (x0, pdf) = choice.light.sample_toward(point.site.position, numbers.light_point);
+    // Rounding decides from which side a point of a convex lamp sees the rest of it.
+    let is_own = point.light == Some(choice.id) && !planted(Defect::LampLightsItself);
+    if is_own && !choice.light.lights_itself() {
+        return None;
+    }
+    let (x0, pdf) = scene.sample_light(choice.id, point.site.position, numbers.light_point);
     // At the rim of a sphere rounding can turn the point away from here.
     if pdf.0 <= 0.0 {
         return None;
@@ -51,7 +56,7 @@ pub(crate) fn sample_point_lights<'a>(
     wo: Vec3,
 ) -> impl Iterator<Item = LightSample> + 'a {
     scene.light_ids().filter(|&id| scene.light(id).is_point()).filter_map(move |id| {
-        let (x0, _) = scene.light(id).sample_toward(point.site.position, Vec2::ZERO);
+        let (x0, _) = scene.sample_light(id, point.site.position, Vec2::ZERO);
         aim(point, wo, id, x0)
     })
 }

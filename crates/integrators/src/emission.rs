@@ -20,19 +20,23 @@ pub(crate) struct Emitted {
 
 /// Emits a light path; `None` if it leaves the scene at once.
 pub(crate) fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emitted> {
+    tracer.statistics.light_paths += 1;
     let start = sampler.next_vertex();
     let choice = tracer.scene.choose_light(start.light_pick);
     let u_direction = Vec2::new(start.bsdf[1], start.bsdf[2]);
-    let emission = choice.light.sample_emission(start.light_point, u_direction);
+    let emission = tracer.scene.sample_emission(choice.id, start.light_point, u_direction);
     let numbers = sampler.next_vertex();
     let (x0, direction) = (emission.point, emission.direction);
+    let falloff = x0.falloff(direction);
+    if falloff <= 0.0 || x0.emitted.is_black() {
+        return None;
+    }
     let ray = Ray::new(x0.ray_origin(direction), direction);
-    let Met { point: x1, passed } = tracer.emission_ray(&ray, numbers.passage)?;
+    let Met { point: x1, passed } = tracer.bounce_ray(&ray, numbers.passage)?;
     let x1_position = x1.site.position;
     let densities = tracer.scene.light_densities(choice.id, &x0, x1_position, direction);
     let density = densities.emission * densities.direction.0;
-    let falloff = x0.falloff(direction);
-    (falloff > 0.0).then(|| Emitted {
+    Some(Emitted {
         x0,
         direction,
         x1,

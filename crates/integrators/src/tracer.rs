@@ -64,12 +64,6 @@ impl<'scene> Tracer<'scene> {
         if edge == 1 { self.camera_ray(ray, passage) } else { self.bounce_ray(ray, passage) }
     }
 
-    /// The first edge of a walk from a lamp.
-    pub(crate) fn emission_ray(&mut self, ray: &Ray, passage: f32) -> Option<Met> {
-        self.statistics.light_paths += 1;
-        self.bounce_ray(ray, passage)
-    }
-
     /// What stands first in a ray from the camera, be it see-through or not.
     pub(crate) fn look(&mut self, ray: &Ray) -> Option<SurfacePoint> {
         self.statistics.camera_rays += 1;

@@ -50,7 +50,20 @@ impl From<SurfaceModel> for Material {
 impl Material {
     /// Whether light can pass straight through somewhere.
     pub fn is_see_through(&self) -> bool {
-        !self.through.is_black() || self.maps.as_ref().is_some_and(|maps| maps.opacity.is_some())
+        !self.through.is_black() || self.has_opacity()
+    }
+
+    /// Whether parts of the surface may not be there.
+    pub fn has_opacity(&self) -> bool {
+        self.maps.as_ref().is_some_and(|maps| maps.opacity.is_some())
+    }
+
+    /// How much of the surface is there at a place, in 0..1.
+    pub fn coverage(&self, site: impl FnOnce() -> Option<Site>) -> f32 {
+        let Some(maps) = self.maps.as_ref().filter(|maps| maps.opacity.is_some()) else {
+            return 1.0;
+        };
+        site().map_or(1.0, |site| maps.coverage(site.uv))
     }
 
     /// The material at a place whose unit shading normal without relief is

@@ -54,11 +54,21 @@ pub enum Defect {
     ProductLeavesSingle,
     /// Parallelograms end exactly at their edges.
     EdgesExact,
+    /// Light samples and light paths leave out a lamp's opacity.
+    LampOpacityForgotten,
+    /// A lamp is sampled for points of its own convex surface.
+    LampLightsItself,
+    /// A lamp in the plane of another surface stays where it is.
+    LampStaysFlush,
+    /// A point light in a surface is taken for one in free space.
+    PointInSurfaceLost,
+    /// Long paths that survive count no more.
+    LongPathsUnpaid,
 }
 
 impl Defect {
     /// All of them.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 26] = [
         Self::SplatCosine,
         Self::LightPathsIgnoredInWeights,
         Self::LightPathsDividedTwice,
@@ -80,6 +90,11 @@ impl Defect {
         Self::FlatErrorVanishes,
         Self::ProductLeavesSingle,
         Self::EdgesExact,
+        Self::LampOpacityForgotten,
+        Self::LampLightsItself,
+        Self::LampStaysFlush,
+        Self::PointInSurfaceLost,
+        Self::LongPathsUnpaid,
     ];
 }
 

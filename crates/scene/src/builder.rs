@@ -1,8 +1,10 @@
 //! From parts to a scene.
 
+use crate::coincidence::{self, Coincidences};
 use crate::light::check_emission;
 use crate::light_tree::LightTree;
 use crate::scene::{LightId, Surface};
+use crate::seat::Seat;
 use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
 use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides};
 use traylib_materials::Material;
@@ -151,21 +153,43 @@ impl SceneBuilder {
     /// [`Error::Dark`] if nothing emits light, [`Error::Geometry`] if the shapes
     /// cannot be stored.
     pub fn build(self) -> Result<Scene, Error> {
-        let powers: Vec<f32> = self.lights.iter().map(|l| l.power().luminance()).collect();
+        let Self { mut lights, surfaces, .. } = self;
+        let powers: Vec<f32> = lights.iter().map(|l| l.power().luminance()).collect();
         let light_by_power = DiscreteDistribution::new(&powers).ok_or(Error::Dark)?;
-        let light_tree = LightTree::new(&self.lights);
-        let shapes = Bvh::of_shapes(self.shapes)?;
+        let mut shapes = Bvh::of_shapes(self.shapes)?;
+        let lifted_lamps = coincidence::lift_lamps(&mut shapes, &surfaces, &mut lights)?;
+        let seats = seats(&lights, &surfaces, shapes.shapes());
+        let is_within = |seat: &&Seat| matches!(seat, Seat::Within(_));
+        let points_in_surfaces = seats.iter().filter(is_within).count();
+        let light_tree = LightTree::new(&lights);
         let see_through = self.materials.iter().any(Material::is_see_through);
         Ok(Scene {
             camera: self.camera,
             shapes,
-            surfaces: self.surfaces,
+            surfaces,
             materials: self.materials,
             see_through,
             meshes: self.meshes,
-            lights: self.lights,
+            lights,
+            seats,
+            coincidences: Coincidences { lifted_lamps, points_in_surfaces },
             light_by_power,
             light_tree,
         })
     }
+}
+
+/// What each lamp lies on.
+fn seats(lights: &[Light], surfaces: &[Surface], shapes: &[SidedPrimitive]) -> Vec<Seat> {
+    let mut own = vec![None; lights.len()];
+    for (index, surface) in (0..).zip(surfaces) {
+        if let Some(id) = surface.light {
+            own[id.0 as usize] = Some(index);
+        }
+    }
+    let seat = |(light, own): (&Light, Option<u32>)| match light {
+        Light::Area { .. } => own.map_or(Seat::Free, Seat::Surface),
+        Light::Point(point) => Seat::of_point(point.position, shapes),
+    };
+    lights.iter().zip(own).map(seat).collect()
 }

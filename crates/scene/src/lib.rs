@@ -6,16 +6,19 @@
 
 mod builder;
 mod camera;
+mod coincidence;
 mod error;
 mod film;
 mod light;
 mod light_tree;
 mod picture_error;
 mod scene;
+mod seat;
 mod surface_point;
 
 pub use builder::{MaterialId, Object, ObjectShape, SceneBuilder};
 pub use camera::{Camera, CameraSettings, Projection};
+pub use coincidence::Coincidences;
 pub use error::Error;
 pub use film::{Film, PassImage};
 pub use light::{Emission, Light, LightPoint, PointLight, SpotCone};

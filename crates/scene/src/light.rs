@@ -39,7 +39,8 @@ pub struct PointLight {
 /// A point on a lamp: the first vertex x₀ of a light path.
 #[derive(Clone, Copy, Debug)]
 pub struct LightPoint {
-    /// Where; the normal is meaningless on a point light.
+    /// Where. Of a point light in free space error and normal are zero; of one that
+    /// lies in a surface they are those of the surface.
     pub site: SurfaceSite,
     /// Emitted radiance in W/m²/sr, or a point light's intensity in W/sr.
     pub emitted: Rgb,
@@ -88,16 +89,12 @@ impl LightPoint {
 
     /// The segment to this point from one on a surface.
     pub fn segment_from(&self, site: &SurfaceSite) -> Ray {
-        if self.is_point {
-            site.segment_to_point(self.site.position)
-        } else {
-            site.segment_to(&self.site)
-        }
+        site.segment_to(&self.site)
     }
 
     /// Where a ray toward `direction` starts.
     pub fn ray_origin(&self, direction: Vec3) -> Vec3 {
-        if self.is_point { self.site.position } else { self.site.ray_origin(direction) }
+        self.site.ray_origin(direction)
     }
 }
 
@@ -120,6 +117,14 @@ impl Light {
                 f64::from(radiance.luminance()) * f64::from(primitive.area()) * shadow
             }
             Self::Point(light) => f64::from(light.intensity.luminance()),
+        }
+    }
+
+    /// Whether points of the lamp can light others of its front.
+    pub fn lights_itself(&self) -> bool {
+        match self {
+            Self::Area { primitive, .. } => primitive.faces_itself(),
+            Self::Point(_) => false,
         }
     }
 

@@ -1,6 +1,8 @@
 //! The finished scene and the questions a renderer asks of it.
 
+use crate::coincidence::Coincidences;
 use crate::light_tree::LightTree;
+use crate::seat::Seat;
 use crate::{Camera, Light, LightPoint, SurfacePoint};
 use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, Shapes, SidedPrimitive};
 use traylib_materials::{Material, Shading, Site};
@@ -31,6 +33,9 @@ pub struct Scene {
     pub(crate) see_through: bool,
     pub(crate) meshes: Vec<Mesh>,
     pub(crate) lights: Vec<Light>,
+    /// What each lamp lies on.
+    pub(crate) seats: Vec<Seat>,
+    pub(crate) coincidences: Coincidences,
     pub(crate) light_by_power: DiscreteDistribution,
     pub(crate) light_tree: LightTree,
 }
@@ -81,6 +86,11 @@ impl Scene {
         &self.materials
     }
 
+    /// What lay in one place and was told apart.
+    pub fn coincidences(&self) -> Coincidences {
+        self.coincidences
+    }
+
     /// How many primitives there are.
     pub fn primitive_count(&self) -> usize {
         self.surfaces.len()
@@ -94,7 +104,8 @@ impl Scene {
         let site = self.shapes.shapes()[hit.primitive as usize].primitive.site(ray, &hit);
         let smooth = self.smooth_normal(surface, &hit).unwrap_or(site.normal);
         let material = &self.materials[surface.material as usize];
-        let shading = material.at(smooth, || self.site_of_textures(surface, &hit));
+        let at = Vec2::new(hit.u, hit.v);
+        let shading = material.at(smooth, || self.site_of_textures(hit.primitive, at));
         let Shading { model, coverage, through, normal: front_shading } = shading;
         let by_shading = planted(Defect::EmissionByShadingNormal);
         let front = if by_shading { front_shading } else { site.normal };
@@ -117,19 +128,20 @@ impl Scene {
         self.meshes[mesh as usize].shading_normal(triangle as usize, hit.u, hit.v)
     }
 
-    /// Where on its textures a hit is; `None` on shapes without texture
-    /// coordinates.
-    fn site_of_textures(&self, surface: &Surface, hit: &Hit) -> Option<Site> {
-        if let Some((mesh, triangle)) = surface.of_mesh {
+    /// Where on its textures a primitive is at these surface coordinates; `None` on
+    /// shapes without texture coordinates.
+    pub(crate) fn site_of_textures(&self, index: u32, at: Vec2) -> Option<Site> {
+        if let Some((mesh, triangle)) = self.surfaces[index as usize].of_mesh {
             let (mesh, triangle) = (&self.meshes[mesh as usize], triangle as usize);
-            let uv = mesh.uv(triangle, hit.u, hit.v)?;
+            let uv = mesh.uv(triangle, at.x, at.y)?;
             return Some(Site { uv, tangents: mesh.tangents(triangle) });
         }
-        match self.shapes.shapes()[hit.primitive as usize].primitive {
-            Primitive::Quad(quad) => {
-                Some(Site { uv: Vec2::new(hit.u, hit.v), tangents: Some(quad.edges()) })
-            }
-            _ => None,
+        match self.shapes.shapes()[index as usize].primitive {
+            Primitive::Quad(quad) => Some(Site { uv: at, tangents: Some(quad.edges()) }),
+            Primitive::Triangle(_)
+            | Primitive::Sphere(_)
+            | Primitive::Disk(_)
+            | Primitive::Cone(_) => None,
         }
     }
 

@@ -16,7 +16,7 @@ impl Facing {
     /// Of the front, what is given for the outside: a normal, or a cosine with
     /// it.
     #[inline]
-    pub(super) fn turn<T: Neg<Output = T>>(self, outward: T) -> T {
+    pub(crate) fn turn<T: Neg<Output = T>>(self, outward: T) -> T {
         match self {
             Self::Outward => outward,
             Self::Inward => -outward,

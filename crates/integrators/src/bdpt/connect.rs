@@ -74,14 +74,18 @@ impl<'a> Joiner<'a> {
             }
         }
         let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { return };
-        let mut worth = Worth::beside(found, sampler);
-        for t in 1..=camera.len() {
-            for s in 1..=light.vertices.len() {
-                if self.limits().allow((s + t + 1) as u32) {
-                    let light = (light.start, &light.vertices[..s]);
-                    self.connection(tracer, pixel, light, &camera[..t], &mut worth, out);
-                }
+        // Pair by pair; of very many only some, which count for the rest.
+        let pairs = camera.len() * light.vertices.len();
+        let mut worth = Worth::beside(found, pairs, sampler);
+        let mut pair = worth.pairs_left_out();
+        while pair < pairs {
+            let t = 1 + pair / light.vertices.len();
+            let s = 1 + pair % light.vertices.len();
+            if self.limits().allow((s + t + 1) as u32) {
+                let light = (light.start, &light.vertices[..s]);
+                self.connection(tracer, pixel, light, &camera[..t], &mut worth, out);
             }
+            pair += 1 + worth.pairs_left_out();
         }
     }
 

@@ -1,4 +1,4 @@
-//! Which connections are worth a shadow ray.
+//! Which connections are tried, and which are worth a shadow ray.
 
 use traylib_math::{Rgb, Sampler};
 
@@ -10,33 +10,53 @@ use traylib_math::{Rgb, Sampler};
 /// 0.1 %.
 const HARDLY: f32 = 0.3;
 
+/// Connections that are looked at for a pair of paths, on average: all of those of two
+/// paths with 64 edges each. Time grows with the length of longer ones, not its square.
+const MOST_PAIRS: f32 = 64.0 * 64.0;
+
 /// Roulette before the shadow ray of a connection.
 ///
 /// A connection that would add c, less than a threshold τ, is tried with
 /// probability c/τ and then counts as τ. That is unbiased, and since τ is a small
 /// part of what the path has found by itself, no new noise stands out. A path
 /// that found nothing has no threshold.
+///
+/// Of very many pairs of vertices only some are looked at in the first place.
 pub(super) struct Worth<'a> {
     threshold: f32,
+    /// The chance with which a pair is looked at.
+    looked_at: f32,
     sampler: &'a mut Sampler,
 }
 
 impl<'a> Worth<'a> {
-    /// For connections of a camera path that has `found` this by itself.
-    pub(super) fn beside(found: Rgb, sampler: &'a mut Sampler) -> Self {
-        Self { threshold: HARDLY * found.max_band(), sampler }
+    /// For so many connections of a camera path that has `found` this by itself.
+    pub(super) fn beside(found: Rgb, pairs: usize, sampler: &'a mut Sampler) -> Self {
+        let looked_at = (MOST_PAIRS / pairs as f32).min(1.0);
+        Self { threshold: HARDLY * found.max_band(), looked_at, sampler }
     }
 
-    /// The chance with which a connection that would add this is tried; `None` if
-    /// it is not. It draws one number whatever the answer.
+    /// How many pairs of vertices to leave out before the next that is looked at:
+    /// ⌊ln u/ln(1 − chance)⌋, which is as rare as so many refusals. Where every pair is
+    /// looked at no number is drawn.
+    pub(super) fn pairs_left_out(&mut self) -> usize {
+        if self.looked_at >= 1.0 {
+            return 0;
+        }
+        let u = 1.0 - f64::from(self.sampler.next_1d());
+        (u.ln() / (-f64::from(self.looked_at)).ln_1p()) as usize
+    }
+
+    /// The chance with which a connection that would add this is looked at and tried;
+    /// `None` if it is not tried. It draws one number whatever the answer.
     pub(super) fn try_it(&mut self, would_add: Rgb) -> Option<f32> {
         let u = self.sampler.next_1d();
-        let amount = would_add.max_band();
+        let amount = would_add.max_band() / self.looked_at;
         if amount >= self.threshold {
-            return Some(1.0);
+            return Some(self.looked_at);
         }
         let chance = amount / self.threshold;
-        (u < chance).then_some(chance)
+        (u < chance).then_some(chance * self.looked_at)
     }
 }
 
@@ -48,7 +68,7 @@ mod tests {
     #[test]
     fn what_is_tried_makes_up_for_what_is_not() {
         let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
-        let mut worth = Worth::beside(Rgb::WHITE, &mut sampler);
+        let mut worth = Worth::beside(Rgb::WHITE, 1, &mut sampler);
         for part in [0.1, 0.5, 2.0] {
             let light = Rgb::splat(part * HARDLY);
             let n = 100_000;
@@ -62,10 +82,32 @@ mod tests {
         }
     }
 
+    /// Of so many pairs as many are looked at as one path may have, and each counts for
+    /// those that are not.
+    #[test]
+    fn some_of_many_pairs_stand_for_all() {
+        let mut sampler = Sampler::new(1, Purpose::Test, 0, 0);
+        for pairs in [10, 4096, 5000, 1_000_000] {
+            let mut worth = Worth::beside(Rgb::BLACK, pairs, &mut sampler);
+            let (mut looked_at, mut sum) = (0.0, 0.0);
+            let mut next = worth.pairs_left_out();
+            while next < pairs {
+                looked_at += 1.0;
+                sum += 1.0 / f64::from(worth.try_it(Rgb::WHITE).unwrap());
+                next += 1 + worth.pairs_left_out();
+            }
+            let mean = f64::from(MOST_PAIRS).min(pairs as f64);
+            // Five standard deviations of a binomial number.
+            let slack = 5.0 * (mean * (1.0 - mean / pairs as f64)).sqrt();
+            assert!(f64::abs(looked_at - mean) <= slack, "{pairs}: {looked_at}");
+            assert!((sum / pairs as f64 - looked_at / mean).abs() < 1e-5, "{pairs}: {sum}");
+        }
+    }
+
     #[test]
     fn a_path_that_found_nothing_tries_everything() {
         let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
-        let mut worth = Worth::beside(Rgb::BLACK, &mut sampler);
+        let mut worth = Worth::beside(Rgb::BLACK, 1, &mut sampler);
         assert_eq!(worth.try_it(Rgb::splat(1e-30)), Some(1.0));
     }
 }
