@@ -95,6 +95,17 @@ impl Primitive {
         }
     }
 
+    /// Whether surface coordinates lie on an edge, where other shapes may begin, up to
+    /// rounding. Round shapes say no: none of theirs lies across another.
+    #[inline]
+    pub fn is_on_edge(&self, u: f32, v: f32) -> bool {
+        match self {
+            Self::Triangle(_) => u <= 0.0 || v <= 0.0 || u + v >= 1.0,
+            Self::Quad(_) => u <= 0.0 || v <= 0.0 || u >= 1.0 || v >= 1.0,
+            Self::Sphere(_) | Self::Disk(_) | Self::Cone(_) => false,
+        }
+    }
+
     /// Whether two points of the front can see one another's front: on the inside of
     /// what is round.
     pub fn faces_itself(&self) -> bool {

@@ -4,7 +4,7 @@ use crate::coincidence::Coincidences;
 use crate::light_tree::LightTree;
 use crate::seat::Seat;
 use crate::{Camera, Light, LightPoint, SurfacePoint};
-use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, Shapes, SidedPrimitive};
+use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, Shapes, SidedPrimitive, SurfaceSite};
 use traylib_materials::{Material, Shading, Site};
 use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3, planted};
 
@@ -70,6 +70,9 @@ pub struct LightDensities {
 /// hold a ray for ever where panes meet.
 pub const MOST_PASSAGES: u32 = 1000;
 
+/// How far apart, as a part of the way, two surfaces are met that share an edge.
+const EDGE: f32 = 1.0 / (1 << 18) as f32;
+
 impl Scene {
     /// The camera.
     pub fn camera(&self) -> &Camera {
@@ -99,9 +102,8 @@ impl Scene {
     /// The first surface that a ray or a segment meets, be it one that light passes
     /// straight through or not.
     pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint> {
-        let hit = self.shapes.nearest(ray)?;
+        let (hit, site) = self.nearest(ray)?;
         let surface = &self.surfaces[hit.primitive as usize];
-        let site = self.shapes.shapes()[hit.primitive as usize].primitive.site(ray, &hit);
         let smooth = self.smooth_normal(surface, &hit).unwrap_or(site.normal);
         let material = &self.materials[surface.material as usize];
         let at = Vec2::new(hit.u, hit.v);
@@ -122,6 +124,33 @@ impl Scene {
         })
     }
 
+    /// The nearest hit and its site.
+    #[inline]
+    fn nearest(&self, ray: &Ray) -> Option<(Hit, SurfaceSite)> {
+        let hit = self.shapes.nearest(ray)?;
+        let primitive = self.primitive(hit.primitive);
+        let site = primitive.site(ray, &hit);
+        let from_behind = site.normal.dot(ray.direction) > 0.0;
+        if from_behind && primitive.is_on_edge(hit.u, hit.v) {
+            return Some(self.front_at_edge(ray, &hit).unwrap_or((hit, site)));
+        }
+        Some((hit, site))
+    }
+
+    /// The front that a ray meets at the edge of something met from behind: where the two
+    /// belong to a solid, rounding must not show its inside at its outline.
+    #[cold]
+    fn front_at_edge(&self, ray: &Ray, hit: &Hit) -> Option<(Hit, SurfaceSite)> {
+        let here = Ray { t_max: hit.t * (1.0 + EDGE), ..*ray };
+        let hits = self.shapes.all_hits(&here).into_iter();
+        hits.map(|hit| (hit, self.primitive(hit.primitive).site(ray, &hit)))
+            .find(|(_, site)| site.normal.dot(ray.direction) < 0.0)
+    }
+
+    pub(crate) fn primitive(&self, index: u32) -> &Primitive {
+        &self.shapes.shapes()[index as usize].primitive
+    }
+
     /// The interpolated normal of a mesh that has some.
     fn smooth_normal(&self, surface: &Surface, hit: &Hit) -> Option<Vec3> {
         let (mesh, triangle) = surface.of_mesh?;
@@ -136,7 +165,7 @@ impl Scene {
             let uv = mesh.uv(triangle, at.x, at.y)?;
             return Some(Site { uv, tangents: mesh.tangents(triangle) });
         }
-        match self.shapes.shapes()[index as usize].primitive {
+        match self.primitive(index) {
             Primitive::Quad(quad) => Some(Site { uv: at, tangents: Some(quad.edges()) }),
             Primitive::Triangle(_)
             | Primitive::Sphere(_)

@@ -72,7 +72,7 @@ impl Scene {
         if !material.has_opacity() || forgotten {
             return 1.0;
         }
-        let at = self.shapes.shapes()[index as usize].primitive.sample_coordinates(u);
+        let at = self.primitive(index).sample_coordinates(u);
         material.coverage(|| self.site_of_textures(index, at))
     }
 }
