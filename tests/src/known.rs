@@ -6,6 +6,7 @@
 //! | A1 to A3, A5, A8, A9: direct light of points, disks, balls, squares; lobes | [`analytic`] |
 //! | A4: a ball cut by the horizon | [`horizon`] |
 //! | A6, A7: upright rectangles, polygons | [`polygonal`], by [`polygon`] |
+//! | A10: tubes and cones | [`tubes`] |
 //! | B1, B2, B4, B5: closed rooms of one radiance, lights in a ball | [`furnace`] |
 //! | B3, B7: glossy rooms, rooms by their flux | [`rooms`] |
 //! | B6: concentric balls | [`concentric`] |
@@ -27,4 +28,5 @@ pub mod polygon;
 pub mod polygonal;
 pub mod rooms;
 pub mod transmission;
+pub mod tubes;
 pub mod variance;

@@ -140,7 +140,7 @@ pub use bvh::{Bvh, Contents, Instance, Instances, Options, Precision, Shapes, Tr
 pub use error::Error;
 pub use mesh::Mesh;
 pub use point::SurfaceSite;
-pub use primitive::{Primitive, SidedPrimitive};
+pub use primitive::{Normals, Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
 pub use shape::{Cone, Disk, Facing, Quad, Shape, ShapeHit, Sides, Sphere, Triangle};
 pub use traylib_math::{Vec2, Vec3, glam};

@@ -6,7 +6,28 @@ use crate::{
     Aabb, Cone, Disk, Facing, Hit, Quad, Ray, Shape, ShapeHit, Sides, Sphere, SurfaceSite,
     Triangle, Vec2, Vec3,
 };
+use std::f64::consts::PI;
 use traylib_math::{AreaPdf, warp};
+
+/// A cone of directions that holds all front normals of a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Normals {
+    /// Unit vector in its middle.
+    pub axis: Vec3,
+    /// How far from the axis the normals reach, in radians: zero on a flat shape,
+    /// at most π.
+    pub half_angle: f64,
+}
+
+impl Normals {
+    /// Every direction.
+    pub const ALL: Self = Self { axis: Vec3::Z, half_angle: PI };
+
+    /// One direction, a unit vector.
+    fn one(axis: Vec3) -> Self {
+        Self { axis, half_angle: 0.0 }
+    }
+}
 
 /// One of the shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +76,30 @@ impl Primitive {
             Self::Sphere(sphere) => sphere.area(),
             Self::Disk(disk) => disk.area(),
             Self::Cone(cone) => cone.area(),
+        }
+    }
+
+    /// The directions that its front faces.
+    pub fn normals(&self) -> Normals {
+        match self {
+            Self::Triangle(triangle) => Normals::one(triangle.normal()),
+            Self::Quad(quad) => Normals::one(quad.normal()),
+            Self::Sphere(_) => Normals::ALL,
+            Self::Disk(disk) => Normals::one(disk.normal()),
+            Self::Cone(cone) => cone.normals(),
+        }
+    }
+
+    /// The area, in square metres, of the largest shadow that its front can cast on
+    /// a plane: ∫ max(0, N·ω) dA for the direction ω in which that is most. On a cone
+    /// up to 2 % less than that, exact on all else.
+    pub fn largest_shadow(&self) -> f32 {
+        match self {
+            Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) => self.area(),
+            // A convex body's mean shadow is a quarter of its surface, and all
+            // shadows of a ball are alike.
+            Self::Sphere(sphere) => 0.25 * sphere.area(),
+            Self::Cone(cone) => cone.largest_shadow(),
         }
     }
 

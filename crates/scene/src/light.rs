@@ -107,14 +107,12 @@ impl Light {
         }
     }
 
-    /// The greatest intensity into any direction, as luminance in W/sr.
+    /// The greatest intensity into any direction, as luminance in W/sr; of a lamp
+    /// that is a cone up to 2 % less.
     pub(crate) fn intensity(&self) -> f64 {
         match self {
             Self::Area { primitive, radiance } => {
-                // A convex body's mean shadow is a quarter of its surface, and
-                // all shadows of a ball are alike.
-                let shadow = if matches!(primitive, Primitive::Sphere(_)) { 0.25 } else { 1.0 };
-                f64::from(radiance.luminance()) * f64::from(primitive.area()) * shadow
+                f64::from(radiance.luminance()) * f64::from(primitive.largest_shadow())
             }
             Self::Point(light) => f64::from(light.intensity.luminance()),
         }

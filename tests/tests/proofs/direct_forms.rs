@@ -1,12 +1,13 @@
 //! More direct light against closed forms: lamps cut by the horizon, polygons,
-//! coincident lights, and whole surfaces. The forms stand in
-//! `traylib_tests::{horizon, polygonal, exchange}`; the comparisons belong to one
-//! family with those of `analytic.rs`.
+//! coincident lights, round lamps, and whole surfaces. The forms stand in
+//! `traylib_tests::known::{horizon, polygonal, tubes, exchange}`; the comparisons
+//! belong to one family with those of `analytic.rs`.
 
 use traylib_tests::known::analytic::coincident_lights;
 use traylib_tests::known::exchange::{disks, opposite_sides};
 use traylib_tests::known::horizon::cut_sphere;
 use traylib_tests::known::polygonal::{standing, sunk_pentagon, tilted_triangle};
+use traylib_tests::known::tubes::cones_and_a_tube;
 use traylib_tests::measure::all_hold;
 use traylib_tests::programs::Program::{
     self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
@@ -51,6 +52,12 @@ fn a9_coincident_lights() {
         let programs = Program::FROM_CAMERA.map(|program| (program, 32));
         all_hold(&coincident_lights(count), 91, &programs);
     }
+}
+
+/// A lamp that is round has a chance from all sides.
+#[test]
+fn a10_cones_and_a_tube() {
+    all_hold(&cones_and_a_tube(), 92, &[(Strict, 400), (Combined, 400), (BdptPower, 400)]);
 }
 
 #[test]

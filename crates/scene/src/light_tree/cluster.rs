@@ -2,8 +2,7 @@
 
 use super::cone::Cone;
 use crate::{Light, PointLight};
-use traylib_geometry::{Aabb, Primitive};
-use traylib_math::Vec2;
+use traylib_geometry::Aabb;
 
 /// Where lamps are, where they shine, and how strong they are together.
 #[derive(Clone, Copy, Debug)]
@@ -18,7 +17,9 @@ impl Cluster {
     /// One lamp of this share.
     pub(super) fn of(light: &Light, intensity: f64) -> Self {
         let (bounds, cone) = match light {
-            Light::Area { primitive, .. } => (primitive.bounds(), emission_of(primitive)),
+            Light::Area { primitive, .. } => {
+                (primitive.bounds(), Cone::around_normals(primitive.normals()))
+            }
             Light::Point(PointLight { position, cone, .. }) => {
                 let cone = cone.map_or(Cone::SPHERE, |c| Cone::filled(c.axis, c.cos_dark));
                 (Aabb::around([*position]), cone)
@@ -43,13 +44,5 @@ impl Cluster {
     pub(super) fn cost(&self) -> f64 {
         let diagonal_squared = self.bounds.extent().as_dvec3().length_squared();
         self.intensity * diagonal_squared * self.cone.measure()
-    }
-}
-
-/// Where a surface shines: a sphere everywhere, all else before its front.
-fn emission_of(primitive: &Primitive) -> Cone {
-    match primitive {
-        Primitive::Sphere(_) => Cone::SPHERE,
-        flat => Cone::around_normal(flat.sample_area(Vec2::splat(0.5)).normal),
     }
 }

@@ -1,6 +1,7 @@
 //! Into which directions lamps shine.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use traylib_geometry::Normals;
 use traylib_math::Vec3;
 use traylib_math::glam::{DQuat, DVec3};
 
@@ -43,9 +44,10 @@ impl Cone {
     /// All directions.
     pub(super) const SPHERE: Self = Self { axis: DVec3::Z, spread: PI, reach: Reach::Nowhere };
 
-    /// Around the front normal of something flat that shines like the cosine.
-    pub(super) fn around_normal(normal: Vec3) -> Self {
-        Self { axis: direction(normal), spread: 0.0, reach: Reach::Hemisphere }
+    /// Around the front normals of a surface that shines like the cosine.
+    pub(super) fn around_normals(normals: Normals) -> Self {
+        let Normals { axis, half_angle } = normals;
+        Self { axis: direction(axis), spread: half_angle, reach: Reach::Hemisphere }
     }
 
     /// Directions within an angle of an axis.
@@ -137,7 +139,8 @@ mod tests {
 
     #[test]
     fn opposite_lamps_shine_everywhere() {
-        let [up, down] = [Vec3::Z, Vec3::NEG_Z].map(Cone::around_normal);
+        let [up, down] = [Vec3::Z, Vec3::NEG_Z]
+            .map(|axis| Cone::around_normals(Normals { axis, half_angle: 0.0 }));
         assert_eq!(up.join(down), Cone { reach: Reach::Hemisphere, ..Cone::SPHERE });
         assert_eq!(up.join(up), up);
     }

@@ -1,10 +1,14 @@
 //! Choices among lamps of all kinds: what they sum to, how often each comes, and
 //! that no lamp that shines at a point is left out.
 
+mod lamps;
+mod seen;
+
 use super::*;
 use crate::{Emission, LightPoint, PointLight, SpotCone};
-use traylib_geometry::{Disk, Facing, Primitive, Quad, Sphere, Triangle};
-use traylib_math::{Purpose, Rgb, Sampler, Vec2, warp};
+use lamps::{lamp, lamps};
+use traylib_geometry::{Disk, Primitive};
+use traylib_math::{Purpose, Rgb, Sampler, Vec2};
 
 /// Each level rounds a chance, made of a sum and a quotient, and a product.
 const ROUNDING: f64 = 64.0 * 3.0 * f32::EPSILON as f64 / 2.0;
@@ -17,36 +21,6 @@ fn sampler(index: u64) -> Sampler {
 fn point(sampler: &mut Sampler, half: f32) -> Vec3 {
     let (xy, z) = (sampler.next_2d(), sampler.next_1d());
     (2.0 * xy.extend(z) - 1.0) * half
-}
-
-/// A lamp of any kind, up to a metre wide, in a room of 20 m: all lengths times
-/// `scale`, a power of two, and radiances the same.
-fn lamp(sampler: &mut Sampler, kind: usize, scale: f32) -> Light {
-    let at = point(sampler, 10.0) * scale;
-    let [u, v] = [(); 2].map(|()| warp::uniform_sphere(sampler.next_2d()));
-    let size = sampler.next_1d() * scale;
-    let bright = Rgb::splat(10.0 * sampler.next_1d() + 0.01);
-    let facing = if kind.is_multiple_of(2) { Facing::Outward } else { Facing::Inward };
-    let primitive = match kind % 7 {
-        0 | 1 => Primitive::Sphere(Sphere::new(at, size, facing).unwrap()),
-        2 => Primitive::Quad(Quad::new(at, u * size, v * size).unwrap()),
-        3 => Primitive::Disk(Disk::new(at, u, size).unwrap()),
-        4 => Primitive::Triangle(Triangle::new(at, at + u * size, at + v * size).unwrap()),
-        _ => {
-            let intensity = bright * (scale * scale);
-            let cone = (kind % 7 == 5).then(|| {
-                let [a, b] = sampler.next_2d().to_array().map(|x| 2.0 * x - 1.0);
-                SpotCone::new(v, a.max(b), a.min(b)).unwrap()
-            });
-            return Light::Point(PointLight { position: at, intensity, cone });
-        }
-    };
-    Light::Area { primitive, radiance: bright }
-}
-
-fn lamps(count: usize, seed: u64, scale: f32) -> Vec<Light> {
-    let mut sampler = sampler(seed);
-    (0..count).map(|kind| lamp(&mut sampler, kind, scale)).collect()
 }
 
 fn probabilities(tree: &LightTree, x1: Vec3) -> Vec<f32> {
@@ -102,7 +76,7 @@ fn lamps_come_as_often_as_they_say() {
 
 #[test]
 fn a_single_lamp_is_certain() {
-    for kind in 0..7 {
+    for kind in 0..18 {
         let tree = LightTree::new(&[lamp(&mut sampler(9), kind, 1.0)]);
         for u in [0.0, 0.3, BELOW_ONE] {
             assert_eq!(tree.choose(Vec3::ONE, u), (0, 1.0));
