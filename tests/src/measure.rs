@@ -86,12 +86,24 @@ pub fn pass_means(
 /// interval of the family's level, and the interval narrow. The number of passes
 /// and the seed are the caller's, fixed beforehand.
 pub fn compare(case: &Case, program: Program, passes: u32, seed: u64) -> Finding {
+    compare_within(case, program, passes, seed, EQUIVALENCE)
+}
+
+/// The same, where the interval may be as wide as `equivalence` to either side,
+/// relative to the truth.
+pub fn compare_within(
+    case: &Case,
+    program: Program,
+    passes: u32,
+    seed: u64,
+    equivalence: f64,
+) -> Finding {
     let integrator = program.integrator(case.max_depth);
     let settings = Settings { spp: passes, seed, threads: 1 };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let samples = u64::from(passes) * samples_in_a_pass(&case.scene);
     let claim = format!("{}, {program:?}: mean radiance", case.name);
-    judge(claim, &Measured { means, statistics, samples }, case.truth, EQUIVALENCE)
+    judge(claim, &Measured { means, statistics, samples }, case.truth, equivalence)
 }
 
 /// What came of a rendering.

@@ -15,7 +15,8 @@ pub enum Purpose {
     Test,
 }
 
-/// The numbers one path vertex may need, all uniform on [0, 1).
+/// The numbers one path vertex may need, all uniform on [0, 1), in steps of 2⁻²⁴
+/// but where said otherwise.
 ///
 /// All are drawn at every vertex, used or not, so that switching a technique
 /// off does not shift the numbers of the others.
@@ -28,8 +29,8 @@ pub struct VertexNumbers {
     pub bsdf: [f32; 3],
     /// Russian roulette.
     pub roulette: f32,
-    /// Which light.
-    pub light_pick: f32,
+    /// Which light; in steps of 2⁻³², for lamps that are rarely chosen.
+    pub light_pick: f64,
     /// Where on the light.
     pub light_point: Vec2,
 }
@@ -61,6 +62,13 @@ impl Sampler {
         (self.0.next_u32() >> 8) as f32 * (1.0 / (1 << 24) as f32)
     }
 
+    /// A number uniform on [0, 1), a multiple of 2⁻³²: what
+    /// [`next_1d`](Self::next_1d) would have given, with eight bits more.
+    #[inline]
+    pub fn next_fine(&mut self) -> f64 {
+        f64::from(self.0.next_u32()) * (1.0 / (1_u64 << 32) as f64)
+    }
+
     /// A point uniform on the unit square.
     #[inline]
     pub fn next_2d(&mut self) -> Vec2 {
@@ -75,7 +83,7 @@ impl Sampler {
             passage: self.next_1d(),
             bsdf: [self.next_1d(), self.next_1d(), self.next_1d()],
             roulette: self.next_1d(),
-            light_pick: self.next_1d(),
+            light_pick: self.next_fine(),
             light_point: self.next_2d(),
         }
     }
@@ -127,6 +135,17 @@ mod tests {
                 .map(|&n| (f64::from(n) - expected).powi(2) / expected)
                 .sum();
             assert!(chi_square < 347.7, "draw {draws_before}: {chi_square}");
+        }
+    }
+
+    #[test]
+    fn fine_numbers_have_more_bits_of_the_same_draw() {
+        let mut coarse = Sampler::new(3, Purpose::Test, 0, 0);
+        let mut fine = coarse.clone();
+        for _ in 0..1000 {
+            let (x, y) = (f64::from(coarse.next_1d()), fine.next_fine());
+            assert!(x <= y && y - x < 2_f64.powi(-24) && y < 1.0, "{x} {y}");
+            assert_eq!((y * 2_f64.powi(32)).fract(), 0.0);
         }
     }
 

@@ -10,6 +10,11 @@ use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides};
 use traylib_materials::Material;
 use traylib_math::{DiscreteDistribution, Rgb, Vec3};
 
+/// A lamp starts no fewer light paths than this part of what it would if all were
+/// alike. It costs the others at most as much of theirs, and a lamp that outshines
+/// all by far, but elsewhere, leaves enough for those that matter.
+const RAREST: f64 = 1.0 / 16.0;
+
 /// Names a material of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialId(u32);
@@ -155,7 +160,8 @@ impl SceneBuilder {
     pub fn build(self) -> Result<Scene, Error> {
         let Self { mut lights, surfaces, .. } = self;
         let powers: Vec<f32> = lights.iter().map(|l| l.power().luminance()).collect();
-        let light_by_power = DiscreteDistribution::new(&powers).ok_or(Error::Dark)?;
+        let light_by_power =
+            DiscreteDistribution::with_floor(&powers, RAREST).ok_or(Error::Dark)?;
         let mut shapes = Bvh::of_shapes(self.shapes)?;
         let lifted_lamps = coincidence::lift_lamps(&mut shapes, &surfaces, &mut lights)?;
         let seats = seats(&lights, &surfaces, shapes.shapes());

@@ -3,7 +3,8 @@
 //! A binary tree over all lamps: each node knows where its lamps are, how strong
 //! they are together and into which directions they may shine, and from that how
 //! much they may give a point ([`Node::importance`]). A choice goes down from the
-//! root, at each pair in proportion to what the two may give.
+//! root, at each pair in proportion to what the two may give, though never more than
+//! [`RAREST`] to one: the strongest lamp may stand behind a wall.
 //!
 //! Conty Estevez and Kulla, *Importance Sampling of Many Lights with Adaptive Tree
 //! Splitting*, 2018. Theirs may go both ways where a node is near; here it is one
@@ -21,7 +22,10 @@ use node::{Link, Node};
 use traylib_math::Vec3;
 
 /// The largest number below one.
-const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
+const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
+
+/// The least chance of a node that may give a point light, against its neighbour.
+const RAREST: f32 = 1.0 / (1 << 16) as f32;
 
 /// The lamps of a scene by place, direction and strength.
 #[derive(Clone, Debug)]
@@ -50,9 +54,10 @@ impl LightTree {
 
     /// The lamp that `u`, uniform on [0, 1), chooses for a point, and its
     /// probability. One number decides every turn: what is left of it after one is
-    /// stretched for the next. With `u` in steps of 2⁻²⁴, so are the chances.
-    pub(crate) fn choose(&self, x1: Vec3, mut u: f32) -> (u32, f32) {
-        self.descend(x1, |_, [left, right]| {
+    /// stretched for the next. With `u` in steps of 2⁻³², so are the chances.
+    pub(crate) fn choose(&self, x1: Vec3, mut u: f64) -> (u32, f32) {
+        self.descend(x1, |_, chances| {
+            let [left, right] = chances.map(f64::from);
             let turns_right = u >= left;
             u = if turns_right { (u - left) / right } else { u / left };
             u = u.min(BELOW_ONE);
@@ -80,23 +85,42 @@ impl LightTree {
             let pair = &self.nodes[first..first + 2];
             let chances = chances(&pair[0], &pair[1], x1);
             let right = usize::from(turns_right(level, chances));
-            probability *= chances[right];
+            probability = both(probability, chances[right]);
             node = &pair[right];
             level += 1;
         }
     }
 }
 
-/// The chances of two nodes. Where neither can light the point, or the squares of
-/// distances leave the range of single precision, they are as the strengths.
+/// The chance that both of two independent things happen: zero only if one of them
+/// cannot. Far too rare to be met, it may be less rare than it should.
+#[inline]
+fn both(one: f32, other: f32) -> f32 {
+    if one > 0.0 && other > 0.0 { (one * other).max(f32::MIN_POSITIVE) } else { 0.0 }
+}
+
+/// The chances of two nodes: as what they may give, or one of them none where it
+/// cannot light the point. Where neither can, or the squares of distances leave the
+/// range of single precision, they are as the strengths.
 #[inline]
 fn chances(left: &Node, right: &Node, x1: Vec3) -> [f32; 2] {
-    let (mut a, mut b) = (left.importance(x1), right.importance(x1));
-    let sum = a + b;
-    if !(sum > 0.0 && sum.is_finite()) {
-        (a, b) = (left.intensity, right.intensity);
+    match (left.importance(x1), right.importance(x1)) {
+        (Some(_), None) => [1.0, 0.0],
+        (None, Some(_)) => [0.0, 1.0],
+        (Some(a), Some(b)) if a + b > 0.0 && (a + b).is_finite() => in_proportion(a, b),
+        (Some(_), Some(_)) | (None, None) => in_proportion(left.intensity, right.intensity),
     }
-    [a / (a + b), b / (a + b)]
+}
+
+/// Chances in proportion to two numbers, neither below [`RAREST`].
+#[inline]
+fn in_proportion(a: f32, b: f32) -> [f32; 2] {
+    let chances = [a / (a + b), b / (a + b)];
+    match chances.map(|chance| chance < RAREST) {
+        [true, _] => [RAREST, 1.0 - RAREST],
+        [_, true] => [1.0 - RAREST, RAREST],
+        [false, false] => chances,
+    }
 }
 
 #[cfg(test)]

@@ -202,16 +202,18 @@ impl Scene {
         Rgb::BLACK
     }
 
-    /// A lamp to start a light path, drawn in proportion to its power.
-    pub fn choose_light(&self, u: f32) -> LightChoice<'_> {
+    /// A lamp to start a light path, drawn in proportion to its power, but none more
+    /// than some 16 times as rarely as if all had the same.
+    pub fn choose_light(&self, u: f64) -> LightChoice<'_> {
         let (index, probability) = self.light_by_power.choose(u);
         LightChoice { id: LightId(index as u32), light: &self.lights[index], probability }
     }
 
     /// A lamp to light a surface at `x1`: rather one that is strong, near and
     /// shines there, whatever stands between. A lamp that could light `x1` has a
-    /// chance.
-    pub fn choose_light_for(&self, x1: Vec3, u: f32) -> LightChoice<'_> {
+    /// chance, and none is so weak that stronger ones leave it less than 2⁻¹⁶ at each
+    /// turn of the tree.
+    pub fn choose_light_for(&self, x1: Vec3, u: f64) -> LightChoice<'_> {
         let (index, probability) = self.light_tree.choose(x1, u);
         LightChoice { id: LightId(index), light: &self.lights[index as usize], probability }
     }

@@ -43,17 +43,29 @@ pub fn coincident_lights(count: u16) -> Case {
 /// which hangs at the height h = 0.5, cosθ = h/r, so L = ρ/π·I·h/r³. A third of
 /// its light ends up in view.
 pub fn point_light_wide() -> Case {
-    let light = Vec3::new(0.3, 0.2, 0.5);
-    let camera = camera(Vec3::new(0.0, 0.0, 2.0), Vec3::ZERO, 90.0, 32);
-    let truth = mean_over_floor(&camera, |x| {
-        let r = f64::from(light.distance(x));
+    let scene = under_a_point_light().build();
+    let truth = mean_over_floor(scene.camera(), |x| {
+        let r = f64::from(LIGHT.distance(x));
         REFLECTANCE / PI * RADIANCE * 0.5 / r.powi(3)
     });
-    let scene = Stage::new(camera)
-        .surface(floor(), lambert(REFLECTANCE as f32))
-        .point(light, RADIANCE as f32)
-        .build();
     Case { name: "A1 wide".into(), scene, max_depth: None, truth }
+}
+
+const LIGHT: Vec3 = Vec3::new(0.3, 0.2, 0.5);
+
+fn under_a_point_light() -> Stage {
+    Stage::new(camera(Vec3::new(0.0, 0.0, 2.0), Vec3::ZERO, 90.0, 32))
+        .surface(floor(), lambert(REFLECTANCE as f32))
+        .point(LIGHT, RADIANCE as f32)
+}
+
+/// The same with a sun far below the floor, which gives nothing in view light and has
+/// some 10²⁶ times the power.
+pub fn outshone() -> Case {
+    let sun = ball(-1.5e11 * Vec3::Z, 7e8);
+    let Case { truth, .. } = point_light_wide();
+    let scene = under_a_point_light().lamp(sun, 2e7, black()).build();
+    Case { name: "A1 outshone".into(), scene, max_depth: None, truth }
 }
 
 /// A2: a disk of radius R at the height 1, straight above and facing down. It

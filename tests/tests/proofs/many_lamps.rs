@@ -151,7 +151,7 @@ fn lamps_come_as_often_as_their_probabilities_say() {
             let cells: Vec<f64> = scene.light_ids().map(probability).collect();
             let mut counts = vec![0; cells.len()];
             for _ in 0..100_000 {
-                let chosen = scene.choose_light_for(x1, sampler.next_1d()).id;
+                let chosen = scene.choose_light_for(x1, sampler.next_fine()).id;
                 counts[scene.light_ids().position(|id| id == chosen).unwrap()] += 1;
             }
             follows(format!("choice among 1000 lamps for place {place}"), &cells, &counts)

@@ -92,21 +92,21 @@ impl Node {
     }
 
     /// Intensity over the distance of the centre squared, times a bound on the
-    /// lamps' cosines toward `x1`; zero only if none of them shines there. No
+    /// lamps' cosines toward `x1`; `None` only if none of them shines there. No
     /// distance counts as less than the radius: so much light lamps that are spread
     /// evenly give a point among them.
     #[inline]
-    pub(super) fn importance(&self, x1: Vec3) -> f32 {
+    pub(super) fn importance(&self, x1: Vec3) -> Option<f32> {
         let offset = x1 - self.centre;
         let distance_squared = offset.length_squared();
         let cosine = match self.aim {
             Aim::Everywhere => 1.0,
-            Aim::OneWay => self.cosine_of_box(offset, self.most_along(offset)),
+            Aim::OneWay => self.cosine_of_box(offset, self.most_along(offset))?,
             Aim::Around(spread, reach) => {
-                self.cosine_around(offset, distance_squared, spread, reach)
+                self.cosine_around(offset, distance_squared, spread, reach)?
             }
         };
-        self.intensity * cosine / distance_squared.max(self.radius * self.radius)
+        Some(self.intensity * cosine / distance_squared.max(self.radius * self.radius))
     }
 
     /// The furthest that a point lies before any lamp, along the axis.
@@ -119,12 +119,12 @@ impl Node {
     /// A bound on cosines toward a point that lies so far before any lamp: over the
     /// least distance of the box.
     #[inline]
-    fn cosine_of_box(&self, offset: Vec3, before: f32) -> f32 {
+    fn cosine_of_box(&self, offset: Vec3, before: f32) -> Option<f32> {
         if before <= 0.0 {
-            return 0.0;
+            return None;
         }
         let outside = (offset.abs() - self.corner).max(Vec3::ZERO);
-        (before / outside.length()).min(1.0)
+        Some((before / outside.length()).min(1.0))
     }
 
     /// The lesser of two bounds. That of the ball holds for all lamps; that of the
@@ -136,16 +136,16 @@ impl Node {
         distance_squared: f32,
         spread: Angle,
         reach: Reach,
-    ) -> f32 {
+    ) -> Option<f32> {
         // Not from the cosine, which says little of an angle near 0 or π.
         let across = self.axis.cross(offset).length();
         let from_axis = Angle { cos: self.axis.dot(offset), sin: across };
-        let of_ball = self.cosine_of_ball(from_axis, distance_squared, spread, reach);
+        let of_ball = self.cosine_of_ball(from_axis, distance_squared, spread, reach)?;
         if reach == Reach::Nowhere || spread.cos < 0.0 {
-            return of_ball;
+            return Some(of_ball);
         }
         let before = self.most_along(offset) * spread.cos + (across + self.radius) * spread.sin;
-        of_ball.min(self.cosine_of_box(offset, before))
+        Some(of_ball.min(self.cosine_of_box(offset, before)?))
     }
 
     /// Cosine of the least angle between the direction of a lamp and that from it
@@ -159,16 +159,16 @@ impl Node {
         distance_squared: f32,
         spread: Angle,
         reach: Reach,
-    ) -> f32 {
+    ) -> Option<f32> {
         let tangent_squared = distance_squared - self.radius * self.radius;
         if tangent_squared <= 0.0 {
-            return 1.0;
+            return Some(1.0);
         }
         let ball = Angle { cos: tangent_squared.sqrt(), sin: self.radius };
         let Some(angle) = from_axis.less(spread).and_then(|angle| angle.less(ball)) else {
-            return 1.0;
+            return Some(1.0);
         };
         let cosine = angle.cos / distance_squared + SLACK;
-        if cosine <= reach.cosine() { 0.0 } else { cosine.min(1.0) }
+        if cosine <= reach.cosine() { None } else { Some(cosine.min(1.0)) }
     }
 }

@@ -63,7 +63,7 @@ fn lamps_come_as_often_as_they_say() {
         let x1 = point(&mut sampler(8), 10.0);
         let mut found = vec![0_u32; count];
         for step in 0..STEPS {
-            let (lamp, probability) = tree.choose(x1, (step as f32 + 0.5) / STEPS as f32);
+            let (lamp, probability) = tree.choose(x1, (f64::from(step) + 0.5) / f64::from(STEPS));
             assert_eq!(probability.to_bits(), tree.probability(lamp, x1).to_bits());
             found[lamp as usize] += 1;
         }
@@ -147,6 +147,45 @@ fn nearness_counts_with_the_square() {
     assert!((found[0] - 0.9).abs() < 2.0 * f32::EPSILON, "{found:?}");
 }
 
+/// Of two lamps that shine, none is rarer than the floor, however weak or far, and
+/// the step of `u` that is the last finds it.
+#[test]
+fn a_lamp_that_is_outshone_has_the_least_chance() {
+    let point = |x: f32, strength| {
+        let position = Vec3::X * x;
+        Light::Point(PointLight { position, intensity: Rgb::splat(strength), cone: None })
+    };
+    for (x, strength) in [(1.0, 1e-6), (1.0, 1e-38), (1e15, 1.0), (1e25, 1e-30)] {
+        let tree = LightTree::new(&[point(-1.0, 1.0), point(x, strength)]);
+        assert_eq!(probabilities(&tree, Vec3::ZERO), [1.0 - RAREST, RAREST]);
+        assert_eq!(tree.choose(Vec3::ZERO, 1.0 - 2_f64.powi(-32)), (1, RAREST));
+    }
+}
+
+/// Each of a row of lamps outshines all before it, so that the way to the first is
+/// one of many floors.
+#[test]
+fn a_lamp_that_many_outshine_has_a_chance() {
+    let lamp = |i: i32| {
+        let at = 2_f32.powi(2 * i - 60);
+        let intensity = Rgb::splat(2_f32.powi(4 * i - 120));
+        Light::Point(PointLight { position: Vec3::X * at, intensity, cone: None })
+    };
+    let lights: Vec<Light> = (0..60).map(lamp).collect();
+    let tree = LightTree::new(&lights);
+    for i in -70..70 {
+        let found = probabilities(&tree, Vec3::new(0.0, 2_f32.powi(i), 0.0));
+        assert!(found.iter().all(|&chance| chance > 0.0), "{found:?}");
+    }
+}
+
+/// As deep as trees get.
+#[test]
+fn no_number_of_floors_makes_a_zero() {
+    assert!((0..64).fold(1.0, |chance, _| both(chance, RAREST)) > 0.0);
+    assert_eq!(both(both(RAREST, 0.0), 1.0), 0.0);
+}
+
 #[test]
 fn scale_leaves_every_bit() {
     let [small, plain, large] = [-14, 0, 20].map(|power| {
@@ -156,7 +195,7 @@ fn scale_leaves_every_bit() {
         let mut choices = Vec::new();
         for _ in 0..2000 {
             let x1 = point(&mut sampler, 12.0) * scale;
-            let (lamp, probability) = tree.choose(x1, sampler.next_1d());
+            let (lamp, probability) = tree.choose(x1, sampler.next_fine());
             choices.push((lamp, probability.to_bits()));
         }
         (tree.paths, choices)
@@ -173,7 +212,7 @@ fn a_hundred_thousand_lamps() {
     let mut sampler = sampler(14);
     for _ in 0..100 {
         let x1 = point(&mut sampler, 10.0);
-        let (lamp, probability) = tree.choose(x1, sampler.next_1d());
+        let (lamp, probability) = tree.choose(x1, sampler.next_fine());
         let mut levels = 0;
         let path = tree.paths[lamp as usize];
         let again = tree.descend(x1, |level, _| {

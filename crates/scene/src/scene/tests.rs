@@ -47,7 +47,7 @@ fn densities_are_those_of_the_draws() {
     let mut drawn = [0; 3];
     for _ in 0..20_000 {
         let x1 = 2.5 * warp::uniform_sphere(sampler.next_2d()) + Vec3::new(0.0, 0.0, 4.0);
-        let choice = scene.choose_light_for(x1, sampler.next_1d());
+        let choice = scene.choose_light_for(x1, sampler.next_fine());
         let (x0, pdf) = choice.light.sample_toward(x1, sampler.next_2d());
         let direction = (x1 - x0.site.position).normalize();
         let densities = scene.light_densities(choice.id, &x0, x1, direction);
@@ -63,6 +63,27 @@ fn densities_are_those_of_the_draws() {
         drawn[choice.id.0 as usize] += 1;
     }
     assert!(drawn.iter().all(|&n| n > 1000), "{drawn:?}");
+}
+
+/// No lamp has so little power that it starts no light path: each owns some of the
+/// steps of `u`.
+#[test]
+fn every_lamp_starts_light_paths() {
+    let mut builder = builder();
+    for exponent in (-100..=100).step_by(20) {
+        builder.add_point_light(Vec3::ZERO, Rgb::splat(2_f32.powi(exponent))).unwrap();
+    }
+    let ball = Sphere::new(Vec3::X, 1e-6, Facing::Outward).unwrap();
+    // So little that its power is zero in single precision.
+    add(&mut builder, ObjectShape::Primitive(Primitive::Sphere(ball)), 1e-40);
+    let scene = builder.build().unwrap();
+    let mut found = vec![0; scene.lights().len()];
+    for step in 0..4096 {
+        let choice = scene.choose_light((f64::from(step) + 0.5) / 4096.0);
+        assert!(choice.probability > 1.0 / (18 * found.len()) as f32);
+        found[choice.id.0 as usize] += 1;
+    }
+    assert!(found.iter().all(|&count| count > 0), "{found:?}");
 }
 
 /// A triangle in the plane z = 0, its front up and its shading normal leaning by

@@ -83,9 +83,10 @@ fn warps_follow_their_densities_at_length() {
 }
 
 /// All eight numbers of a vertex, by name.
-fn eight(numbers: &VertexNumbers) -> [f32; 8] {
+fn eight(numbers: &VertexNumbers) -> [f64; 8] {
     let VertexNumbers { passage, bsdf: [lobe, x, y], roulette, light_pick, light_point } = *numbers;
-    [passage, lobe, x, y, roulette, light_pick, light_point.x, light_point.y]
+    let [passage, lobe, x, y, roulette] = [passage, lobe, x, y, roulette].map(f64::from);
+    [passage, lobe, x, y, roulette, light_pick, light_point.x.into(), light_point.y.into()]
 }
 
 /// Every pair of the numbers of one vertex, and each number with the same of the
@@ -105,11 +106,11 @@ fn stream_laws(samples: u64) {
         let [neighbour, _] = vertices(2 * path + 1);
         let pairs = (0..8).flat_map(|i| (0..i).map(move |j| (i, j)));
         for ((i, j), counts) in pairs.zip(&mut within) {
-            counts.add([f64::from(first[i]), f64::from(first[j])]);
+            counts.add([first[i], first[j]]);
         }
         for (i, counts) in onward.iter_mut().enumerate() {
             let other = if i < 8 { second } else { neighbour };
-            counts.add([f64::from(first[i % 8]), f64::from(other[i % 8])]);
+            counts.add([first[i % 8], other[i % 8]]);
         }
     }
     let finding = |(i, counts): (usize, Counts)| {
@@ -130,7 +131,7 @@ fn numbers_of_vertices_are_even_and_unrelated_at_length() {
 }
 
 /// Indices come as often as their weights say, from few and from many, and a
-/// scene's lamps as often as their power.
+/// scene's lamps as often as their power, or a sixteenth of its mean.
 fn choice_laws(samples: u64) {
     let few = vec![1.0, 0.0, 2.5, 1e-3, 7.0];
     let many: Vec<f32> = (0..1000_u16).map(|i| 1.0 + f32::from(i % 17)).collect();
@@ -148,7 +149,10 @@ fn choice_laws(samples: u64) {
         stage.lamp(disk_facing_down(Vec3::Z * (i + 1) as f32, 1.0), radiance, black())
     });
     let scene = scene.build();
-    findings.push(choice_finding("choice of a lamp", &radiances, samples, |u| {
+    let mean = radiances.iter().sum::<f32>() / radiances.len() as f32;
+    let weights: Vec<f32> = radiances.iter().map(|radiance| radiance.max(mean / 16.0)).collect();
+    assert!(weights[0] > radiances[0], "one of them is raised");
+    findings.push(choice_finding("choice of a lamp", &weights, samples, |u| {
         let id = scene.choose_light(u).id;
         scene.light_ids().position(|other| other == id).unwrap()
     }));
@@ -159,14 +163,14 @@ fn choice_finding(
     name: &str,
     weights: &[f32],
     samples: u64,
-    choose: impl Fn(f32) -> usize,
+    choose: impl Fn(f64) -> usize,
 ) -> Finding {
     let total: f64 = weights.iter().map(|&weight| f64::from(weight)).sum();
     let cells: Vec<f64> = weights.iter().map(|&weight| f64::from(weight) / total).collect();
     let mut counts = vec![0; weights.len()];
     let mut sampler = sampler(name);
     for _ in 0..samples {
-        counts[choose(sampler.next_1d())] += 1;
+        counts[choose(sampler.next_fine())] += 1;
     }
     follows(name, &cells, &counts)
 }

@@ -44,13 +44,17 @@ fn what_is_seen_to_shine_has_a_chance() {
     }
 }
 
-/// Of lamps that are alike but for their shape, together in one tree.
+/// Together in one tree, some 10³⁶ times as bright as others.
 #[test]
 fn what_is_seen_to_shine_among_many_has_a_chance() {
     let mut sampler = sampler(301);
     let primitives: Vec<_> = (0..40).flat_map(|_| shapes(&mut sampler, 1.0)).collect();
-    let lamp = |&primitive| Light::Area { primitive, radiance: Rgb::WHITE };
+    let lamp = |&primitive| {
+        let radiance = Rgb::splat(2_f32.powf(120.0 * sampler.next_1d() - 60.0));
+        Light::Area { primitive, radiance }
+    };
     let tree = LightTree::new(&primitives.iter().map(lamp).collect::<Vec<_>>());
+    let mut sampler = super::sampler(302);
     for (id, primitive) in (0..).zip(&primitives) {
         for i in 0..64 {
             let near = viewpoint(&mut sampler, primitive);
