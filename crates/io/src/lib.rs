@@ -16,6 +16,7 @@
 //! result.
 
 mod builtin;
+mod chromaticities;
 mod error;
 mod import;
 mod inventory;
@@ -39,4 +40,4 @@ pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, open_exr, save_picture,
     write_picture,
 };
-pub use texture::{Texture, TextureError, TextureLimits, load_texture, texture_from_bytes};
+pub use texture::{Coding, Texture, TextureError, TextureLimits, load_texture, texture_from_bytes};

@@ -1,7 +1,9 @@
 //! Pictures of any program, as light and opacity.
 //!
-//! The first bytes of a file say what it is; only TGA has none of its own and is
-//! known by its last bytes or the ending of its name.
+//! The content of a file says what it is, whatever it is called, and with that
+//! whether its numbers are light or follow a curve ([`Coding`]). TGA alone has no
+//! first bytes of its own: it is known by a header that makes sense, by its last
+//! bytes, or for want of both by the ending of its name.
 //!
 //! | format | what is read |
 //! |---|---|
@@ -10,7 +12,7 @@
 //! | GIF | the first frame, at its place on the screen and cut to it; transparent black around it |
 //! | TGA | types 1, 2, 3 and 9, 10, 11; 8, 15, 16, 24, 32 bits; all four orders |
 //! | PCX | 1, 2, 4, 8 bits in one plane, 1 bit in two to four, 24 bits |
-//! | Radiance | `.hdr` of RGBE, rows from the top |
+//! | Radiance | RGBE, in all eight orders; `EXPOSURE` and `COLORCORR` taken back, other primaries converted |
 //! | EXR | what [`load_exr`](crate::load_exr) reads, without opacity |
 //!
 //! All but the last two have 8 or 16 bits a channel and do not say which curve
@@ -61,6 +63,15 @@ impl TextureLimits {
     }
 }
 
+/// How the numbers of a file stand for light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coding {
+    /// They are light itself: Radiance and EXR.
+    Linear,
+    /// They follow the curve of sRGB (IEC 61966-2-1): all other formats.
+    Srgb,
+}
+
 /// A picture to look up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
@@ -69,6 +80,8 @@ pub struct Texture {
     pub pixels: Grid<Rgb>,
     /// Opacity from 0 to 1, of the same size; `None` if every pixel is opaque.
     pub alpha: Option<Grid<f32>>,
+    /// How the numbers in the file stand for light.
+    pub coding: Coding,
     /// What was repaired.
     pub warnings: Vec<Warning>,
 }
@@ -86,7 +99,7 @@ pub enum TextureError {
     /// Neither the content nor the name is of a known format.
     #[error(
         "it begins as none of PNG, JPEG, GIF, PCX, Radiance and EXR does; \
-         a TGA file must be named .tga"
+         a TGA file whose header makes no sense must be named .tga"
     )]
     UnknownFormat,
     /// It says it has no pixels.
@@ -132,6 +145,7 @@ pub fn load_texture(path: &Path, limits: TextureLimits) -> Result<Texture, Error
         return Ok(Texture {
             pixels: load_exr_within(path, limits.pixels)?,
             alpha: None,
+            coding: Coding::Linear,
             warnings: Vec::new(),
         });
     }
@@ -148,11 +162,11 @@ pub fn texture_from_bytes(
     name: &Path,
     limits: TextureLimits,
 ) -> Result<Texture, Error> {
-    let Decoded { pixels, alpha, repairs } =
+    let Decoded { pixels, alpha, coding, repairs } =
         decode(bytes, name, limits).map_err(|cause| in_file(name, cause))?;
     let file = name.display().to_string();
     let warning = |what: &str| Warning { file: file.clone(), what: what.to_string(), count: 1 };
-    Ok(Texture { pixels, alpha, warnings: repairs.into_iter().map(warning).collect() })
+    Ok(Texture { pixels, alpha, coding, warnings: repairs.into_iter().map(warning).collect() })
 }
 
 fn in_file(path: &Path, cause: TextureError) -> Error {
@@ -172,6 +186,7 @@ fn read(path: &Path, limits: TextureLimits) -> Result<Vec<u8>, TextureError> {
 struct Decoded {
     pixels: Grid<Rgb>,
     alpha: Option<Grid<f32>>,
+    coding: Coding,
     /// What was repaired, in words, each kind once.
     repairs: Vec<&'static str>,
 }

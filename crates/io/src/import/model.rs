@@ -76,7 +76,7 @@ fn is_mgf(path: &Path) -> bool {
 }
 
 /// Whether a file's name ends so, in any case.
-pub(super) fn has_ending(path: &Path, wanted: &str) -> bool {
+fn has_ending(path: &Path, wanted: &str) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
 }
 

@@ -1,8 +1,7 @@
 //! Pictures on surfaces: read once for each way in which they are used.
 
-use super::model::has_ending;
 use crate::source::Location;
-use crate::texture::{self, TextureLimits, load_texture, texture_from_bytes};
+use crate::texture::{self, Coding, TextureLimits, load_texture, texture_from_bytes};
 use crate::{Warning, srgb};
 use std::collections::HashMap;
 use std::path::Path;
@@ -77,8 +76,7 @@ impl Textures {
         };
         let picture = picture.map_err(|error| error.to_string())?;
         self.pixels = MOST_PIXELS.min(self.pixels + picture.pixels.values().len() as u64);
-        let is_coded = !is_linear(file);
-        let pixels = pixels(&picture, usage, is_coded);
+        let pixels = pixels(&picture, usage);
         for warning in picture.warnings {
             if !self.warnings.contains(&warning) {
                 self.warnings.push(warning);
@@ -93,16 +91,11 @@ impl Textures {
     }
 }
 
-/// Whether a file's numbers are light itself.
-fn is_linear(file: &Location) -> bool {
-    let path = match file {
-        Location::Disk(path) => path.as_path(),
-        Location::BuiltIn(name) => Path::new(name),
+fn pixels(picture: &texture::Texture, usage: Usage) -> Grid<Rgb> {
+    let is_coded = match picture.coding {
+        Coding::Linear => false,
+        Coding::Srgb => true,
     };
-    has_ending(path, "exr") || has_ending(path, "hdr")
-}
-
-fn pixels(picture: &texture::Texture, usage: Usage, is_coded: bool) -> Grid<Rgb> {
     let bands = |pixel: Rgb, f: fn(f32) -> f32| Rgb::from(pixel.to_array().map(f));
     let stored = |pixel: &Rgb| if is_coded { bands(*pixel, srgb::encode) } else { *pixel };
     let turned = |pixel: Rgb| if usage.negative { bands(pixel, |x| 1.0 - x) } else { pixel };
@@ -121,26 +114,60 @@ fn pixels(picture: &texture::Texture, usage: Usage, is_coded: bool) -> Grid<Rgb>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::tests::Folder;
+    use crate::write_picture;
+    use std::fs;
+    use traylib_materials::Tiling;
+    use traylib_math::Vec2;
 
-    fn value(meaning: Meaning, negative: bool, factor: f32, is_coded: bool) -> f32 {
+    /// What a picture file has in its middle.
+    fn loaded(file: &Path, meaning: Meaning) -> f32 {
+        let location = Location::Disk(file.to_path_buf());
+        let texture = Textures::default().load(&location, Usage::plain(meaning)).unwrap();
+        texture.lookup(Vec2::splat(0.5), Tiling::Repeat).unwrap().g
+    }
+
+    /// A name says nothing, whatever the picture is used for.
+    #[test]
+    fn content_decides_whether_numbers_are_light() {
+        let folder = Folder::new("coding");
+        let grey = Grid::filled(2, 2, Rgb::splat(0.25));
+        let [amount, colour] = [Meaning::Amount, Meaning::Colour];
+        for (format, as_stored) in
+            [("hdr", 0.25), ("exr", 0.25), ("png", 137.0 / 255.0), ("tga", 137.0 / 255.0)]
+        {
+            let written = folder.path().join(format!("a.{format}"));
+            for name in ["b.pic", "b.hdr", "b.exr", "b.png", "b.tga", "b"] {
+                write_picture(&written, &grey, 1.0, &[]).unwrap();
+                let renamed = folder.path().join(name);
+                fs::rename(&written, &renamed).unwrap();
+                let found = [loaded(&renamed, amount), loaded(&renamed, colour)];
+                assert!((found[0] - as_stored).abs() < 1e-6, "{format} {name}: {found:?}");
+                assert!((found[1] - 0.25).abs() < 2e-3, "{format} {name}: {found:?}");
+            }
+        }
+    }
+
+    fn value(meaning: Meaning, negative: bool, factor: f32, coding: Coding) -> f32 {
         let grey = srgb::decode(0.25);
         let picture = texture::Texture {
             pixels: Grid::filled(1, 1, Rgb::splat(grey)),
             alpha: Some(Grid::filled(1, 1, 0.75)),
+            coding,
             warnings: Vec::new(),
         };
-        pixels(&picture, Usage { meaning, negative, factor }, is_coded).values()[0].g
+        pixels(&picture, Usage { meaning, negative, factor }).values()[0].g
     }
 
     #[test]
     fn amounts_are_as_stored_and_colours_linear() {
         let near = |a: f32, b: f32| assert!((a - b).abs() < 1e-6, "{a} {b}");
-        near(value(Meaning::Colour, false, 0.5, true), 0.5 * srgb::decode(0.25));
-        near(value(Meaning::Amount, false, 1.0, true), 0.25);
-        near(value(Meaning::Amount, true, 1.0, true), 0.75);
-        near(value(Meaning::Colour, true, 1.0, true), srgb::decode(0.75));
-        near(value(Meaning::Amount, false, 1.0, false), srgb::decode(0.25));
-        near(value(Meaning::Alpha, false, 1.0, true), 0.75);
-        near(value(Meaning::Alpha, true, 2.0, true), 0.5);
+        near(value(Meaning::Colour, false, 0.5, Coding::Srgb), 0.5 * srgb::decode(0.25));
+        near(value(Meaning::Amount, false, 1.0, Coding::Srgb), 0.25);
+        near(value(Meaning::Amount, true, 1.0, Coding::Srgb), 0.75);
+        near(value(Meaning::Colour, true, 1.0, Coding::Srgb), srgb::decode(0.75));
+        near(value(Meaning::Amount, false, 1.0, Coding::Linear), srgb::decode(0.25));
+        near(value(Meaning::Alpha, false, 1.0, Coding::Srgb), 0.75);
+        near(value(Meaning::Alpha, true, 2.0, Coding::Srgb), 0.5);
     }
 }

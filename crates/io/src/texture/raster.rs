@@ -1,7 +1,7 @@
 //! Formats of 8 or 16 bits a channel: to linear light.
 
 use super::gif::with_screen;
-use super::{Decoded, TextureError, TextureLimits};
+use super::{Coding, Decoded, TextureError, TextureLimits};
 use crate::srgb;
 use image::codecs::gif::GifDecoder;
 use image::codecs::jpeg::JpegDecoder;
@@ -104,6 +104,7 @@ fn decoded<T: Copy>(
     Decoded {
         pixels: Grid::from_values(width, height, colours).expect("one a pixel"),
         alpha: Grid::from_values(width, height, alpha).filter(|_| !is_opaque),
+        coding: Coding::Srgb,
         repairs: Vec::new(),
     }
 }

@@ -5,13 +5,13 @@ use std::path::Path;
 /// How an EXR file begins.
 pub(super) const EXR: &[u8] = &[0x76, 0x2f, 0x31, 0x01];
 
-const SIGNATURES: [(&[u8], Format); 6] = [
+const SIGNATURES: [(&[u8], Format); 5] = [
     (b"\x89PNG\r\n\x1a\n", Format::Png),
     (b"\xff\xd8\xff", Format::Jpeg),
     (b"GIF87a", Format::Gif),
     (b"GIF89a", Format::Gif),
-    (b"#?RADIANCE", Format::Hdr),
-    (b"#?RGBE", Format::Hdr),
+    // A program's name follows: RADIANCE, RGBE, AUTOPANO and others.
+    (b"#?", Format::Hdr),
 ];
 
 /// How a TGA file of version 2 ends.
@@ -29,7 +29,8 @@ pub(super) enum Format {
 }
 
 impl Format {
-    /// Content goes before the name.
+    /// Content goes before the name, which says no more than that a file without the
+    /// marks of any format is a damaged TGA file.
     pub(super) fn of(bytes: &[u8], name: &Path) -> Option<Self> {
         let signed = SIGNATURES.iter().find(|(begin, _)| bytes.starts_with(begin));
         let pcx = || is_pcx(bytes).then_some(Self::Pcx);
@@ -45,8 +46,27 @@ fn is_pcx(bytes: &[u8]) -> bool {
 }
 
 fn is_tga(bytes: &[u8], name: &Path) -> bool {
-    let named = name.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("tga"));
-    named || bytes.ends_with(TGA_FOOTER)
+    let named = || name.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("tga"));
+    bytes.ends_with(TGA_FOOTER) || has_tga_header(bytes) || named()
+}
+
+/// Whether the header agrees with itself: a map of colours where the kind of picture
+/// needs one, numbers of bits that there are, a size, and no bits that are not used.
+fn has_tga_header(bytes: &[u8]) -> bool {
+    let Some(header) = bytes.first_chunk::<18>() else { return false };
+    let &[_, map, kind, _, _, m0, m1, map_bits, _, _, _, _, w0, w1, h0, h1, bits, flags] = header;
+    let sound_map = match map {
+        0 => true,
+        1 => m0 | m1 != 0 && matches!(map_bits, 15 | 16 | 24 | 32),
+        _ => return false,
+    };
+    let sound_bits = match kind {
+        1 | 9 => map == 1 && matches!(bits, 8 | 16),
+        2 | 10 => matches!(bits, 15 | 16 | 24 | 32),
+        3 | 11 => matches!(bits, 8 | 16),
+        _ => false,
+    };
+    sound_map && sound_bits && w0 | w1 != 0 && h0 | h1 != 0 && flags & 0xc0 == 0
 }
 
 #[cfg(test)]
@@ -58,6 +78,7 @@ mod tests {
         for (bytes, name, expected) in [
             (&b"GIF89a..."[..], "a.png", Some(Format::Gif)),
             (b"\xff\xd8\xff\xe0", "a.tga", Some(Format::Jpeg)),
+            (b"#?AUTOPANO\n", "a.tga", Some(Format::Hdr)),
             (b"GIF90a...", "a.gif", None),
             (b"GIF90a...", "a.TGA", Some(Format::Tga)),
             (b"...TRUEVISION-XFILE.\0", "a", Some(Format::Tga)),
@@ -66,6 +87,20 @@ mod tests {
             (b"", "a.hdr", None),
         ] {
             assert_eq!(Format::of(bytes, Path::new(name)), expected, "{name}");
+        }
+    }
+
+    #[test]
+    fn tga_is_known_by_its_header() {
+        let sound = [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 3, 0, 24, 0x20];
+        let of = |header: &[u8]| Format::of(header, Path::new("a.png"));
+        assert_eq!(of(&sound), Some(Format::Tga));
+        assert_eq!(of(&sound[..17]), None);
+        // Another map, kind, width, number of bits, and a bit that is not used.
+        for (at, byte) in [(1, 2), (1, 1), (2, 4), (2, 1), (12, 0), (16, 23), (17, 0x40)] {
+            let mut other = sound;
+            other[at] = byte;
+            assert_eq!(of(&other), None, "{at}");
         }
     }
 }
