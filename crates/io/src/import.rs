@@ -10,6 +10,7 @@ mod material;
 mod mesh;
 mod model;
 mod object;
+mod one_sided;
 mod place;
 mod placement;
 mod shape;
@@ -28,6 +29,7 @@ use crate::ron_scene::locate::Path;
 use crate::{Error, Warning};
 use material::Materials;
 use model::ModelFiles;
+use tally::Tally;
 use thing::{Thing, ThingMaterial};
 use traylib_materials::Material;
 use traylib_math::Vec3;
@@ -66,10 +68,12 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
     check_for_light(files, &parts, &points, &mut problems);
     match camera {
         Some(camera) if problems.is_empty() => {
+            let one_sided = one_sided(&parts, &materials, &models);
             let scene =
                 build(root, camera, [materials.models(), models.materials()], parts, points)?;
             let mut warnings = materials.into_warnings();
             warnings.extend(models.into_warnings());
+            warnings.extend(one_sided);
             Ok(Imported { scene, settings, warnings, notes: Vec::new() })
         }
         _ => Err(Error::Scene(Report(problems))),
@@ -140,6 +144,33 @@ fn check_for_light(
     }
 }
 
+/// One warning for each material, about the file whose object it is on.
+fn one_sided(
+    parts: &[object::Part],
+    materials: &Materials,
+    models: &ModelFiles<'_>,
+) -> Vec<Warning> {
+    let mut tallies: Vec<(&str, Tally)> = Vec::new();
+    for object::Part { place, thing } in parts {
+        let (material, name) = match thing.material {
+            ThingMaterial::Named(index) => (&materials.models()[index], materials.name(index)),
+            ThingMaterial::Own(index) => (&models.materials()[index], models.name(index)),
+        };
+        let remedy = "give the object `sides: Both`";
+        let Some(what) = one_sided::warning(thing, material, name, remedy) else { continue };
+        let file = place.source.name.as_str();
+        match tallies.iter_mut().find(|(known, _)| *known == file) {
+            Some((_, tally)) => tally.add(what),
+            None => {
+                let mut tally = Tally::default();
+                tally.add(what);
+                tallies.push((file, tally));
+            }
+        }
+    }
+    tallies.into_iter().flat_map(|(file, tally)| tally.into_warnings(file)).collect()
+}
+
 /// What the checks before have let through can only fail in ways that depend
 /// on the whole.
 fn build(
@@ -153,7 +184,7 @@ fn build(
     let [named, own] = materials
         .map(|some| some.iter().map(|m| builder.add_material(m.clone())).collect::<Vec<_>>());
     let mut problems = Vec::new();
-    for object::Part { place, thing: Thing { shape, sides, material, emission } } in parts {
+    for object::Part { place, thing: Thing { shape, sides, material, emission, .. } } in parts {
         let material = match material {
             ThingMaterial::Named(index) => named[index],
             ThingMaterial::Own(index) => own[index],

@@ -18,6 +18,8 @@ use std::collections::HashMap;
 #[derive(Default)]
 pub(super) struct Materials {
     models: Vec<traylib_materials::Material>,
+    /// Of the models.
+    model_names: Vec<String>,
     /// `None` is a material that has an error of its own.
     by_name: HashMap<String, Option<usize>>,
     /// In file order, for messages.
@@ -54,6 +56,7 @@ impl Materials {
         let mut maker = Maker { location, textures: &mut self.textures, problems };
         let index = maker.material(value, material).map(|model| {
             self.models.push(model);
+            self.model_names.push(name.to_string());
             self.models.len() - 1
         });
         self.by_name.insert(name.to_string(), index);
@@ -63,6 +66,11 @@ impl Materials {
     /// The models, by the numbers that [`find`](Self::find) gives.
     pub(super) fn models(&self) -> &[traylib_materials::Material] {
         &self.models
+    }
+
+    /// What the model of this number is called.
+    pub(super) fn name(&self, number: usize) -> &str {
+        &self.model_names[number]
     }
 
     /// What was repaired in their pictures.

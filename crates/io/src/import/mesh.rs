@@ -55,6 +55,10 @@ impl MeshImporter<'_> {
                 continue;
             }
             let mut thing = Thing::of_model(look, part, model.first, glow);
+            if self.object.sides == Some(ron_scene::Sides::Front) {
+                // Its other half is left out.
+                thing.half = Half::Whole;
+            }
             let named = named.or_else(|| replaced.get(&number).copied());
             self.change(&mut thing, half, named);
             things.push(thing);

@@ -149,6 +149,8 @@ pub(super) struct ModelFiles<'a> {
     root: Option<&'a Path>,
     files: Vec<(Location, Rc<NumberedFile>)>,
     materials: Vec<Material>,
+    /// Of the materials.
+    names: Vec<String>,
     lights: Vec<PointLight>,
     warnings: Vec<Warning>,
 }
@@ -162,8 +164,14 @@ pub(super) struct NumberedFile {
 
 impl<'a> ModelFiles<'a> {
     pub(super) fn new(root: Option<&'a Path>) -> Self {
-        let (files, materials) = (Vec::new(), Vec::new());
-        Self { root, files, materials, lights: Vec::new(), warnings: Vec::new() }
+        Self {
+            root,
+            files: Vec::new(),
+            materials: Vec::new(),
+            names: Vec::new(),
+            lights: Vec::new(),
+            warnings: Vec::new(),
+        }
     }
 
     /// A file, which may include others from its own folder and that of the scene
@@ -188,6 +196,7 @@ impl<'a> ModelFiles<'a> {
         self.warnings.extend(warnings);
         let first = self.materials.len();
         self.materials.extend(file.looks.iter().map(|look| look.material.clone()));
+        self.names.extend(file.looks.iter().map(|look| look.name.clone()));
         let file = Rc::new(NumberedFile { file, first });
         self.files.push((location.clone(), Rc::clone(&file)));
         Ok(file)
@@ -211,6 +220,11 @@ impl<'a> ModelFiles<'a> {
     /// The materials of all files, by number.
     pub(super) fn materials(&self) -> &[Material] {
         &self.materials
+    }
+
+    /// What a file calls its material of this number.
+    pub(super) fn name(&self, number: usize) -> &str {
+        &self.names[number]
     }
 
     pub(super) fn into_warnings(self) -> Vec<Warning> {

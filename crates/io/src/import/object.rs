@@ -3,7 +3,7 @@
 use super::files::SceneFile;
 use super::material::Materials;
 use super::mesh::MeshImporter;
-use super::model::ModelFiles;
+use super::model::{Half, ModelFiles};
 use super::place::Place;
 use super::shape;
 use super::thing::{Thing, ThingMaterial};
@@ -79,6 +79,6 @@ impl Importer<'_> {
         let Some(material) = named.map(ThingMaterial::Named) else { return Vec::new() };
         let sides = self.object.sides.map_or(Sides::Both, Sides::from);
         let shapes = found.into_iter().map(ObjectShape::Primitive);
-        shapes.map(|shape| Thing { shape, sides, material, emission }).collect()
+        shapes.map(|shape| Thing { shape, sides, material, emission, half: Half::Whole }).collect()
     }
 }

@@ -41,7 +41,9 @@ impl From<ron_scene::Sides> for geometry::Sides {
     }
 }
 
-/// Six rectangles whose fronts are outside.
+/// Six rectangles whose fronts are outside. Seen from there, with y up, u goes to the
+/// right and v up on the four walls. Top and bottom go on from the wall at the largest
+/// z: u along x, v past the wall's upper edge, and toward its lower one.
 fn sides_of_block(block: &Block) -> Result<Vec<Primitive>, String> {
     let (min, max) = (Vec3::from(block.min), Vec3::from(block.max));
     if !min.cmplt(max).all() {
@@ -49,7 +51,10 @@ fn sides_of_block(block: &Block) -> Result<Vec<Primitive>, String> {
     }
     let size = max - min;
     let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * size);
-    [(min, z, y), (min + x, y, z), (min, x, z), (min + y, z, x), (min, y, x), (min + z, x, y)]
+    // The corners where u and v are zero.
+    let [right, top] = [min.with_x(max.x), min.with_y(max.y).with_z(max.z)];
+    let [front, right_front] = [min.with_z(max.z), max.with_y(min.y)];
+    [(min, z, y), (right_front, -z, y), (min, x, z), (top, x, -z), (right, -x, y), (front, x, y)]
         .into_iter()
         .map(|(corner, u, v)| {
             Quad::new(corner, u, v).map(Primitive::Quad).map_err(|e| e.to_string())
@@ -73,6 +78,51 @@ mod tests {
             let ray = Ray::new(middle, direction);
             let hits = |seen| sides.iter().filter_map(|s| s.intersect(&ray, seen)).count();
             assert_eq!((hits(Sides::Both), hits(Sides::Front)), (1, 0), "{direction}");
+        }
+    }
+
+    #[test]
+    fn pictures_lie_on_each_side_of_a_block() {
+        let block = Block { min: [-1.0, 2.0, 0.5], max: [3.0, 3.0, 1.5] };
+        let sides = sides_of_block(&block).unwrap();
+        // Where to look from, and where the bottom left, the bottom right and the top
+        // left corner of the picture are seen.
+        let (left, right, low, high) = (-1.0, 3.0, 2.0, 3.0);
+        let (back, front) = (0.5, 1.5);
+        let point = Vec3::new;
+        for (normal, corners) in [
+            (
+                Vec3::Z,
+                [point(left, low, front), point(right, low, front), point(left, high, front)],
+            ),
+            (
+                Vec3::X,
+                [point(right, low, front), point(right, low, back), point(right, high, front)],
+            ),
+            (
+                Vec3::NEG_Z,
+                [point(right, low, back), point(left, low, back), point(right, high, back)],
+            ),
+            (
+                Vec3::NEG_X,
+                [point(left, low, back), point(left, low, front), point(left, high, back)],
+            ),
+            (
+                Vec3::Y,
+                [point(left, high, front), point(right, high, front), point(left, high, back)],
+            ),
+            (
+                Vec3::NEG_Y,
+                [point(left, low, back), point(right, low, back), point(left, low, front)],
+            ),
+        ] {
+            let quad = sides.iter().find_map(|side| match side {
+                Primitive::Quad(quad) if quad.normal() == normal => Some(quad),
+                _ => None,
+            });
+            let quad = quad.unwrap();
+            let [u, v] = quad.edges();
+            assert_eq!([quad.corner(), quad.corner() + u, quad.corner() + v], corners, "{normal}");
         }
     }
 

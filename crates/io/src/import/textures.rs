@@ -6,7 +6,7 @@ use crate::{Warning, srgb};
 use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
-use traylib_materials::Texture;
+use traylib_materials::{Layer, Texture};
 use traylib_math::{Grid, Rgb};
 
 /// What the values of a picture stand for.
@@ -41,6 +41,9 @@ impl Usage {
 /// Pixels that all pictures may have together, 1.5 GiB.
 const MOST_PIXELS: u64 = 1 << 27;
 
+/// One, but for the rounding of the curve for screens, there and back.
+const FULL: f32 = 1.0 - 1e-6;
+
 type Key = (Location, Meaning, bool, u32);
 
 /// The pictures read so far.
@@ -48,6 +51,8 @@ type Key = (Location, Meaning, bool, u32);
 pub(super) struct Textures {
     known: HashMap<Key, Result<Arc<Texture>, String>>,
     pixels: u64,
+    /// Those with no band of any pixel below one.
+    full: Vec<Arc<Texture>>,
     warnings: Vec<Warning>,
 }
 
@@ -82,7 +87,19 @@ impl Textures {
                 self.warnings.push(warning);
             }
         }
-        Texture::new(pixels).map(Arc::new).ok_or_else(|| format!("{file}: it has no pixels"))
+        let is_full = pixels.values().iter().all(|pixel| pixel.min_band() >= FULL);
+        let texture = Texture::new(pixels).ok_or_else(|| format!("{file}: it has no pixels"))?;
+        let texture = Arc::new(texture);
+        if is_full {
+            self.full.push(Arc::clone(&texture));
+        }
+        Ok(texture)
+    }
+
+    /// A layer of opacity, unless its picture leaves nothing out.
+    pub(super) fn opacity(&self, layer: Layer) -> Option<Layer> {
+        let is_full = self.full.iter().any(|full| Arc::ptr_eq(full, &layer.texture));
+        (!is_full).then_some(layer)
     }
 
     /// What was repaired.

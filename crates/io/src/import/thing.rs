@@ -11,6 +11,8 @@ pub(super) struct Thing {
     pub(super) sides: Sides,
     pub(super) material: ThingMaterial,
     pub(super) emission: Rgb,
+    /// Whether its other side is a thing of its own.
+    pub(super) half: Half,
 }
 
 /// What a thing is made of.
@@ -32,6 +34,7 @@ impl Thing {
             sides,
             material: ThingMaterial::Own(first + part.look),
             emission: look.emission * glow,
+            half: part.half,
         }
     }
 

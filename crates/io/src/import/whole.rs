@@ -3,7 +3,8 @@
 use super::Imported;
 use super::frame;
 use super::lights::add_light;
-use super::model::{ModelCamera, ModelFile, ModelPart};
+use super::model::{Look, ModelCamera, ModelFile, ModelPart};
+use super::one_sided;
 use super::placement::Placement;
 use super::tally::Tally;
 use super::thing::{Thing, ThingMaterial};
@@ -37,6 +38,7 @@ pub(crate) fn import_whole(
     if bounds.is_empty() {
         return Err(Error::NothingToSee(name));
     }
+    note_one_sided(&file, &things, &mut tally);
     let (view, mut notes) = view(&file, &things, &bounds, options);
     let mut lights = file.lights(&Placement::NONE, bounds.centre());
     if lights.is_empty() && things.iter().all(|thing| thing.emission.is_black()) {
@@ -60,6 +62,22 @@ fn things(file: &ModelFile, tally: &mut Tally) -> Result<Vec<Thing>, traylib_geo
     let parts = file.parts(&Placement::NONE, tally)?;
     let look = |part: &ModelPart| &file.looks[part.look];
     Ok(parts.into_iter().map(|part| Thing::of_model(look(&part), part, 0, 1.0)).collect())
+}
+
+/// What lets light through and has one side.
+fn note_one_sided(file: &ModelFile, things: &[Thing], tally: &mut Tally) {
+    let remedy = if file.is_physical() {
+        "give it `sides 2`, or use the file in a scene file, its object with `sides: Both`"
+    } else {
+        "make it 2-sided, or use the file in a scene file, its object with `sides: Both`"
+    };
+    for thing in things {
+        let (ThingMaterial::Own(number) | ThingMaterial::Named(number)) = thing.material;
+        let Look { material, name, .. } = &file.looks[number];
+        if let Some(what) = one_sided::warning(thing, material, name, remedy) {
+            tally.add(what);
+        }
+    }
 }
 
 /// The file's camera, else one of ours and a note of it.
@@ -115,7 +133,7 @@ fn build(
     let mut builder = SceneBuilder::new(camera);
     let materials = file.looks.iter().map(|look| look.material.clone());
     let ids: Vec<_> = materials.map(|material| builder.add_material(material)).collect();
-    for Thing { shape, sides, material, emission } in things {
+    for Thing { shape, sides, material, emission, .. } in things {
         let (ThingMaterial::Own(number) | ThingMaterial::Named(number)) = material;
         let object = Object { shape, sides, material: ids[number], emission };
         match builder.add_object(object) {

@@ -198,6 +198,7 @@ fn meshes_bring_their_materials_and_warnings() {
 }
 
 mod models;
+mod surfaces;
 
 #[test]
 fn the_example_in_the_manual_loads() {

@@ -1,4 +1,5 @@
 use super::*;
+use crate::import::model::Half;
 use crate::import::thing::ThingMaterial;
 use traylib_geometry::{Disk, Facing, Mesh, Sides, Sphere};
 use traylib_math::Rgb;
@@ -7,7 +8,7 @@ use traylib_scene::ObjectShape;
 fn thing(primitive: Primitive, emission: f32) -> Thing {
     let (sides, material) = (Sides::Front, ThingMaterial::Own(0));
     let shape = ObjectShape::Primitive(primitive);
-    Thing { shape, sides, material, emission: Rgb::splat(emission) }
+    Thing { shape, sides, material, emission: Rgb::splat(emission), half: Half::Whole }
 }
 
 fn sphere(facing: Facing) -> Thing {

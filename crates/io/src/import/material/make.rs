@@ -78,7 +78,8 @@ impl Maker<'_> {
         let maps = Maps {
             diffuse: layer("diffuse", &textured.diffuse, Meaning::Colour),
             specular: layer("specular", &textured.specular, Meaning::Colour),
-            opacity: layer("opacity", &textured.opacity, Meaning::Amount),
+            opacity: layer("opacity", &textured.opacity, Meaning::Amount)
+                .and_then(|layer| self.textures.opacity(layer)),
             bump: textured.bump.as_ref().and_then(|b| self.bump(&place.field("bump"), b)),
         };
         let material = material?;

@@ -53,6 +53,7 @@ impl MapImporter<'_> {
         if maps.opacity.is_none() && material.transparency > 0.0 {
             maps.opacity = even(1.0 - material.transparency);
         }
+        maps.opacity = maps.opacity.and_then(|layer| self.textures.opacity(layer));
         Some(Box::new(maps))
     }
 
