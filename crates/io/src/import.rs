@@ -3,6 +3,7 @@
 //! Everything that makes no sense is collected, with its place in the text, and
 //! reported together.
 
+mod coincidence;
 mod files;
 mod frame;
 mod lights;
@@ -74,6 +75,7 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
             let mut warnings = materials.into_warnings();
             warnings.extend(models.into_warnings());
             warnings.extend(one_sided);
+            warnings.extend(coincidence::warnings(&scene, &root.source.name));
             Ok(Imported { scene, settings, warnings, notes: Vec::new() })
         }
         _ => Err(Error::Scene(Report(problems))),

@@ -164,7 +164,7 @@ impl SceneBuilder {
             DiscreteDistribution::with_floor(&powers, RAREST).ok_or(Error::Dark)?;
         let mut shapes = Bvh::of_shapes(self.shapes)?;
         let lifted_lamps = coincidence::lift_lamps(&mut shapes, &surfaces, &mut lights)?;
-        let seats = seats(&lights, &surfaces, shapes.shapes());
+        let seats = seats(&lights, &surfaces, &self.materials, shapes.shapes());
         let is_within = |seat: &&Seat| matches!(seat, Seat::Within(_));
         let points_in_surfaces = seats.iter().filter(is_within).count();
         let light_tree = LightTree::new(&lights);
@@ -185,17 +185,27 @@ impl SceneBuilder {
     }
 }
 
-/// What each lamp lies on.
-fn seats(lights: &[Light], surfaces: &[Surface], shapes: &[SidedPrimitive]) -> Vec<Seat> {
-    let mut own = vec![None; lights.len()];
-    for (index, surface) in (0..).zip(surfaces) {
-        if let Some(id) = surface.light {
-            own[id.0 as usize] = Some(index);
-        }
-    }
-    let seat = |(light, own): (&Light, Option<u32>)| match light {
-        Light::Area { .. } => own.map_or(Seat::Free, Seat::Surface),
+/// What each lamp lies on; nothing if that matters for none.
+fn seats(
+    lights: &[Light],
+    surfaces: &[Surface],
+    materials: &[Material],
+    shapes: &[SidedPrimitive],
+) -> Vec<Seat> {
+    let of_light = |light: &Light| match light {
+        Light::Area { .. } => Seat::Plain,
         Light::Point(point) => Seat::of_point(point.position, shapes),
     };
-    lights.iter().zip(own).map(seat).collect()
+    let mut seats: Vec<Seat> = lights.iter().map(of_light).collect();
+    for (index, surface) in (0..).zip(surfaces) {
+        if let Some(id) = surface.light
+            && materials[surface.material as usize].has_opacity()
+        {
+            seats[id.0 as usize] = Seat::Masked(index);
+        }
+    }
+    if seats.iter().all(|seat| matches!(seat, Seat::Plain)) {
+        seats.clear();
+    }
+    seats
 }

@@ -8,7 +8,7 @@
 
 use crate::Light;
 use crate::scene::Surface;
-use traylib_geometry::{Bvh, Error, Shapes, SidedPrimitive};
+use traylib_geometry::{Bvh, Error, Ray, Shapes, SidedPrimitive, Sides};
 use traylib_math::{Defect, Vec2, planted};
 
 /// Points along each side of a lamp at which something else is looked for.
@@ -71,18 +71,25 @@ fn height(shapes: &Bvh<Shapes<SidedPrimitive>>, surfaces: &[Surface], lamp: u32)
 }
 
 /// The other primitives in one place with this one, and whether they face the same way.
+/// Two that face opposite ways and have their fronts alone are never met together.
 fn in_one_place(shapes: &Bvh<Shapes<SidedPrimitive>>, index: u32) -> Vec<(u32, bool)> {
-    let primitive = &shapes.shapes()[index as usize].primitive;
+    let SidedPrimitive { primitive, sides } = &shapes.shapes()[index as usize];
     let share = |i: u8| (f32::from(i) + 0.5) / f32::from(POINTS);
     let mut found = Vec::new();
     for i in 0..POINTS * POINTS {
         let site = primitive.sample_area(Vec2::new(share(i / POINTS), share(i % POINTS)));
-        let ray = site.through();
-        for hit in shapes.all_hits(&ray) {
-            let other = &shapes.shapes()[hit.primitive as usize].primitive;
-            let cosine = other.site(&ray, &hit).normal.dot(site.normal);
-            if hit.primitive != index && cosine.abs() > PARALLEL {
-                found.push((hit.primitive, cosine > 0.0));
+        let forth = site.through();
+        // One-sided surfaces are met one way.
+        let back = Ray { origin: forth.at(forth.t_max), direction: -forth.direction, ..forth };
+        for ray in [forth, back] {
+            for hit in shapes.all_hits(&ray) {
+                let other = &shapes.shapes()[hit.primitive as usize];
+                let cosine = other.primitive.site(&ray, &hit).normal.dot(site.normal);
+                let is_parallel = cosine.abs() > PARALLEL;
+                let met_together = cosine > 0.0 || [*sides, other.sides].contains(&Sides::Both);
+                if hit.primitive != index && is_parallel && met_together {
+                    found.push((hit.primitive, cosine > 0.0));
+                }
             }
         }
     }

@@ -33,7 +33,7 @@ pub struct Scene {
     pub(crate) see_through: bool,
     pub(crate) meshes: Vec<Mesh>,
     pub(crate) lights: Vec<Light>,
-    /// What each lamp lies on.
+    /// What each lamp lies on; none where that matters for no lamp.
     pub(crate) seats: Vec<Seat>,
     pub(crate) coincidences: Coincidences,
     pub(crate) light_by_power: DiscreteDistribution,
@@ -102,7 +102,13 @@ impl Scene {
     /// The first surface that a ray or a segment meets, be it one that light passes
     /// straight through or not.
     pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint> {
-        let (hit, site) = self.nearest(ray)?;
+        let mut hit = self.shapes.nearest(ray)?;
+        let primitive = self.primitive(hit.primitive);
+        let mut site = primitive.site(ray, &hit);
+        let from_behind = site.normal.dot(ray.direction) > 0.0;
+        if from_behind && primitive.is_on_edge(hit.u, hit.v) {
+            self.prefer_front(ray, &mut hit, &mut site);
+        }
         let surface = &self.surfaces[hit.primitive as usize];
         let smooth = self.smooth_normal(surface, &hit).unwrap_or(site.normal);
         let material = &self.materials[surface.material as usize];
@@ -124,27 +130,19 @@ impl Scene {
         })
     }
 
-    /// The nearest hit and its site.
-    #[inline]
-    fn nearest(&self, ray: &Ray) -> Option<(Hit, SurfaceSite)> {
-        let hit = self.shapes.nearest(ray)?;
-        let primitive = self.primitive(hit.primitive);
-        let site = primitive.site(ray, &hit);
-        let from_behind = site.normal.dot(ray.direction) > 0.0;
-        if from_behind && primitive.is_on_edge(hit.u, hit.v) {
-            return Some(self.front_at_edge(ray, &hit).unwrap_or((hit, site)));
-        }
-        Some((hit, site))
-    }
-
-    /// The front that a ray meets at the edge of something met from behind: where the two
-    /// belong to a solid, rounding must not show its inside at its outline.
+    /// Replaces a hit from behind by the front that the ray meets at the same edge, if
+    /// there is one: where the two belong to a solid, rounding must not show its inside at
+    /// its outline.
     #[cold]
-    fn front_at_edge(&self, ray: &Ray, hit: &Hit) -> Option<(Hit, SurfaceSite)> {
+    fn prefer_front(&self, ray: &Ray, hit: &mut Hit, site: &mut SurfaceSite) {
         let here = Ray { t_max: hit.t * (1.0 + EDGE), ..*ray };
-        let hits = self.shapes.all_hits(&here).into_iter();
-        hits.map(|hit| (hit, self.primitive(hit.primitive).site(ray, &hit)))
-            .find(|(_, site)| site.normal.dot(ray.direction) < 0.0)
+        for other in self.shapes.all_hits(&here) {
+            let there = self.primitive(other.primitive).site(ray, &other);
+            if there.normal.dot(ray.direction) < 0.0 {
+                (*hit, *site) = (other, there);
+                return;
+            }
+        }
     }
 
     pub(crate) fn primitive(&self, index: u32) -> &Primitive {

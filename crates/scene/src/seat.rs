@@ -9,10 +9,10 @@ use traylib_math::{AreaPdf, Defect, Vec2, Vec3, planted};
 /// What a lamp lies on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Seat {
-    /// The lamp is this surface of the scene.
-    Surface(u32),
-    /// A point light in free space.
-    Free,
+    /// Nothing that matters: a surface that is there all over, or free space.
+    Plain,
+    /// The lamp is this surface of the scene, parts of which may not be there.
+    Masked(u32),
     /// A point light that lies in a surface up to rounding. It shines on both sides:
     /// neither hides it.
     Within(SurfaceSite),
@@ -22,7 +22,7 @@ impl Seat {
     /// The seat of a point light among these shapes.
     pub(crate) fn of_point(position: Vec3, shapes: &[SidedPrimitive]) -> Self {
         if planted(Defect::PointInSurfaceLost) {
-            return Self::Free;
+            return Self::Plain;
         }
         // Most shapes are nowhere near.
         let is_near = |shape: &&SidedPrimitive| {
@@ -31,34 +31,36 @@ impl Seat {
             bounds.grown(rounding).contains(position)
         };
         let touching = |shape: &SidedPrimitive| shape.primitive.touching(position);
-        shapes.iter().filter(is_near).find_map(touching).map_or(Self::Free, Self::Within)
+        shapes.iter().filter(is_near).find_map(touching).map_or(Self::Plain, Self::Within)
     }
 }
 
 impl Scene {
     /// A point of a lamp to light `from` with, and its density; one for a point
     /// light. It emits what the lamp's opacity leaves of it there.
+    #[inline]
     pub fn sample_light(&self, id: LightId, from: Vec3, u: Vec2) -> (LightPoint, AreaPdf) {
-        let (point, pdf) = self.light(id).sample_toward(from, u);
-        (self.seated(id, point, u), pdf)
+        let (mut point, pdf) = self.light(id).sample_toward(from, u);
+        self.seat(id, &mut point, u);
+        (point, pdf)
     }
 
     /// A point of a lamp for a light path to start at and a direction for it to take.
     /// It emits what the lamp's opacity leaves of it there.
+    #[inline]
     pub fn sample_emission(&self, id: LightId, u_point: Vec2, u_direction: Vec2) -> Emission {
-        let Emission { point, direction } = self.light(id).sample_emission(u_point, u_direction);
-        Emission { point: self.seated(id, point, u_point), direction }
+        let mut emission = self.light(id).sample_emission(u_point, u_direction);
+        self.seat(id, &mut emission.point, u_point);
+        emission
     }
 
-    /// The point that `u` made of a lamp, with what the lamp lies on.
-    fn seated(&self, id: LightId, point: LightPoint, u: Vec2) -> LightPoint {
-        match self.seats[id.0 as usize] {
-            Seat::Surface(surface) => {
-                let coverage = self.coverage_of_sample(surface, u);
-                LightPoint { emitted: point.emitted * coverage, ..point }
-            }
-            Seat::Free => point,
-            Seat::Within(site) => LightPoint { site, ..point },
+    /// Gives the point that `u` made of a lamp what the lamp lies on.
+    #[inline]
+    fn seat(&self, id: LightId, point: &mut LightPoint, u: Vec2) {
+        match self.seats.get(id.0 as usize) {
+            None | Some(Seat::Plain) => {}
+            Some(Seat::Masked(surface)) => point.emitted *= self.coverage_of_sample(*surface, u),
+            Some(Seat::Within(site)) => point.site = *site,
         }
     }
 
@@ -66,12 +68,10 @@ impl Scene {
     /// [`Primitive::sample_area`](traylib_geometry::Primitive::sample_area) makes of
     /// `u`. What has texture coordinates is sampled by area in every technique.
     fn coverage_of_sample(&self, index: u32, u: Vec2) -> f32 {
-        let surface = &self.surfaces[index as usize];
-        let material = &self.materials[surface.material as usize];
-        let forgotten = planted(Defect::LampOpacityForgotten);
-        if !material.has_opacity() || forgotten {
+        if planted(Defect::LampOpacityForgotten) {
             return 1.0;
         }
+        let material = &self.materials[self.surfaces[index as usize].material as usize];
         let at = self.primitive(index).sample_coordinates(u);
         material.coverage(|| self.site_of_textures(index, at))
     }

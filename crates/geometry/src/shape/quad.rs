@@ -1,7 +1,7 @@
 //! Parallelograms.
 
 use super::{ShapeHit, Sides, all_finite, sound_area};
-use crate::precise::{difference, unit};
+use crate::precise::{DVec3, difference, unit};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use traylib_math::{Defect, planted};
 
@@ -10,9 +10,12 @@ use traylib_math::{Defect, planted};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quad {
     corner: Vec3,
+    /// Unit normal of the front, rounded.
     normal: Vec3,
     edge_u: Vec3,
     edge_v: Vec3,
+    /// `edge_u` × `edge_v`.
+    across: DVec3,
     /// By how much of its edges it counts as larger than it is; see [`margin`].
     margin: Vec2,
     area: f32,
@@ -32,7 +35,7 @@ impl Quad {
         let normal = unit(across).ok_or(Error::NoArea)?;
         let reach = corner.abs().max(opposite.abs()).max_element();
         let margin = Vec2::new(margin(reach, edge_u), margin(reach, edge_v));
-        Ok(Self { corner, normal, edge_u, edge_v, margin, area })
+        Ok(Self { corner, normal, edge_u, edge_v, across, margin, area })
     }
 
     /// The corner where u and v are zero.
@@ -66,24 +69,22 @@ impl Quad {
 
     /// Where a ray meets it, with the coordinates along its edges.
     ///
-    /// Cramer's rule in double precision for o + t·d = c + u·e_u + v·e_v, after
-    /// Möller and Trumbore, *Fast, Minimum Storage Ray/Triangle Intersection*, 1997.
+    /// Cramer's rule in double precision for o + t·d = c + u·e_u + v·e_v: as Möller and
+    /// Trumbore, *Fast, Minimum Storage Ray/Triangle Intersection*, 1997, but t first,
+    /// which rules most parallelograms out.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
         let direction = ray.direction.as_dvec3();
-        let (edge_u, edge_v) = (self.edge_u.as_dvec3(), self.edge_v.as_dvec3());
         let from_corner = difference(ray.origin, self.corner);
-        let across_v = direction.cross(edge_v);
-        let across_u = from_corner.cross(edge_u);
-        // −d·(e_u × e_v): positive where the ray comes from the front.
-        let facing = edge_u.dot(across_v);
-        let reciprocal = facing.recip();
-        let t = (edge_v.dot(across_u) * reciprocal) as f32;
-        if !(ray.contains(t) && sides.admit(-facing as f32)) {
+        let slope = direction.dot(self.across);
+        let reciprocal = -slope.recip();
+        let t = (from_corner.dot(self.across) * reciprocal) as f32;
+        if !(ray.contains(t) && sides.admit(slope as f32)) {
             return None;
         }
-        let u = (from_corner.dot(across_v) * reciprocal) as f32;
-        let v = (direction.dot(across_u) * reciprocal) as f32;
+        let moment = direction.cross(from_corner) * reciprocal;
+        let u = -moment.dot(self.edge_v.as_dvec3()) as f32;
+        let v = moment.dot(self.edge_u.as_dvec3()) as f32;
         let is_within = |x: f32, margin: f32| -margin <= x && x <= 1.0 + margin;
         let inside = is_within(u, self.margin.x) && is_within(v, self.margin.y);
         inside.then(|| ShapeHit { t, u: u.clamp(0.0, 1.0), v: v.clamp(0.0, 1.0) })

@@ -70,18 +70,18 @@ impl Sphere {
         let direction = ray.direction.as_dvec3();
         let radius_squared = self.radius_squared();
         let square = direction.length_squared();
-        let along = -from_centre.dot(direction);
-        let beside = from_centre + (along / square) * direction;
-        let room = radius_squared - beside.length_squared();
+        // The cross product is the distance between centre and line, times |d|.
+        let beside = from_centre.cross(direction).length_squared();
+        let room = radius_squared * square - beside;
+        let leaves_single = planted(Defect::ProductLeavesSingle);
+        let room = if leaves_single { f64::from(room as f32) } else { room };
         // NaN has no root either.
         if room.is_nan() || room < 0.0 {
             return None;
         }
-        let product = square * room;
-        let leaves_single = planted(Defect::ProductLeavesSingle);
-        let product = if leaves_single { f64::from(product as f32) } else { product };
+        let along = -from_centre.dot(direction);
         let outside = from_centre.length_squared() - radius_squared;
-        let sum = along + product.sqrt().copysign(along);
+        let sum = along + room.sqrt().copysign(along);
         let (one, other) = ((outside / sum) as f32, (sum / square) as f32);
         // By the sign that the sum has, which zero has too: a ray from the centre.
         let behind = along.is_sign_negative();

@@ -75,17 +75,19 @@ impl<'a> Joiner<'a> {
         }
         let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { return };
         // Pair by pair; of very many only some, which count for the rest.
-        let pairs = camera.len() * light.vertices.len();
-        let mut worth = Worth::beside(found, pairs, sampler);
-        let mut pair = worth.pairs_left_out();
-        while pair < pairs {
-            let t = 1 + pair / light.vertices.len();
-            let s = 1 + pair % light.vertices.len();
-            if self.limits().allow((s + t + 1) as u32) {
-                let light = (light.start, &light.vertices[..s]);
-                self.connection(tracer, pixel, light, &camera[..t], &mut worth, out);
+        let light_vertices = light.vertices.len();
+        let mut worth = Worth::beside(found, camera.len() * light_vertices, sampler);
+        let mut left_out = worth.pairs_left_out();
+        for t in 1..=camera.len() {
+            let mut s = 1 + left_out;
+            while s <= light_vertices {
+                if self.limits().allow((s + t + 1) as u32) {
+                    let light = (light.start, &light.vertices[..s]);
+                    self.connection(tracer, pixel, light, &camera[..t], &mut worth, out);
+                }
+                s += 1 + worth.pairs_left_out();
             }
-            pair += 1 + worth.pairs_left_out();
+            left_out = s - light_vertices - 1;
         }
     }
 

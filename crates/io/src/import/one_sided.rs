@@ -31,12 +31,8 @@ pub(super) fn warning(
 
 /// Straight, scattered or refracted.
 fn lets_light_through(material: &Material) -> bool {
-    let straight = !material.through.is_black() || has_opacity(material);
+    let straight = !material.through.is_black() || material.has_opacity();
     straight || refracts(&material.model) || !scattered(&material.model).is_black()
-}
-
-fn has_opacity(material: &Material) -> bool {
-    material.maps.as_ref().is_some_and(|maps| maps.opacity.is_some())
 }
 
 fn refracts(model: &SurfaceModel) -> bool {

@@ -1,6 +1,7 @@
 //! A 3DS or MGF file as a whole scene.
 
 use super::Imported;
+use super::coincidence;
 use super::frame;
 use super::lights::add_light;
 use super::model::{Look, ModelCamera, ModelFile, ModelPart};
@@ -55,6 +56,7 @@ pub(crate) fn import_whole(
         notes.push(format!("exposure of 8-bit pictures: {exposure}"));
     }
     warnings.extend(tally.into_warnings(&name));
+    warnings.extend(coincidence::warnings(&scene, &name));
     Ok(Imported { scene, settings: SceneSettings { spp: 64, exposure }, warnings, notes })
 }
 

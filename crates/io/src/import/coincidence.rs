@@ -1,0 +1,25 @@
+//! What lay in one place in a scene.
+
+use super::tally::Tally;
+use crate::Warning;
+use traylib_scene::{Coincidences, Scene};
+
+/// What there is to say of lamps that lay in one place with something else.
+pub(super) fn warnings(scene: &Scene, file: &str) -> impl Iterator<Item = Warning> {
+    let Coincidences { lifted_lamps, points_in_surfaces } = scene.coincidences();
+    let mut tally = Tally::default();
+    tally.add_many(
+        "lamp in one place with another surface: lifted off it, so that it shines \
+         (of lamps in one place the first in the file does)",
+        count(lifted_lamps),
+    );
+    tally.add_many(
+        "point light that lies in a surface: it shines on both sides of it",
+        count(points_in_surfaces),
+    );
+    tally.into_warnings(file)
+}
+
+fn count(number: usize) -> u32 {
+    u32::try_from(number).unwrap_or(u32::MAX)
+}
