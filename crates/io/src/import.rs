@@ -30,7 +30,7 @@ use crate::ron_scene::locate::Path;
 use crate::{Error, Warning};
 use material::Materials;
 use model::ModelFiles;
-use tally::Tally;
+use one_sided::Described;
 use thing::{Thing, ThingMaterial};
 use traylib_materials::Material;
 use traylib_math::Vec3;
@@ -69,7 +69,8 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
     check_for_light(files, &parts, &points, &mut problems);
     match camera {
         Some(camera) if problems.is_empty() => {
-            let one_sided = one_sided(&parts, &materials, &models);
+            let places = points.iter().map(|light| light.position).chain([camera.position()]);
+            let one_sided = one_sided(&parts, &materials, &models, places.collect());
             let scene =
                 build(root, camera, [materials.models(), models.materials()], parts, points)?;
             let mut warnings = materials.into_warnings();
@@ -146,31 +147,22 @@ fn check_for_light(
     }
 }
 
-/// One warning for each material, about the file whose object it is on.
+/// Surfaces that let light through on one side only, of all files.
 fn one_sided(
     parts: &[object::Part],
     materials: &Materials,
     models: &ModelFiles<'_>,
+    points: Vec<Vec3>,
 ) -> Vec<Warning> {
-    let mut tallies: Vec<(&str, Tally)> = Vec::new();
-    for object::Part { place, thing } in parts {
+    let things = parts.iter().map(|object::Part { place, thing }| {
         let (material, name) = match thing.material {
             ThingMaterial::Named(index) => (&materials.models()[index], materials.name(index)),
             ThingMaterial::Own(index) => (&models.materials()[index], models.name(index)),
         };
-        let remedy = "give the object `sides: Both`";
-        let Some(what) = one_sided::warning(thing, material, name, remedy) else { continue };
-        let file = place.source.name.as_str();
-        match tallies.iter_mut().find(|(known, _)| *known == file) {
-            Some((_, tally)) => tally.add(what),
-            None => {
-                let mut tally = Tally::default();
-                tally.add(what);
-                tallies.push((file, tally));
-            }
-        }
-    }
-    tallies.into_iter().flat_map(|(file, tally)| tally.into_warnings(file)).collect()
+        let (file, remedy) = (place.source.name.as_str(), "give the object `sides: Both`");
+        Described { thing, material, name, file, remedy }
+    });
+    one_sided::warnings(&things.collect::<Vec<_>>(), points)
 }
 
 /// What the checks before have let through can only fail in ways that depend

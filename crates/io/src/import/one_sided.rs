@@ -5,38 +5,68 @@
 //! camera cannot agree on that (`docs/conventions.md`, "Front sides"). A lamp with two
 //! sides that emit is two such surfaces back to back, which together have both sides.
 
+mod harmless;
+
 use super::model::Half;
+use super::tally::Tally;
 use super::thing::Thing;
+use crate::Warning;
+use harmless::Surroundings;
+use std::collections::BTreeMap;
 use traylib_geometry::Sides;
 use traylib_materials::{Material, SurfaceModel};
 use traylib_math::{Rgb, Vec3};
 
-/// What there is to say of a thing of this material, whose name is empty if it has none.
-pub(super) fn warning(
-    thing: &Thing,
-    material: &Material,
-    name: &str,
-    remedy: &str,
-) -> Option<String> {
-    let is_alone = thing.sides == Sides::Front && thing.half == Half::Whole;
-    if !is_alone || !lets_light_through(material) {
-        return None;
+/// A thing with all there is to say of it.
+#[derive(Clone, Copy)]
+pub(super) struct Described<'a> {
+    pub(super) thing: &'a Thing,
+    pub(super) material: &'a Material,
+    /// Of the material; may be empty.
+    pub(super) name: &'a str,
+    /// The file that can be changed.
+    pub(super) file: &'a str,
+    /// How.
+    pub(super) remedy: &'a str,
+}
+
+/// One warning for each material of such a surface. `points` are the camera and the
+/// lights that are no things.
+pub(super) fn warnings(things: &[Described<'_>], points: Vec<Vec3>) -> Vec<Warning> {
+    let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
+    let mut surroundings = Surroundings::new(things, points);
+    for (index, thing) in things.iter().enumerate() {
+        if thing.is_suspect() && !surroundings.is_harmless(index) {
+            tallies.entry(thing.file).or_default().add(thing.warning());
+        }
     }
-    let what = if name.is_empty() { String::new() } else { format!(" `{name}`") };
-    Some(format!(
-        "material{what} lets light through and has one side, which programs that start at \
-         lamps see otherwise than those that start at the camera: {remedy}"
-    ))
+    tallies.into_iter().flat_map(|(file, tally)| tally.into_warnings(file)).collect()
+}
+
+impl Described<'_> {
+    fn is_suspect(&self) -> bool {
+        let is_alone = self.thing.sides == Sides::Front && self.thing.half == Half::Whole;
+        is_alone && lets_light_through(self.material)
+    }
+
+    fn warning(&self) -> String {
+        let name = self.name;
+        let what = if name.is_empty() { String::new() } else { format!(" `{name}`") };
+        format!(
+            "material{what} lets light through and has one side, which programs that start at \
+             lamps see otherwise than those that start at the camera: {}",
+            self.remedy
+        )
+    }
 }
 
 /// Straight, scattered or refracted.
 fn lets_light_through(material: &Material) -> bool {
-    let straight = !material.through.is_black() || material.has_opacity();
-    straight || refracts(&material.model) || !scattered(&material.model).is_black()
+    !material.through.is_black() || material.has_opacity() || bends_or_scatters(&material.model)
 }
 
-fn refracts(model: &SurfaceModel) -> bool {
-    matches!(model, SurfaceModel::Dielectric(_))
+fn bends_or_scatters(model: &SurfaceModel) -> bool {
+    matches!(model, SurfaceModel::Dielectric(_)) || !scattered(model).is_black()
 }
 
 /// What goes on straight, where a sheet's lobe is highest.

@@ -4,15 +4,15 @@ use super::Imported;
 use super::coincidence;
 use super::frame;
 use super::lights::add_light;
-use super::model::{Look, ModelCamera, ModelFile, ModelPart};
-use super::one_sided;
+use super::model::{ModelCamera, ModelFile, ModelPart};
+use super::one_sided::{self, Described};
 use super::placement::Placement;
 use super::tally::Tally;
 use super::thing::{Thing, ThingMaterial};
-use crate::Error;
 use crate::load::{LoadOptions, SceneSettings};
 use crate::ron_scene;
 use crate::source::Location;
+use crate::{Error, Warning};
 use std::f32::consts::PI;
 use traylib_geometry::{Aabb, Vec3};
 use traylib_math::Rgb;
@@ -39,7 +39,6 @@ pub(crate) fn import_whole(
     if bounds.is_empty() {
         return Err(Error::NothingToSee(name));
     }
-    note_one_sided(&file, &things, &mut tally);
     let (view, mut notes) = view(&file, &things, &bounds, options);
     let mut lights = file.lights(&Placement::NONE, bounds.centre());
     if lights.is_empty() && things.iter().all(|thing| thing.emission.is_black()) {
@@ -49,6 +48,8 @@ pub(crate) fn import_whole(
         tally.add("nothing in it emits light, lit by a point light at the camera");
         lights.push(headlight(&view, bounds.centre()));
     }
+    let places = lights.iter().map(|light| light.position).chain([view.position]);
+    let one_sided = one_sided(&file, &name, &things, places.collect());
     let camera = Camera::new(view).map_err(failed)?;
     let scene = build(camera, &file, things, lights, &mut tally).map_err(failed)?;
     let exposure = if file.is_physical() { exposure(&scene, &bounds) } else { 1.0 };
@@ -56,6 +57,7 @@ pub(crate) fn import_whole(
         notes.push(format!("exposure of 8-bit pictures: {exposure}"));
     }
     warnings.extend(tally.into_warnings(&name));
+    warnings.extend(one_sided);
     warnings.extend(coincidence::warnings(&scene, &name));
     Ok(Imported { scene, settings: SceneSettings { spp: 64, exposure }, warnings, notes })
 }
@@ -66,20 +68,20 @@ fn things(file: &ModelFile, tally: &mut Tally) -> Result<Vec<Thing>, traylib_geo
     Ok(parts.into_iter().map(|part| Thing::of_model(look(&part), part, 0, 1.0)).collect())
 }
 
-/// What lets light through and has one side.
-fn note_one_sided(file: &ModelFile, things: &[Thing], tally: &mut Tally) {
+/// What lets light through on one side only.
+fn one_sided(file: &ModelFile, name: &str, things: &[Thing], points: Vec<Vec3>) -> Vec<Warning> {
     let remedy = if file.is_physical() {
         "give it `sides 2`, or use the file in a scene file, its object with `sides: Both`"
     } else {
         "make it 2-sided, or use the file in a scene file, its object with `sides: Both`"
     };
-    for thing in things {
-        let (ThingMaterial::Own(number) | ThingMaterial::Named(number)) = thing.material;
-        let Look { material, name, .. } = &file.looks[number];
-        if let Some(what) = one_sided::warning(thing, material, name, remedy) {
-            tally.add(what);
-        }
-    }
+    let described = |thing| {
+        let &Thing { material: ThingMaterial::Own(number) | ThingMaterial::Named(number), .. } =
+            thing;
+        let look = &file.looks[number];
+        Described { thing, material: &look.material, name: &look.name, file: name, remedy }
+    };
+    one_sided::warnings(&things.iter().map(described).collect::<Vec<_>>(), points)
 }
 
 /// The file's camera, else one of ours and a note of it.

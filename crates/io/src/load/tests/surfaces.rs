@@ -77,6 +77,28 @@ fn what_lets_light_through_on_one_side_is_named() {
     assert_eq!(twice, [format!("{} (2 times)", expected[0])]);
 }
 
+/// A closed pane is met as often from either end of a line, unless one is inside.
+#[test]
+fn an_empty_ball_of_glass_panes_is_no_reason_to_warn() {
+    let text = r#"
+        materials: {
+            "window": Pane(reflectance: (0.1, 0.1, 0.1), through: (0.5, 0.5, 0.5)),
+            "w": Lambert(reflectance: (0, 0, 0)),
+        },
+        objects: [(shape: Sphere(center: (0, 0, 0), radius: 1), material: "window", sides: Front),"#;
+    let count = |test, more: &str| warnings(test, &format!("{text}{more}]"), &[]).len();
+    let ball = |at: &str, radius: f32| {
+        format!("(shape: Sphere(center: {at}, radius: {radius}), material: \"w\")")
+    };
+    assert_eq!(count("alone", ""), 0);
+    assert_eq!(count("apart", &ball("(3, 0, 0)", 1.0)), 0);
+    assert_eq!(count("around", &ball("(0, 0, 0)", 50.0)), 0);
+    assert_eq!(count("inside", &ball("(0, 0, 0)", 0.5)), 1);
+    let lamp = "], lights: [Point(position: (0, 0, 0), intensity: (1, 1, 1))";
+    let text = format!("({CAMERA} {text}{lamp}])");
+    assert_eq!(load_text("lamp", &text, &[]).unwrap().warnings.len(), 1);
+}
+
 const LANTERN: &str = "m paper =\n td .5\n sides 1\nv c =\n p 0 0 0\nsph c 1\n\
                        m glass =\n ts .9 0\n sides 1\n ir 1.5 0\nsph c .1\n\
                        m shade =\n td .5\n ed 100\nring d 0 1\n";
