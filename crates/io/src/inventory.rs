@@ -38,7 +38,7 @@ pub struct SceneCounts {
 
 /// Reads files and counts what is in them; beside it, what was skipped or repaired. A
 /// missing camera or lamp is no error in a 3DS or MGF file. Several files are one scene, which only MGF knows. `root` is the folder that
-/// MGF includes may not leave; `None` for that of the first file.
+/// includes may not leave; `None` for that of the first file.
 ///
 /// # Errors
 /// A file cannot be read or makes no sense; several files of another format.
@@ -50,7 +50,7 @@ pub fn inventory(
         [] => Err(Error::NoFile),
         files if files.iter().all(|file| has_ending(file, "mgf")) => of_mgf(files, root),
         [file] if is_three_ds(file) => of_three_ds(file),
-        [file] => of_scene(file),
+        [file] => of_scene(file, root),
         [_, other, ..] => Err(Error::SeveralFiles(other.clone())),
     }
 }
@@ -85,8 +85,9 @@ fn of_three_ds(file: &Path) -> Result<(Inventory, Vec<String>), Error> {
     Ok((Inventory::ThreeDs(Box::new(three_ds::Counts::of(&document))), warnings))
 }
 
-fn of_scene(file: &Path) -> Result<(Inventory, Vec<String>), Error> {
-    let loaded = load_scene_with(&file.to_string_lossy(), LoadOptions::default())?;
+fn of_scene(file: &Path, root: Option<&Path>) -> Result<(Inventory, Vec<String>), Error> {
+    let options = LoadOptions { root, ..LoadOptions::default() };
+    let loaded = load_scene_with(&file.to_string_lossy(), options)?;
     let lights = loaded.scene.lights();
     let point_lights = lights.iter().filter(|light| Light::is_point(light)).count();
     let counts = SceneCounts {

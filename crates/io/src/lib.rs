@@ -37,7 +37,7 @@ pub use import::MAX_PIXELS;
 pub use inventory::{Inventory, SceneCounts, inventory};
 pub use load::{LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
 pub use picture::{
-    ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, open_exr, save_picture,
-    write_picture,
+    ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, losses, open_exr,
+    save_picture, write_picture,
 };
 pub use texture::{Coding, Texture, TextureError, TextureLimits, load_texture, texture_from_bytes};

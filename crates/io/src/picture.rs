@@ -11,11 +11,11 @@ mod replace;
 mod screen;
 mod tga;
 
-pub(crate) use exr::load_exr_within;
 pub use exr::{ExrChannel, ExrFile, ExrLayer, load_exr, open_exr};
+pub(crate) use exr::{ExrPicture, load_exr_within};
 pub use screen::screen_rgb;
 
-use crate::Error;
+use crate::{Error, Warning};
 use screen::Screen;
 use std::path::Path;
 use traylib_math::{Grid, Rgb};
@@ -136,6 +136,30 @@ fn encode(
         Format::Exr => exr::encode(radiance, attributes),
         Format::Hdr => hdr::encode(radiance),
     }
+}
+
+/// What of this light a file of this name cannot hold, as one warning about it: in
+/// 8-bit pictures what is not a number, in `.hdr` also what is negative or has no bound.
+/// That 8-bit pictures end at black and white is their nature.
+///
+/// # Errors
+/// [`Error::PictureFormat`] for another ending.
+pub fn losses(path: &Path, radiance: &Grid<Rgb>) -> Result<Option<Warning>, Error> {
+    let (is_lost, what): (fn(f32) -> bool, _) = match Format::of(path)? {
+        Format::Exr => return Ok(None),
+        Format::Hdr => {
+            (hdr::is_lost, "number that is negative, infinite or none, written as the nearest")
+        }
+        Format::Png | Format::Tga | Format::Pcx => {
+            (f32::is_nan, "number that is none, written as black")
+        }
+    };
+    let bands = radiance.values().iter().flat_map(|light| light.to_array());
+    let count = bands.filter(|&band| is_lost(band)).count();
+    let file = path.display().to_string();
+    let warning =
+        Warning { file, what: what.to_string(), count: u32::try_from(count).unwrap_or(u32::MAX) };
+    Ok((count > 0).then_some(warning))
 }
 
 /// Whether [`save_picture`] will be able to write there, as far as can be known

@@ -3,6 +3,7 @@
 use crate::builtin;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::string::FromUtf8Error;
 use std::{fmt, fs, io};
 
 /// A file that may be read.
@@ -25,8 +26,14 @@ impl Location {
     }
 
     pub(crate) fn read_text(&self) -> io::Result<String> {
-        let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8 text");
-        String::from_utf8(self.read()?.into_owned()).map_err(not_text)
+        let refused = |why: String| io::Error::new(io::ErrorKind::InvalidData, why);
+        let bytes = self.read()?.into_owned();
+        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+            return Err(refused("it is UTF-16 text: save it as UTF-8".to_string()));
+        }
+        let text = String::from_utf8(bytes).map_err(|error| refused(not_text(&error)))?;
+        // The byte order mark, which some editors put in front.
+        Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
     }
 
     /// The file that a scene file here calls `file`. All built-in scene files
@@ -38,10 +45,14 @@ impl Location {
         }
     }
 
-    /// The folder that a file on disk is in.
+    /// The folder that a file on disk is in, by a name that can be opened.
     pub(crate) fn folder(&self) -> Option<&Path> {
         match self {
-            Self::Disk(path) => path.parent(),
+            Self::Disk(path) => match path.parent() {
+                // Of a file that is named without a folder.
+                Some(folder) if folder.as_os_str().is_empty() => Some(Path::new(".")),
+                folder => folder,
+            },
             Self::BuiltIn(_) => None,
         }
     }
@@ -53,6 +64,13 @@ impl Location {
             Self::BuiltIn(_) => self.clone(),
         }
     }
+}
+
+/// Where text is not UTF-8.
+fn not_text(error: &FromUtf8Error) -> String {
+    let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+    let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+    format!("it is not UTF-8 text, the first time in line {line}: save it as UTF-8")
 }
 
 /// A file to its end, which a device or a pipe that a scene names might not have.
@@ -81,7 +99,9 @@ mod tests {
     fn files_are_looked_up_beside_the_one_that_names_them() {
         let disk = Location::Disk(PathBuf::from("rooms/a.ron")).beside("models/x.3ds");
         assert_eq!(disk, Location::Disk(PathBuf::from("rooms/models/x.3ds")));
-        let bare = Location::Disk(PathBuf::from("a.ron")).beside("b.ron");
+        let bare = Location::Disk(PathBuf::from("a.ron"));
+        assert_eq!(bare.folder(), Some(Path::new(".")));
+        let bare = bare.beside("b.ron");
         assert_eq!(bare, Location::Disk(PathBuf::from("b.ron")));
         assert!(Location::BuiltIn("cornell.ron".into()).beside("spheres.ron").read().is_ok());
     }

@@ -10,10 +10,11 @@
 //! | PNG | all kinds, 16 bits a channel too; gamma and colour profiles are not looked at |
 //! | JPEG | baseline and progressive; which way the camera was held is not looked at |
 //! | GIF | the first frame, at its place on the screen and cut to it; transparent black around it |
+//! | BMP | 1, 4, 8, 16, 24, 32 bits, with runs too; opacity that is nowhere is taken for everywhere |
 //! | TGA | types 1, 2, 3 and 9, 10, 11; 8, 15, 16, 24, 32 bits; all four orders |
 //! | PCX | 1, 2, 4, 8 bits in one plane, 1 bit in two to four, 24 bits |
 //! | Radiance | RGBE, in all eight orders; `EXPOSURE` and `COLORCORR` taken back, other primaries converted |
-//! | EXR | what [`load_exr`](crate::load_exr) reads, without opacity |
+//! | EXR | what [`load_exr`](crate::load_exr) reads, and the opacity of channel `A` |
 //!
 //! All but the last two have 8 or 16 bits a channel and do not say which curve
 //! these follow; they are taken for sRGB. The attribute bit of 16-bit TGA pixels
@@ -26,7 +27,7 @@ mod pcx;
 mod raster;
 mod sniff;
 
-use crate::picture::load_exr_within;
+use crate::picture::{ExrPicture, load_exr_within};
 use crate::{Error, Warning};
 use sniff::Format;
 use std::fs::File;
@@ -78,7 +79,8 @@ pub struct Texture {
     /// Linear light; row 0 is at the top. In formats of 8 or 16 bits a channel
     /// from 0 to 1, else as stored.
     pub pixels: Grid<Rgb>,
-    /// Opacity from 0 to 1, of the same size; `None` if every pixel is opaque.
+    /// Opacity from 0 to 1, in EXR as stored; of the same size. `None` if every pixel is
+    /// opaque.
     pub alpha: Option<Grid<f32>>,
     /// How the numbers in the file stand for light.
     pub coding: Coding,
@@ -98,7 +100,7 @@ pub enum TextureError {
     TooLong(u64),
     /// Neither the content nor the name is of a known format.
     #[error(
-        "it begins as none of PNG, JPEG, GIF, PCX, Radiance and EXR does; \
+        "it begins as none of PNG, JPEG, GIF, BMP, PCX, Radiance and EXR does; \
          a TGA file whose header makes no sense must be named .tga"
     )]
     UnknownFormat,
@@ -142,9 +144,11 @@ pub enum TextureError {
 pub fn load_texture(path: &Path, limits: TextureLimits) -> Result<Texture, Error> {
     let bytes = read(path, limits).map_err(|cause| in_file(path, cause))?;
     if bytes.starts_with(sniff::EXR) {
+        let ExrPicture { pixels, alpha } = load_exr_within(path, limits.pixels)?;
+        let is_opaque = |alpha: &Grid<f32>| alpha.values().iter().all(|&value| value >= 1.0);
         return Ok(Texture {
-            pixels: load_exr_within(path, limits.pixels)?,
-            alpha: None,
+            pixels,
+            alpha: alpha.filter(|alpha| !is_opaque(alpha)),
             coding: Coding::Linear,
             warnings: Vec::new(),
         });
@@ -196,6 +200,7 @@ fn decode(bytes: &[u8], name: &Path, limits: TextureLimits) -> Result<Decoded, T
         Format::Png => raster::png(bytes, limits),
         Format::Jpeg => raster::jpeg(bytes, limits),
         Format::Gif => raster::gif(bytes, limits),
+        Format::Bmp => raster::bmp(bytes, limits),
         Format::Tga => raster::tga(bytes, limits),
         Format::Pcx => pcx::decode(bytes, limits),
         Format::Hdr => hdr::decode(bytes, limits),

@@ -23,6 +23,7 @@ mod limits;
 mod map;
 mod material;
 mod mesh;
+mod motion;
 mod names;
 mod object;
 pub mod pose;
@@ -40,6 +41,7 @@ pub use limits::Limits;
 pub use map::{Map, MapKind};
 pub use material::{Material, MaterialFlags, Shading};
 pub use mesh::{Face, Mesh};
+pub use motion::Motion;
 pub use object::ObjectFlags;
 pub use warning::{WarningKind, Warnings};
 

@@ -5,7 +5,7 @@ use crate::outcome::Failure;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use traylib_io::{
-    MAX_PIXELS, TextureLimits, check_writable, load_texture, open_exr, write_picture,
+    MAX_PIXELS, TextureLimits, check_writable, load_texture, losses, open_exr, write_picture,
 };
 
 /// Larger than for a texture that a scene brings along: this picture somebody wants
@@ -15,7 +15,7 @@ const LIMITS: TextureLimits = TextureLimits { pixels: MAX_PIXELS, file_bytes: 1 
 /// A picture to write anew.
 #[derive(Args, Clone, Debug)]
 pub struct ConvertOptions {
-    /// Picture: EXR, HDR, PNG, JPEG, GIF (first frame), TGA or PCX
+    /// Picture: EXR, HDR, PNG, JPEG, GIF (first frame), BMP, TGA or PCX
     #[arg(value_name = "IN")]
     pub input: PathBuf,
 
@@ -43,6 +43,9 @@ pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
     }
     if picture.alpha.is_some() {
         say(format_args!("warning: {}: opacity left out, no format has it here", input.display()));
+    }
+    if let Some(warning) = losses(output, &picture.pixels)? {
+        say(format_args!("warning: {warning}"));
     }
     write_picture(output, &picture.pixels, *exposure, &attributes(input))?;
     tell(output.display())

@@ -27,7 +27,13 @@ fn every_format_becomes_every_other() {
     for from in ["exr", "hdr", "png", "tga", "pcx"] {
         for to in ["exr", "hdr", "png", "tga", "pcx"] {
             let run = folder.run("film", &format!("convert a.{from} b.{to}"));
-            assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{from} {to}");
+            let said = match (from, to) {
+                ("exr", "hdr") => {
+                    "warning: b.hdr: number that is negative, infinite or none, written as the nearest\n"
+                }
+                _ => "",
+            };
+            assert_eq!((run.status, run.err.as_str()), (Some(0), said), "{from} {to}");
             assert_eq!(run.out, format!("b.{to}\n"));
             let [a, b] = [light(&folder, &format!("a.{from}")), light(&folder, &format!("b.{to}"))];
             let clipped = |a: f32| if to == "exr" { a } else { a.max(0.0) };

@@ -31,6 +31,24 @@ fn in_a_furnace_radiance_is_what_it_must_be() {
     assert!(variance > 0.0);
 }
 
+/// However a scene is named, the MGF file beside it is found.
+#[test]
+fn a_scene_is_found_by_any_name() {
+    let folder = Folder::new();
+    folder.write("room.mgf", FURNACE);
+    let camera = "camera: (position: (1, 1, 1), target: (1, 2, 2), fov: 40, resolution: (8, 6))";
+    folder.write("scene.ron", &format!("({camera}, objects: [(shape: Mesh(file: \"room.mgf\"))])"));
+    folder.write("outer.ron", &format!("({camera}, include: [\"scene.ron\"])"));
+    let absolute = folder.path().join("scene.ron").display().to_string();
+    let up = format!("../{}/scene.ron", folder.path().file_name().unwrap().display());
+    for name in ["scene.ron", "./scene.ron", "outer.ron", "room.mgf", &absolute, &up] {
+        for more in ["", "--stats -", "--root ."] {
+            let run = folder.run("bdpt", &format!("{name} --check {more}"));
+            assert_eq!(run.status, Some(0), "{name} {more}: {}", run.err);
+        }
+    }
+}
+
 #[test]
 fn only_trace_and_a_check_do_without_a_lamp() {
     let folder = Folder::new();

@@ -41,6 +41,19 @@ impl Usage {
 /// Pixels that all pictures may have together, 1.5 GiB.
 const MOST_PIXELS: u64 = 1 << 27;
 
+/// Zero instead of what is infinite or not a number, and how often. Whatever a picture is
+/// used for, such a number would make light that is none.
+fn sound(mut pixels: Grid<Rgb>) -> (Grid<Rgb>, u32) {
+    let mut count = 0_u32;
+    for pixel in pixels.values_mut() {
+        *pixel = Rgb::from(pixel.to_array().map(|band| {
+            count = count.saturating_add(u32::from(!band.is_finite()));
+            if band.is_finite() { band } else { 0.0 }
+        }));
+    }
+    (pixels, count)
+}
+
 /// One, but for the rounding of the curve for screens, there and back.
 const FULL: f32 = 1.0 - 1e-6;
 
@@ -81,8 +94,13 @@ impl Textures {
         };
         let picture = picture.map_err(|error| error.to_string())?;
         self.pixels = MOST_PIXELS.min(self.pixels + picture.pixels.values().len() as u64);
-        let pixels = pixels(&picture, usage);
-        for warning in picture.warnings {
+        let (pixels, none) = sound(pixels(&picture, usage));
+        let repaired = (none > 0).then(|| Warning {
+            file: file.to_string(),
+            what: "number that is infinite or none taken for 0".to_string(),
+            count: none,
+        });
+        for warning in picture.warnings.into_iter().chain(repaired) {
             if !self.warnings.contains(&warning) {
                 self.warnings.push(warning);
             }
@@ -163,6 +181,29 @@ mod tests {
                 assert!((found[1] - 0.25).abs() < 2e-3, "{format} {name}: {found:?}");
             }
         }
+    }
+
+    /// Of any use: zero, and one warning for the file.
+    #[test]
+    fn numbers_that_are_none_are_zero() {
+        let folder = Folder::new("none");
+        let path = folder.path().join("a.exr");
+        let pixels = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.5].map(Rgb::splat);
+        let grid = Grid::from_values(2, 2, pixels.to_vec()).unwrap();
+        write_picture(&path, &grid, 1.0, &[]).unwrap();
+        let mut textures = Textures::default();
+        for (meaning, negative) in
+            [(Meaning::Colour, false), (Meaning::Amount, false), (Meaning::Colour, true)]
+        {
+            let usage = Usage { meaning, negative, factor: 1.0 };
+            let texture = textures.load(&Location::Disk(path.clone()), usage).unwrap();
+            let found = [[0.25, 0.75], [0.75, 0.75], [0.25, 0.25], [0.75, 0.25]]
+                .map(|uv| texture.lookup(Vec2::from(uv), Tiling::Repeat).unwrap().g);
+            assert_eq!(found, [0.0, 0.0, 0.0, 0.5], "{meaning:?}");
+        }
+        let said: Vec<String> = textures.into_warnings().iter().map(Warning::to_string).collect();
+        let expected = "a.exr: number that is infinite or none taken for 0 (9 times)";
+        assert!(said.len() == 1 && said[0].ends_with(expected), "{said:?}");
     }
 
     fn value(meaning: Meaning, negative: bool, factor: f32, coding: Coding) -> f32 {

@@ -3,6 +3,9 @@
 use super::FileFault;
 use std::path::PathBuf;
 
+/// The byte order mark, which some editors put before text in UTF-8.
+const MARK: &[u8] = "\u{feff}".as_bytes();
+
 /// A file that was read.
 #[derive(Debug)]
 pub(super) struct Source {
@@ -32,7 +35,7 @@ impl Source {
         bytes: &[u8],
         max_line: usize,
     ) -> Result<Self, FileFault> {
-        let (text, lines) = join(bytes, max_line)?;
+        let (text, lines) = join(bytes.strip_prefix(MARK).unwrap_or(bytes), max_line)?;
         Ok(Self { id, shown, path, text, lines })
     }
 
@@ -139,6 +142,11 @@ mod tests {
         // Inside a line, or before a blank, it joins nothing.
         assert_eq!(lines("a\\b\\ \nc"), [(1, "a\\b\\ ".into()), (2, "c".into())]);
         assert_eq!(lines("a\\"), [(1, "a ".into())]);
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_no_word() {
+        assert_eq!(lines("\u{feff}a b\nc"), [(1, "a b".into()), (2, "c".into())]);
     }
 
     #[test]

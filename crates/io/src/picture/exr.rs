@@ -5,7 +5,7 @@ mod order;
 mod read;
 
 pub use light::load_exr;
-pub(crate) use light::load_exr_within;
+pub(crate) use light::{ExrPicture, load_exr_within};
 pub use read::{ExrChannel, ExrFile, ExrLayer, open_exr};
 
 use super::Cause;

@@ -23,6 +23,11 @@ pub(super) fn encode(radiance: &Grid<Rgb>) -> Result<Vec<u8>, Cause> {
     Ok(bytes)
 }
 
+/// Whether a band is not rounded but changed.
+pub(super) fn is_lost(band: f32) -> bool {
+    !(0.0..=BRIGHTEST).contains(&band)
+}
+
 /// The nearest light that the format has. The encoder itself cuts off, which would
 /// darken pictures, and expects values that are finite and not tiny. What is
 /// negative or not a number becomes black.

@@ -121,6 +121,24 @@ fn png_has_the_exposure_applied() {
 }
 
 #[test]
+fn what_a_format_cannot_hold_is_counted() {
+    let values = [f32::NAN, f32::INFINITY, -1.0, 2e38, 0.5, 0.0];
+    let picture = Grid::from_values(
+        2,
+        1,
+        vec![Rgb::new(values[0], values[1], values[2]), Rgb::new(values[3], values[4], values[5])],
+    )
+    .unwrap();
+    let count = |name: &str| {
+        losses(Path::new(name), &picture).unwrap().map(|warning| (warning.file, warning.count))
+    };
+    assert_eq!(count("a.hdr"), Some(("a.hdr".to_string(), 4)));
+    assert_eq!(count("a.png"), Some(("a.png".to_string(), 1)));
+    assert_eq!(count("a.exr"), None);
+    assert_eq!(losses(Path::new("a.hdr"), &Grid::filled(1, 1, Rgb::WHITE)).unwrap(), None);
+}
+
+#[test]
 fn unknown_formats_and_folders_are_refused_beforehand() {
     let folder = Folder::new("refused");
     for name in ["a.jpg", "a", ".png", "a.gif"] {

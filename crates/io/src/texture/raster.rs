@@ -3,6 +3,7 @@
 use super::gif::with_screen;
 use super::{Coding, Decoded, TextureError, TextureLimits};
 use crate::srgb;
+use image::codecs::bmp::BmpDecoder;
 use image::codecs::gif::GifDecoder;
 use image::codecs::jpeg::JpegDecoder;
 use image::codecs::png::PngDecoder;
@@ -19,6 +20,14 @@ pub(super) fn png(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Textur
 pub(super) fn gif(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, TextureError> {
     let bytes = with_screen(bytes);
     picture("GIF", GifDecoder::new(Cursor::new(&bytes)), limits).map(linear)
+}
+
+/// Where the header has a place for opacity, many programs leave it zero in all pixels.
+pub(super) fn bmp(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, TextureError> {
+    let mut decoded = picture("BMP", BmpDecoder::new(Cursor::new(bytes)), limits).map(linear)?;
+    let is_nowhere = |alpha: &Grid<f32>| alpha.values().iter().all(|&value| value == 0.0);
+    decoded.alpha = decoded.alpha.filter(|alpha| !is_nowhere(alpha));
+    Ok(decoded)
 }
 
 /// The decoder fills what is missing at the end.
@@ -42,8 +51,20 @@ pub(super) fn tga(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Textur
     }
     let mut decoded = picture("TGA", TgaDecoder::new(Cursor::new(bytes)), limits).map(linear)?;
     let alpha_bits = bytes.get(17).map_or(0, |descriptor| descriptor & 0x0f);
-    decoded.alpha = decoded.alpha.filter(|_| alpha_bits > 0);
+    let means_something = alpha_bits > 0 && tga_attributes(bytes).is_none_or(|kind| kind > 2);
+    decoded.alpha = decoded.alpha.filter(|_| means_something);
     Ok(decoded)
+}
+
+/// What the extension area of version 2 says of the fourth byte: 0 to 2 that it is no
+/// opacity, more that it is.
+fn tga_attributes(bytes: &[u8]) -> Option<u8> {
+    const KIND: usize = 494;
+    let footer = bytes.last_chunk::<26>()?;
+    let (offsets, signature) = footer.split_at(8);
+    let at = u32::from_le_bytes(*offsets.first_chunk()?) as usize;
+    let has_area = signature.starts_with(b"TRUEVISION-XFILE") && at > 0;
+    bytes.get(at..)?.get(KIND).copied().filter(|_| has_area)
 }
 
 /// Beside the picture, of 8 bytes a pixel at most, a decoder needs rows and tables.

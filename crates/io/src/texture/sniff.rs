@@ -23,6 +23,7 @@ pub(super) enum Format {
     Png,
     Jpeg,
     Gif,
+    Bmp,
     Tga,
     Pcx,
     Hdr,
@@ -35,8 +36,17 @@ impl Format {
         let signed = SIGNATURES.iter().find(|(begin, _)| bytes.starts_with(begin));
         let pcx = || is_pcx(bytes).then_some(Self::Pcx);
         let tga = || is_tga(bytes, name).then_some(Self::Tga);
-        signed.map(|&(_, format)| format).or_else(pcx).or_else(tga)
+        let bmp = || is_bmp(bytes).then_some(Self::Bmp);
+        signed.map(|&(_, format)| format).or_else(bmp).or_else(pcx).or_else(tga)
     }
+}
+
+/// Two letters, and how long the second header is: of OS/2, of Windows 3, or one of its
+/// longer ones.
+fn is_bmp(bytes: &[u8]) -> bool {
+    let second = bytes.get(14..18).and_then(|size| size.first_chunk().copied());
+    let length = second.map(u32::from_le_bytes);
+    bytes.starts_with(b"BM") && matches!(length, Some(12 | 16 | 40 | 52 | 56 | 64 | 108 | 124))
 }
 
 /// A number, a version, whether it is compressed, bits. No TGA file begins so: one
@@ -82,6 +92,8 @@ mod tests {
             (b"GIF90a...", "a.gif", None),
             (b"GIF90a...", "a.TGA", Some(Format::Tga)),
             (b"...TRUEVISION-XFILE.\0", "a", Some(Format::Tga)),
+            (b"BM............\x28\0\0\0", "a.tga", Some(Format::Bmp)),
+            (b"BM............\x29\0\0\0", "a.bmp", None),
             (b"\x0a\x05\x01\x08", "a", Some(Format::Pcx)),
             (b"\x0a\x00\x02\x00", "a.tga", Some(Format::Tga)),
             (b"", "a.hdr", None),

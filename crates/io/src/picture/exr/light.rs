@@ -3,11 +3,13 @@
 //! Every renderer has its own names. A *group* is a set of channels of one layer
 //! whose names begin alike: `R`, `G`, `B` or `ViewLayer.Combined.R` and so on. Its
 //! name is the last word before the band's, or the layer's where there is none.
+//! A channel `A` of the group is opacity.
 
 use super::read::{ExrChannel, ExrFile, ExrLayer, open_exr, open_within};
 use crate::Error;
+use crate::chromaticities::{Chromaticities, Conversion};
 use std::path::Path;
-use traylib_math::{Grid, Rgb};
+use traylib_math::{Grid, Rgb, Vec3};
 
 /// What programs call the whole picture, in lower case.
 const WHOLE: [&str; 7] = ["", "combined", "beauty", "rgba", "rgb", "color", "image"];
@@ -17,23 +19,48 @@ const WHOLE: [&str; 7] = ["", "combined", "beauty", "rgba", "rgb", "color", "ima
 ///
 /// It is the first group with R, G and B, or with Y alone, that has no name or one
 /// that says the whole picture, as `beauty`; else the first layer that has them
-/// without a prefix; else the only group that has them.
+/// without a prefix; else the only group that has them. Light of other primaries than
+/// those of Rec. 709, which the attribute `chromaticities` names, is converted.
 ///
 /// # Errors
 /// [`Error::ReadPicture`] if the file cannot be read, [`Error::NoLight`] if there
 /// is no such group.
 pub fn load_exr(path: &Path) -> Result<Grid<Rgb>, Error> {
-    light(path, &open_exr(path)?)
+    Ok(light(path, &open_exr(path)?)?.pixels)
+}
+
+/// The light of an EXR file, and its opacity where it has one, as stored.
+pub(crate) struct ExrPicture {
+    pub(crate) pixels: Grid<Rgb>,
+    pub(crate) alpha: Option<Grid<f32>>,
 }
 
 /// [`load_exr`] of a file that has four values for each of so many pixels at most.
-pub(crate) fn load_exr_within(path: &Path, pixels: u64) -> Result<Grid<Rgb>, Error> {
+pub(crate) fn load_exr_within(path: &Path, pixels: u64) -> Result<ExrPicture, Error> {
     light(path, &open_within(path, pixels, pixels.saturating_mul(4))?)
 }
 
-fn light(path: &Path, file: &ExrFile) -> Result<Grid<Rgb>, Error> {
+fn light(path: &Path, file: &ExrFile) -> Result<ExrPicture, Error> {
     let unknown = || Error::NoLight { file: path.to_path_buf(), channels: channel_names(file) };
-    Ok(picture(file, &choose(groups(file)).ok_or_else(unknown)?))
+    let group = choose(groups(file)).ok_or_else(unknown)?;
+    let mut pixels =
+        spread(file, group.layer, Rgb::BLACK, |n| Rgb::from(group.bands.map(|b| b.values[n])));
+    if let Conversion::Matrix(matrix) = conversion(path, file)? {
+        let convert = |light: &Rgb| matrix * Vec3::from(light.to_array()).as_dvec3();
+        pixels = pixels.map(|light| Rgb::from(convert(light).as_vec3().to_array()));
+    }
+    let alpha = group.alpha.map(|alpha| spread(file, group.layer, 0.0, |n| alpha.values[n]));
+    Ok(ExrPicture { pixels, alpha })
+}
+
+/// From the primaries of a file to ours.
+fn conversion(path: &Path, file: &ExrFile) -> Result<Conversion, Error> {
+    let Some(list) = file.chromaticities else { return Ok(Conversion::None) };
+    let found = Chromaticities::from_list(list.map(f64::from)).conversion();
+    found.ok_or_else(|| Error::ReadPicture {
+        file: path.to_path_buf(),
+        cause: "the chromaticities are not x and y of red, green, blue and white".into(),
+    })
 }
 
 /// The bands of a picture.
@@ -42,6 +69,7 @@ struct Group<'a> {
     /// What stands before the names of its channels.
     prefix: &'a str,
     bands: [&'a ExrChannel; 3],
+    alpha: Option<&'a ExrChannel>,
 }
 
 impl Group<'_> {
@@ -74,19 +102,17 @@ fn groups_of(layer: &ExrLayer) -> Vec<Group<'_>> {
             prefixes.push(prefix);
         }
     }
-    let group = |prefix| bands(layer, prefix).map(|bands| Group { layer, prefix, bands });
+    let alpha = |prefix| channel(layer, prefix, "A");
+    let group = |prefix| {
+        bands(layer, prefix).map(|bands| Group { layer, prefix, bands, alpha: alpha(prefix) })
+    };
     prefixes.into_iter().filter_map(group).collect()
 }
 
-/// R, G and B, or three times Y. Y with RY and BY is a picture in colours, of
-/// which Y would be a part.
+/// R, G and B, or three times Y. Y with RY and BY, or with X and Z, is a picture in
+/// colours, of which Y would be a part.
 fn bands<'a>(layer: &'a ExrLayer, prefix: &str) -> Option<[&'a ExrChannel; 3]> {
-    let band = |wanted: &str| {
-        layer.channels.iter().find(|channel| {
-            let (before, last) = split(&channel.name);
-            before == prefix && last.eq_ignore_ascii_case(wanted) && channel.complete
-        })
-    };
+    let band = |wanted| channel(layer, prefix, wanted);
     match (band("R"), band("G"), band("B"), band("Y")) {
         (Some(r), Some(g), Some(b), _) => Some([r, g, b]),
         (None, None, None, Some(y)) if !has_chroma(layer, prefix) => Some([y; 3]),
@@ -94,10 +120,19 @@ fn bands<'a>(layer: &'a ExrLayer, prefix: &str) -> Option<[&'a ExrChannel; 3]> {
     }
 }
 
+/// The channel of this name that has a value for each pixel.
+fn channel<'a>(layer: &'a ExrLayer, prefix: &str, wanted: &str) -> Option<&'a ExrChannel> {
+    layer.channels.iter().find(|channel| is_named(channel, prefix, wanted) && channel.complete)
+}
+
+fn is_named(channel: &ExrChannel, prefix: &str, wanted: &str) -> bool {
+    let (before, last) = split(&channel.name);
+    before == prefix && last.eq_ignore_ascii_case(wanted)
+}
+
 fn has_chroma(layer: &ExrLayer, prefix: &str) -> bool {
-    layer.channels.iter().map(|channel| split(&channel.name)).any(|(before, last)| {
-        before == prefix && ["RY", "BY"].iter().any(|name| last.eq_ignore_ascii_case(name))
-    })
+    let has = |name| layer.channels.iter().any(|channel| is_named(channel, prefix, name));
+    has("RY") || has("BY") || (has("X") && has("Z"))
 }
 
 /// What stands before the last dot, and the name of the band.
@@ -105,14 +140,19 @@ fn split(name: &str) -> (&str, &str) {
     name.rsplit_once('.').unwrap_or(("", name))
 }
 
-fn picture(file: &ExrFile, group: &Group<'_>) -> Grid<Rgb> {
-    let layer = group.layer;
-    let mut shown = Grid::filled(file.width, file.height, Rgb::BLACK);
+/// The display window with what the pixels of a layer have, by their numbers.
+fn spread<T: Clone>(
+    file: &ExrFile,
+    layer: &ExrLayer,
+    around: T,
+    value: impl Fn(usize) -> T,
+) -> Grid<T> {
+    let mut shown = Grid::filled(file.width, file.height, around);
     for y in 0..layer.height {
         for x in 0..layer.width {
-            let Some(place) = place(file, layer, x, y) else { continue };
-            let [r, g, b] = group.bands.map(|band| band.values[y * layer.width + x]);
-            shown.values_mut()[place] = Rgb::new(r, g, b);
+            if let Some(place) = place(file, layer, x, y) {
+                shown.values_mut()[place] = value(y * layer.width + x);
+            }
         }
     }
     shown

@@ -2,6 +2,7 @@
 
 use crate::{Error, MAX_PIXELS};
 use exr::block;
+use exr::meta::attribute::Chromaticities;
 use exr::meta::header::Header;
 use exr::prelude::{
     AnyChannel, AnyChannels, AttributeValue, FlatSamples, Image, Layer, Layers, ReadChannels,
@@ -24,6 +25,8 @@ pub struct ExrFile {
     pub width: usize,
     /// Its rows.
     pub height: usize,
+    /// CIE x and y of red, green, blue and white, where the file says them.
+    pub chromaticities: Option<[f32; 8]>,
     /// Layers, in the order of the file; at least one.
     pub layers: Vec<ExrLayer>,
 }
@@ -107,8 +110,15 @@ fn file(image: FlatImage) -> ExrFile {
     ExrFile {
         width: window.size.width(),
         height: window.size.height(),
+        chromaticities: image.attributes.chromaticities.map(coordinates),
         layers: image.layer_data.into_iter().map(|data| layer(data, corner, &shared)).collect(),
     }
+}
+
+fn coordinates(found: Chromaticities) -> [f32; 8] {
+    let Chromaticities { red, green, blue, white } = found;
+    let pairs = [red, green, blue, white].map(|place| [place.x(), place.y()]);
+    std::array::from_fn(|index| pairs[index / 2][index % 2])
 }
 
 fn layer(

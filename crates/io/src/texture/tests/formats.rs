@@ -100,6 +100,39 @@ fn tga_of_unknown_kinds_is_refused() {
     }
 }
 
+#[test]
+fn bmp_has_many_kinds_of_pixels() {
+    let pixels = |bits, width, palette: &[u8], body: &[u8]| {
+        rgba8(&read(&made::bmp(bits, (width, 1), palette, body)).unwrap())
+    };
+    let row = [1, 2, 3, 4, 5, 6, 0, 0];
+    assert_eq!(pixels(24, 2, &[], &row), [[3, 2, 1, 255], [6, 5, 4, 255]]);
+    let mut palette = [0; 1024];
+    palette[4 * 200..][..3].copy_from_slice(&[7, 8, 9]);
+    assert_eq!(pixels(8, 1, &palette, &[200, 0, 0, 0]), [[9, 8, 7, 255]]);
+    assert_eq!(pixels(32, 2, &[], &[1, 2, 3, 4, 5, 6, 7, 0]), [[3, 2, 1, 4], [7, 6, 5, 0]]);
+    // A place for opacity that nobody filled.
+    assert_eq!(pixels(32, 2, &[], &[1, 2, 3, 0, 5, 6, 7, 0]), [[3, 2, 1, 255], [7, 6, 5, 255]]);
+    // From the bottom.
+    let rows = made::bmp(24, (1, 2), &[], &[1, 1, 1, 0, 2, 2, 2, 0]);
+    assert_eq!(rgba8(&read(&rows).unwrap()), [[2, 2, 2, 255], [1, 1, 1, 255]]);
+}
+
+#[test]
+fn tga_may_say_that_its_fourth_byte_is_no_opacity() {
+    let opacity = |kind: u8| {
+        let mut file = made::tga(2, (0, 0, 0), (1, 1), 32, 0x28, &[1, 2, 3, 0]);
+        let area = file.len() as u32;
+        file.extend(495_u16.to_le_bytes());
+        file.resize(area as usize + 494, 0);
+        file.push(kind);
+        file.extend([area, 0].iter().flat_map(|offset| offset.to_le_bytes()));
+        file.extend(b"TRUEVISION-XFILE.\0");
+        rgba8(&read(&file).unwrap())[0][3]
+    };
+    assert_eq!([0, 1, 2, 3, 4].map(opacity), [255, 255, 255, 0, 0]);
+}
+
 /// The colour i of the headers of [`made::pcx`].
 fn of_header(i: u8) -> [u8; 4] {
     [5 * i, 10 * i, 15 * i, 255]

@@ -13,7 +13,8 @@ pub(super) fn all(width: u16, height: u16) -> Vec<(&'static str, Vec<u8>)> {
     PngEncoder::new(&mut png).write_image(&rgba, w, h, ExtendedColorType::Rgba8).unwrap();
     let mut jpeg = Vec::new();
     JpegEncoder::new(&mut jpeg).write_image(&rgb, w, h, ExtendedColorType::Rgb8).unwrap();
-    let body = rgb.repeat(2);
+    // Enough for rows that are filled up.
+    let body = rgb.repeat(4);
     let runs: Vec<u8> = (0..w * h).flat_map(|i| [0x80, i as u8, 1, 2]).collect();
     let map = [&[0; 768][..], &rgb].concat();
     vec![
@@ -28,6 +29,8 @@ pub(super) fn all(width: u16, height: u16) -> Vec<(&'static str, Vec<u8>)> {
         ("pcx of 1 bit", pcx(1, 1, (width, height), width, &body)),
         ("pcx of 4 planes", pcx(1, 4, (width, height), 2, &[&body[..], &body, &body].concat())),
         ("hdr", hdr(w, h)),
+        ("bmp of 24 bits", bmp(24, (w, h), &[], &body)),
+        ("bmp of 8 bits", bmp(8, (w, h), &[7; 4 * 256], &body)),
     ]
 }
 
@@ -90,6 +93,24 @@ pub(super) fn pcx(
     file.extend(row.to_le_bytes());
     file.resize(128, 0);
     file.extend(body);
+    file
+}
+
+/// Bits, size, palette of blue, green, red and nothing; rows from the bottom, each
+/// filled to a multiple of four bytes. Of 32 bits with a place for opacity.
+pub(super) fn bmp(bits: u8, (width, height): (u32, u32), palette: &[u8], body: &[u8]) -> Vec<u8> {
+    let masks: &[u32] = if bits == 32 { &[0xff_0000, 0xff00, 0xff, 0xff00_0000] } else { &[] };
+    let header = if bits == 32 { 56 } else { 40 };
+    let pixels = 14 + header + palette.len() as u32;
+    let row = (width * u32::from(bits)).div_ceil(32) * 4;
+    let mut file = b"BM".to_vec();
+    let words = [pixels + row * height, 0, pixels, header, width, height];
+    file.extend(words.iter().flat_map(|n| n.to_le_bytes()));
+    file.extend([1, 0, bits, 0, if bits == 32 { 3 } else { 0 }]);
+    file.resize(54, 0);
+    file.extend(masks.iter().flat_map(|n| n.to_le_bytes()));
+    file.extend(palette);
+    file.extend(&body[..(row * height) as usize]);
     file
 }
 

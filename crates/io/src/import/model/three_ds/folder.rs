@@ -4,7 +4,7 @@ use crate::source::Location;
 use std::path::PathBuf;
 
 /// Endings of pictures that can be read.
-const ENDINGS: [&str; 8] = ["png", "jpg", "jpeg", "tga", "gif", "pcx", "hdr", "exr"];
+const ENDINGS: [&str; 9] = ["png", "bmp", "jpg", "jpeg", "tga", "gif", "pcx", "hdr", "exr"];
 
 /// The files beside a model. Models name their pictures in the capitals of DOS,
 /// and by formats that have been converted since.
@@ -18,7 +18,6 @@ impl Folder {
     /// That of a model; empty if it cannot be listed.
     pub(super) fn of(model: &Location) -> Self {
         let path = match model.folder() {
-            Some(folder) if folder.as_os_str().is_empty() => PathBuf::from("."),
             Some(folder) => folder.to_path_buf(),
             None => return Self { path: PathBuf::new(), names: Vec::new() },
         };

@@ -1,6 +1,7 @@
 use super::*;
 use crate::picture::tests::Folder;
 use exr::image::write::WritableImage;
+use exr::meta::attribute::Chromaticities;
 use exr::prelude::{
     AnyChannel, AnyChannels, Encoding, FlatSamples, Image, ImageAttributes, IntegerBounds, Layer,
     LayerAttributes, Vec2, f16,
@@ -63,6 +64,58 @@ fn luminance_alone_is_grey_and_with_chroma_it_is_refused() {
     let grey = read("grey", vec![layer("", &["Z", "Y"])]).unwrap();
     assert_eq!(*grey.get(1, 0), Rgb::new(2.5, 2.5, 2.5));
     assert!(read("chroma", vec![layer("", &["Y", "RY", "BY"])]).is_err());
+}
+
+/// Y of X, Y and Z is a part of a picture in colours.
+#[test]
+fn xyz_is_refused_with_its_channels() {
+    let said = read("xyz", vec![layer("", &["X", "Y", "Z"])]).unwrap_err();
+    assert!(matches!(&said, Error::NoLight { channels, .. } if channels == &["X", "Y", "Z"]));
+    assert!(said.to_string().ends_with("it has `X`, `Y`, `Z`"), "{said}");
+}
+
+#[test]
+fn other_primaries_are_converted() {
+    let folder = Folder::new("primaries");
+    let path = folder.path().join("a.exr");
+    let of = |chromaticities: Option<Chromaticities>| {
+        let mut image = Image::from_layers(
+            ImageAttributes::new(IntegerBounds::from_dimensions((2, 1))),
+            vec![layer("", &["B", "G", "R"])],
+        );
+        image.attributes.chromaticities = chromaticities;
+        image.write().to_file(&path).unwrap();
+        load_exr(&path).map(|picture| picture.get(0, 0).to_array())
+    };
+    let with = |white| Chromaticities {
+        red: Vec2(0.708, 0.292),
+        green: Vec2(0.17, 0.797),
+        blue: Vec2(0.131, 0.046),
+        white,
+    };
+    assert_eq!(of(None).unwrap(), [3.0, 2.0, 1.0]);
+    let wide = of(Some(with(Vec2(0.3127, 0.329)))).unwrap();
+    // 1.6605·3 − 0.5876·2 − 0.0728 and so on, ITU-R BT.2087.
+    for (found, expected) in wide.into_iter().zip([3.7334, 1.8837, 0.8629]) {
+        assert!((found - expected).abs() < 1e-3, "{wide:?}");
+    }
+    let said = of(Some(with(Vec2(0.3, 0.0)))).unwrap_err().to_string();
+    assert!(said.contains("the chromaticities are not x and y"), "{said}");
+}
+
+#[test]
+fn opacity_is_the_channel_of_the_same_group() {
+    let folder = Folder::new("opacity");
+    let path = folder.path().join("a.exr");
+    let of = |channels: &[&str]| {
+        let window = IntegerBounds::from_dimensions((2, 1));
+        let image = Image::from_layers(ImageAttributes::new(window), vec![layer("", channels)]);
+        image.write().to_file(&path).unwrap();
+        load_exr_within(&path, 100).unwrap().alpha.map(|alpha| alpha.values().to_vec())
+    };
+    assert_eq!(of(&["A", "B", "G", "R"]), Some(vec![1.0, 1.5]));
+    assert_eq!(of(&["B", "G", "R"]), None);
+    assert_eq!(of(&["B", "G", "R", "x.A"]), None);
 }
 
 #[test]
