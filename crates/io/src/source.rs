@@ -69,7 +69,7 @@ impl Location {
 /// Where text is not UTF-8.
 fn not_text(error: &FromUtf8Error) -> String {
     let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-    let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+    let line = before.split(|&byte| byte == b'\n').count();
     format!("it is not UTF-8 text, the first time in line {line}: save it as UTF-8")
 }
 

@@ -71,12 +71,12 @@ fn shift(mesh: &Mesh, placed: &pose::Placed) -> f32 {
     let vertices = || mesh.vertices.iter().copied().filter(|vertex| vertex.is_finite());
     let shifts = vertices().map(|vertex| (placed.place.point(vertex) - vertex).abs().max_element());
     let most = shifts.fold(0.0, f32::max);
-    if most > ROUNDING * extent(vertices().collect()) { most } else { 0.0 }
+    if most > ROUNDING * extent(&vertices().collect::<Vec<_>>()) { most } else { 0.0 }
 }
 
 /// Of the middle eight tenths of all vertices: real files have a few that belong
 /// nowhere, which would hide any motion.
-fn extent(vertices: Vec<Vec3>) -> f32 {
+fn extent(vertices: &[Vec3]) -> f32 {
     let range = |axis: usize| {
         let mut values: Vec<f32> = vertices.iter().map(|vertex| vertex[axis]).collect();
         values.sort_unstable_by(f32::total_cmp);
