@@ -5,7 +5,7 @@
 //! part through, the same light arrives. This holds while nothing is inside: no surface,
 //! no lamp, no camera.
 
-use super::{Described, bends_or_scatters, has_opacity};
+use super::{Described, bends_or_scatters};
 use std::collections::HashMap;
 use traylib_geometry::{Aabb, Mesh, Primitive, Vec3};
 use traylib_scene::ObjectShape;
@@ -31,7 +31,7 @@ impl<'a> Surroundings<'a> {
     /// would take long to find out.
     pub(super) fn is_harmless(&mut self, index: usize) -> bool {
         let Described { thing, material, .. } = self.things[index];
-        let is_even = !has_opacity(material) && !bends_or_scatters(&material.model);
+        let is_even = !material..has_opacity() && !bends_or_scatters(&material.model);
         is_even && is_closed(&thing.shape) && self.is_empty_within(index)
     }
 
