@@ -31,7 +31,7 @@ impl<'a> Surroundings<'a> {
     /// would take long to find out.
     pub(super) fn is_harmless(&mut self, index: usize) -> bool {
         let Described { thing, material, .. } = self.things[index];
-        let is_even = !material..has_opacity() && !bends_or_scatters(&material.model);
+        let is_even = !material.has_opacity() && !bends_or_scatters(&material.model);
         is_even && is_closed(&thing.shape) && self.is_empty_within(index)
     }
 
