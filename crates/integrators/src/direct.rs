@@ -63,6 +63,7 @@ pub(crate) fn sample_point_lights<'a>(
 
 /// The light that a given point of a lamp sends by way of the vertex, per area
 /// of the lamp: f·cos_s·Le·cos₀/d².
+#[inline]
 fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<LightSample> {
     let offset = x0.site.position - point.site.position;
     let distance_squared = offset.length_squared();

@@ -211,6 +211,7 @@ impl Scene {
     /// shines there, whatever stands between. A lamp that could light `x1` has a
     /// chance, and none is so weak that stronger ones leave it less than 2⁻¹⁶ at each
     /// turn of the tree.
+    #[inline]
     pub fn choose_light_for(&self, x1: Vec3, u: f64) -> LightChoice<'_> {
         let (index, probability) = self.light_tree.choose(x1, u);
         LightChoice { id: LightId(index), light: &self.lights[index as usize], probability }
