@@ -9,7 +9,8 @@ use crate::statistics::{Interval, mean_interval};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use traylib_integrators::{
-    Bdpt, Limits, Progress, Report, Roulette, Settings, Technique, TechniqueSet, Weighting, render,
+    Bdpt, Control, Limits, Progress, Report, Roulette, Settings, Technique, TechniqueSet,
+    Weighting, render,
 };
 use traylib_materials::SurfaceModel;
 use traylib_math::{Heuristic, Purpose, Sampler};
@@ -94,7 +95,8 @@ impl Pictures {
             let seed = seed + u64::from(batch);
             let settings = Settings { spp: budget.passes, seed, threads: 1 };
             let observe = &mut |_: &Progress<'_>| ControlFlow::Continue(());
-            let rendering = render(&spectrum.case.scene, &bdpt, &settings, observe);
+            let rendering =
+                render(&spectrum.case.scene, &bdpt, &settings, &Control::default(), observe);
             let rendering = rendering.expect("one thread");
             assert_eq!(rendering.statistics.rejected, 0);
             for (layer, image) in rendering.layers {

@@ -6,7 +6,7 @@ use crate::programs::Program;
 use crate::statistics::{Interval, mean_interval, sidak};
 use std::ops::ControlFlow;
 use traylib_geometry::Vec3;
-use traylib_integrators::{Integrator, Settings, Statistics, render};
+use traylib_integrators::{Control, Integrator, Settings, Statistics, render};
 use traylib_math::{Grid, Vec2};
 use traylib_scene::{Camera, Scene};
 
@@ -51,7 +51,7 @@ pub fn each_pass(
     mut observe: impl FnMut(Grid<[f64; 3]>),
 ) -> Statistics {
     let mut before: Option<Grid<[f64; 3]>> = None;
-    let rendering = render(scene, integrator, settings, &mut |progress| {
+    let rendering = render(scene, integrator, settings, &Control::default(), &mut |progress| {
         let passes = f64::from(progress.film.passes());
         let total = progress.film.mean().map(|mean| mean.map(|band| band * passes));
         let mut pass = total.clone();

@@ -20,9 +20,9 @@ use crate::run::Race;
 use crate::store::{Store, key_of};
 use crate::techniques::technique_pictures;
 use outcome::{finished, shown, told};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use traylib_demos::{Failure, say};
+use traylib_integrators::Control;
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_math::{Grid, Rgb};
 
@@ -45,7 +45,7 @@ pub struct Comparison {
 ///
 /// # Errors
 /// A scene makes no sense, the system refuses threads, or nothing can be written.
-pub fn compare(options: &Options, how: How, stop: &AtomicBool) -> Result<Comparison, Failure> {
+pub fn compare(options: &Options, how: How, stop: &Control) -> Result<Comparison, Failure> {
     options.check()?;
     let work = Work::prepare(options, &how, stop)?;
     let plan = Plan::new(work.seconds());
@@ -65,13 +65,13 @@ struct Work<'a> {
     runs: Store,
     /// Whatever else decides the result of a run.
     key: u64,
-    stop: &'a AtomicBool,
+    stop: &'a Control,
     start: Instant,
 }
 
 impl<'a> Work<'a> {
     /// Everything that can go wrong early does so here.
-    fn prepare(options: &'a Options, how: &How, stop: &'a AtomicBool) -> Result<Self, Failure> {
+    fn prepare(options: &'a Options, how: &How, stop: &'a Control) -> Result<Self, Failure> {
         let asked = options.scenes();
         let rendered = asked.iter().filter(|scene| *scene != ORACLE);
         let scenes = rendered.map(|scene| prepare(scene, options)).collect::<Result<_, _>>()?;
@@ -225,7 +225,7 @@ impl<'a> Work<'a> {
     }
 
     fn stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+        self.stop.is_cancelled()
     }
 }
 

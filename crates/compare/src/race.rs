@@ -8,7 +8,6 @@ use crate::precision::{double, single};
 use crate::progress::Plan;
 use crate::run::{Picture, Race, Record};
 use crate::store::{Store, key_of};
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 use traylib_demos::Failure;
 
@@ -91,7 +90,7 @@ impl Field<'_> {
         if !std::mem::replace(warm, true) {
             self.warm_up()?;
         }
-        if self.race.stop.load(Ordering::Relaxed) {
+        if self.race.stop.is_cancelled() {
             return Ok(None);
         }
         let done = self.race.run(contestant, seed).map_err(Failure::output)?;

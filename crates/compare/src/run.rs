@@ -5,9 +5,10 @@ use crate::memory::peak_during;
 use crate::reference::Reference;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use traylib_integrators::{Progress, Rendering, Settings, Statistics, ThreadError, render};
+use traylib_integrators::{
+    Control, Progress, Rendering, Settings, Statistics, ThreadError, render,
+};
 use traylib_math::Grid;
 use traylib_scene::{PictureError, Scene};
 use traylib_tests::stability::tail::Largest;
@@ -65,7 +66,7 @@ pub struct Race<'a> {
     /// Threads; 0 for one a processor.
     pub threads: usize,
     /// Raised when the user wants to stop.
-    pub stop: &'a AtomicBool,
+    pub stop: &'a Control,
 }
 
 impl Race<'_> {
@@ -83,10 +84,13 @@ impl Race<'_> {
         let integrator = contestant.integrator();
         let mut watch = Watch::new(self);
         let (rendering, peak_bytes) = peak_during(|| {
-            render(self.scene, integrator.as_ref(), &settings, &mut |p| watch.after_pass(p))
+            render(self.scene, integrator.as_ref(), &settings, self.stop, &mut |p| {
+                watch.after_pass(p)
+            })
         });
         let rendering = rendering?;
-        Ok((!watch.stopped).then(|| (watch.record(&rendering, peak_bytes), rendering.film.mean())))
+        let finished = watch.has_finished();
+        Ok(finished.then(|| (watch.record(&rendering, peak_bytes), rendering.film.mean())))
     }
 
     /// Renders for about this long and keeps nothing: caches, clock rates and
@@ -98,9 +102,8 @@ impl Race<'_> {
         let start = Instant::now();
         let settings = Settings { spp: u32::MAX, seed: 0, threads: self.threads };
         let integrator = contestant.integrator();
-        render(self.scene, integrator.as_ref(), &settings, &mut |_| {
-            let end = start.elapsed() >= time || self.stop.load(Ordering::Relaxed);
-            if end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        render(self.scene, integrator.as_ref(), &settings, self.stop, &mut |_| {
+            if start.elapsed() >= time { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         })?;
         Ok(())
     }
@@ -117,7 +120,6 @@ struct Watch<'a> {
     next_budget: usize,
     gone: Duration,
     since: Instant,
-    stopped: bool,
 }
 
 impl<'a> Watch<'a> {
@@ -133,7 +135,6 @@ impl<'a> Watch<'a> {
             next_budget: 0,
             gone: Duration::ZERO,
             since: Instant::now(),
-            stopped: false,
         }
     }
 
@@ -151,12 +152,16 @@ impl<'a> Watch<'a> {
             let error = self.race.reference.rel_mse(&mean);
             self.looks.push(Look { passes, seconds, error, budget });
         }
-        self.stopped = self.race.stop.load(Ordering::Relaxed);
-        if self.stopped || self.next_budget == budgets.len() {
+        if self.has_finished() {
             return ControlFlow::Break(());
         }
         self.since = Instant::now();
         ControlFlow::Continue(())
+    }
+
+    /// Whether all budgets are used up; not if the run was stopped before.
+    fn has_finished(&self) -> bool {
+        self.next_budget == self.race.budgets.len()
     }
 
     /// The pass itself is the growth of the sum.

@@ -1,7 +1,9 @@
 //! What the techniques of bdpt bring, one by one.
 
 use std::ops::ControlFlow;
-use traylib_integrators::{Bdpt, Limits, Report, Settings, Technique, ThreadError, render};
+use traylib_integrators::{
+    Bdpt, Control, Limits, Report, Settings, Technique, ThreadError, render,
+};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Scene;
 
@@ -52,7 +54,8 @@ fn layers(
     wanted: impl Fn(Technique) -> bool,
 ) -> Result<Vec<(Technique, Grid<Rgb>)>, ThreadError> {
     let bdpt = Bdpt { limits, report: Report::Techniques, ..Bdpt::default() };
-    let rendering = render(scene, &bdpt, settings, &mut |_| ControlFlow::Continue(()))?;
+    let rendering =
+        render(scene, &bdpt, settings, &Control::default(), &mut |_| ControlFlow::Continue(()))?;
     let layers = rendering.layers.iter().map(|(&layer, image)| (Technique::of_layer(layer), image));
     let wanted = layers.filter(|&(technique, _)| wanted(technique));
     Ok(wanted.map(|(technique, image)| (technique, image.mean_over(settings.spp))).collect())

@@ -17,7 +17,7 @@ mod technique_pictures;
 
 pub use duration::parse_duration;
 pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions};
-pub use interrupt::stop_flag;
+pub use interrupt::on_interrupt;
 pub use messages::{print_notes, say, tell};
 pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution};
 pub use outcome::Failure;

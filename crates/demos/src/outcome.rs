@@ -21,7 +21,8 @@ impl Failure {
         Self::new(3, message)
     }
 
-    /// Something could not be written, or the system refused: status 4.
+    /// Something could not be written, or the system refused, or time was up before
+    /// there was a picture: status 4.
     pub fn output(message: impl Display) -> Self {
         Self::new(4, message)
     }

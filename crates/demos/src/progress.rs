@@ -1,8 +1,12 @@
 //! The line that moves while a picture is rendered.
 
-use crate::messages::count;
+use crate::interrupt::Stop;
+use crate::messages::{count, say};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use std::cell::Cell;
 use std::fmt::Write;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use traylib_integrators::Progress;
 
@@ -11,37 +15,79 @@ pub(crate) struct Line {
     bar: ProgressBar,
     start: Instant,
     time_limit: Option<Duration>,
+    quiet: bool,
+    last_update: Cell<Option<Instant>>,
+    last_pass: Arc<LastPass>,
+}
+
+/// The pass that was done last, as the line's own thread sees it.
+#[derive(Default)]
+struct LastPass {
+    number: AtomicU32,
+    /// When it was done, in milliseconds since the start.
+    end: AtomicU64,
 }
 
 /// The film's error is asked for no more often than this.
 const BETWEEN_UPDATES: Duration = Duration::from_millis(200);
 
+/// How far a pass is, is shown of those that take longer than this.
+const LONG_PASS: Duration = Duration::from_secs(1);
+
 impl Line {
-    /// A line that starts with `title`; at the `time_limit` it will be late.
-    pub(crate) fn new(title: &str, time_limit: Option<Duration>, quiet: bool) -> Self {
+    /// A line that starts with `title`, about a rendering that `stop` can end and that
+    /// ends at the `time_limit`.
+    pub(crate) fn new(
+        title: &str,
+        stop: &Arc<Stop>,
+        time_limit: Option<Duration>,
+        quiet: bool,
+    ) -> Self {
         let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::no_length() };
-        if let Ok(style) = ProgressStyle::with_template("{prefix}  {gone} gone  {wide_msg}") {
+        let last_pass = Arc::new(LastPass::default());
+        if let Ok(style) = ProgressStyle::with_template("{prefix}  {gone} gone{pass}  {wide_msg}") {
+            // The worst is a line without its clock.
             let gone = |state: &ProgressState, out: &mut dyn Write| {
-                // The worst is a line without its clock.
                 let _ = out.write_str(&clock(state.elapsed()));
             };
-            bar.set_style(style.with_key("gone", gone));
+            let (stop, last) = (Arc::clone(stop), Arc::clone(&last_pass));
+            let pass = move |state: &ProgressState, out: &mut dyn Write| {
+                let part = stop.control.part_of_pass();
+                let _ = out.write_str(&last.describe_next(state.elapsed(), part));
+            };
+            bar.set_style(style.with_key("gone", gone).with_key("pass", pass));
         }
         bar.set_prefix(title.to_owned());
         if !bar.is_hidden() {
             // The clock runs on while a pass takes long.
             bar.enable_steady_tick(BETWEEN_UPDATES);
         }
-        Self { bar, start: Instant::now(), time_limit }
+        let last_update = Cell::new(None);
+        Self { bar, start: Instant::now(), time_limit, quiet, last_update, last_pass }
     }
 
-    /// Shows how far it is.
-    pub(crate) fn update(&self, progress: &Progress<'_>, last: &mut Option<Instant>) {
-        if self.bar.is_hidden() || last.is_some_and(|last| last.elapsed() < BETWEEN_UPDATES) {
+    /// Shows how far it is after a pass.
+    pub(crate) fn update(&self, progress: &Progress<'_>) {
+        let recently = |last: Instant| last.elapsed() < BETWEEN_UPDATES;
+        self.last_pass.number.store(progress.film.passes(), Ordering::Relaxed);
+        self.last_pass.end.store(self.elapsed().as_millis() as u64, Ordering::Relaxed);
+        if self.bar.is_hidden() || self.last_update.get().is_some_and(recently) {
             return;
         }
-        *last = Some(Instant::now());
+        self.last_update.set(Some(Instant::now()));
         self.bar.set_message(self.describe(progress));
+    }
+
+    /// What is said to whoever asks for the end, at once and from any thread.
+    pub(crate) fn answer_to_interrupt(&self) -> impl Fn() + Send + use<> {
+        let (bar, quiet) = (self.bar.clone(), self.quiet);
+        move || {
+            if !quiet {
+                bar.suspend(|| {
+                    say("interrupt: ending with the passes that are done; once more stops at once");
+                });
+            }
+        }
     }
 
     /// What follows the clock.
@@ -64,14 +110,21 @@ impl Line {
         self.start.elapsed()
     }
 
-    /// Whether the time is up.
-    pub(crate) fn is_late(&self) -> bool {
-        self.time_limit.is_some_and(|limit| self.elapsed() >= limit)
-    }
-
     /// Takes the line away.
     pub(crate) fn clear(&self) {
         self.bar.finish_and_clear();
+    }
+}
+
+impl LastPass {
+    /// How far the pass after it is, at this time, if it takes long.
+    fn describe_next(&self, now: Duration, part: f64) -> String {
+        let since = now.saturating_sub(Duration::from_millis(self.end.load(Ordering::Relaxed)));
+        if since < LONG_PASS {
+            return String::new();
+        }
+        let number = self.number.load(Ordering::Relaxed) + 1;
+        format!("  pass {number} {:.0} %", 100.0 * part)
     }
 }
 
@@ -107,6 +160,13 @@ mod tests {
         assert_eq!(fraction_done(8.0, 16, second, limit), 0.5);
         assert_eq!(fraction_done(1.0, 16, second, limit), 0.25);
         assert_eq!(fraction_done(1.0, u32::MAX, 5 * second, limit), 1.0);
+    }
+
+    #[test]
+    fn passes_that_take_long_are_shown() {
+        let last = LastPass { number: AtomicU32::new(2), end: AtomicU64::new(4000) };
+        assert_eq!(last.describe_next(Duration::from_millis(4900), 0.5), "");
+        assert_eq!(last.describe_next(Duration::from_millis(5100), 0.5), "  pass 3 50 %");
     }
 
     #[test]

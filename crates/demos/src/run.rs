@@ -1,7 +1,7 @@
 //! From a command line to a picture.
 
 use crate::bug::report_bugs;
-use crate::interrupt::stop_flag;
+use crate::interrupt::Stop;
 use crate::messages::{announce, describe, say, suggest, summarise, tell};
 use crate::options::{PathOptions, RenderOptions};
 use crate::outcome::Failure;
@@ -10,9 +10,9 @@ use crate::stats::stats;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
 use std::time::Duration;
-use traylib_integrators::{Integrator, Limits, Rendering, Settings, render};
+use traylib_integrators::{Integrator, Limits, Progress, Rendering, Settings, render};
 use traylib_io::{LoadOptions, Loaded, PictureInfo, check_writable, load_scene_with, save_picture};
 use traylib_scene::Scene;
 
@@ -114,8 +114,7 @@ fn try_run<I: Integrator>(
     }
     let outfiles = outfiles(job);
     check_outputs(&outfiles, job.folder)?;
-    let stop = stop_flag();
-    let (rendering, elapsed, end) = render_job(job, &loaded, &integrator, &stop)?;
+    let (rendering, elapsed, end) = render_job(job, &loaded, &integrator)?;
     let done = Done { loaded, rendering, seconds: elapsed.as_secs_f64() };
     for file in &outfiles {
         save_picture(file, &done.rendering.film.develop(), &done.info(job))?;
@@ -131,7 +130,7 @@ fn try_run<I: Integrator>(
             "interrupted; what is written has {} spp",
             done.rendering.film.passes()
         ))),
-        _ => Ok(()),
+        End::Spp | End::TimeLimit => Ok(()),
     }
 }
 
@@ -184,33 +183,52 @@ impl End {
             Self::Interrupt => "interrupt",
         }
     }
+
+    /// Why nothing is written: it came when this part of the first pass was done.
+    fn without_picture(self, part: f64) -> Failure {
+        let percent = (100.0 * part) as u32;
+        let nothing = format!("the first pass was done to {percent} %; nothing is written");
+        match self {
+            Self::Interrupt => Failure::interrupted(format_args!("interrupted while {nothing}")),
+            Self::Spp | Self::TimeLimit => Failure::output(format_args!(
+                "the time was up while {nothing}; a smaller --resolution or a longer --time-limit may help"
+            )),
+        }
+    }
 }
 
 fn render_job(
     job: &Job<'_>,
     loaded: &Loaded,
     integrator: &dyn Integrator,
-    stop: &std::sync::atomic::AtomicBool,
 ) -> Result<(Rendering, Duration, End), Failure> {
     let options = job.options;
     let default_spp = job.default_spp.unwrap_or(loaded.settings.spp);
     let spp = options.spp.or(options.time_limit.is_none().then_some(default_spp));
     let title = format!("{} {}", job.program, loaded.name);
-    let line = Line::new(&title, options.time_limit, options.quiet);
     let settings =
         Settings { spp: spp.unwrap_or(u32::MAX), seed: options.seed, threads: options.threads };
-    let (mut end, mut last_update) = (End::Spp, None);
-    let rendering = render(&loaded.scene, integrator, &settings, &mut |progress| {
-        line.update(progress, &mut last_update);
-        end = match (stop.load(Ordering::Relaxed), line.is_late()) {
-            (true, _) => End::Interrupt,
-            (false, true) => End::TimeLimit,
-            (false, false) => return ControlFlow::Continue(()),
-        };
-        ControlFlow::Break(())
-    })
-    .map_err(Failure::output)?;
+    let stop = Arc::new(Stop::default());
+    let line = Line::new(&title, &stop, options.time_limit, options.quiet);
+    stop.on_interrupt(line.answer_to_interrupt());
+    options.time_limit.map_or(Ok(()), |time| stop.after(time))?;
+    let observe = &mut |progress: &Progress<'_>| {
+        line.update(progress);
+        ControlFlow::Continue(())
+    };
+    let rendering = render(&loaded.scene, integrator, &settings, &stop.control, observe)
+        .map_err(Failure::output)?;
     line.clear();
+    let end = if rendering.film.passes() == settings.spp {
+        End::Spp
+    } else if stop.is_interrupted() {
+        End::Interrupt
+    } else {
+        End::TimeLimit
+    };
+    if rendering.film.passes() == 0 {
+        return Err(end.without_picture(stop.control.part_of_pass()));
+    }
     Ok((rendering, line.elapsed(), end))
 }
 

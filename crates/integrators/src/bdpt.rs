@@ -100,10 +100,10 @@ impl Integrator for Bdpt {
         if self.techniques.need_light_paths() { pixels } else { 0 }
     }
 
-    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         let pixels = scene.camera().width() * scene.camera().height();
         let light_paths = self.light_paths(pixels);
-        let mut tracer = Tracer::new(scene);
+        let mut tracer = Tracer::new(scene, chunk.control);
         let walker = Walker::new(self, light_paths);
         let joiner = Joiner::new(self, light_paths);
 

@@ -1,13 +1,14 @@
 //! A part of a pass, and what came of it.
 
+use crate::Control;
 use crate::tracer::{Statistics, Tracer};
 use std::ops::Range;
 use traylib_math::{Purpose, Rgb, Sampler, Vec2};
 use traylib_scene::Scene;
 
 /// Some pixels and some light paths of one pass.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Chunk {
+#[derive(Clone, Debug)]
+pub struct Chunk<'a> {
     /// Seed of the whole rendering.
     pub seed: u64,
     /// Number of the pass.
@@ -16,9 +17,11 @@ pub struct Chunk {
     pub pixels: Range<u32>,
     /// Numbers of the light paths within the pass.
     pub light_paths: Range<u32>,
+    /// Says whether it is still wanted.
+    pub control: &'a Control,
 }
 
-impl Chunk {
+impl Chunk<'_> {
     /// The random numbers of a pixel's camera path.
     pub fn camera_sampler(&self, pixel: u32) -> Sampler {
         Sampler::new(self.seed, Purpose::Camera, self.pass, u64::from(pixel))
@@ -31,13 +34,13 @@ impl Chunk {
 
     /// Gives each pixel of the chunk one sample: `estimate` of a film point drawn
     /// uniformly in the pixel, with the random numbers of its path.
-    pub(crate) fn sample_pixels<'s>(
+    pub(crate) fn sample_pixels(
         &self,
-        scene: &'s Scene,
+        scene: &Scene,
         out: &mut ChunkOutput,
-        mut estimate: impl FnMut(&mut Tracer<'s>, Vec2, &mut Sampler) -> Rgb,
+        mut estimate: impl FnMut(&mut Tracer<'_>, Vec2, &mut Sampler) -> Rgb,
     ) {
-        let mut tracer = Tracer::new(scene);
+        let mut tracer = Tracer::new(scene, self.control);
         for pixel in self.pixels.clone() {
             let mut sampler = self.camera_sampler(pixel);
             let film_point = pixel_corner(scene, pixel) + sampler.next_2d();

@@ -34,7 +34,7 @@ enum Arrival {
 }
 
 impl Integrator for DirectLight {
-    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
             self.radiance(tracer, scene.camera().ray(film_point), sampler)
         });

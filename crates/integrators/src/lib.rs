@@ -15,6 +15,7 @@
 mod bdpt;
 mod blind;
 mod chunk;
+mod control;
 mod direct;
 mod directlight;
 mod emission;
@@ -30,6 +31,7 @@ mod tracer;
 pub use bdpt::{Bdpt, LightSampling, Report, Technique, TechniqueSet, Techniques, Weighting};
 pub use blind::{BlindSpot, SceneFacts};
 pub use chunk::{Chunk, ChunkOutput};
+pub use control::Control;
 pub use directlight::DirectLight;
 pub use limits::{Limits, Roulette};
 pub use particle::Particle;
@@ -53,8 +55,9 @@ pub trait Integrator: Sync {
         0
     }
 
-    /// Renders one chunk of a pass.
-    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput);
+    /// Renders one chunk of a pass. What comes of it is thrown away if the chunk's
+    /// control was cancelled meanwhile.
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput);
 
     /// The kinds of light that this integrator cannot produce in such a scene,
     /// however long it renders.

@@ -21,14 +21,14 @@ impl Integrator for Particle {
         pixels
     }
 
-    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
             let passage = sampler.next_vertex().passage;
             tracer
                 .camera_ray(&scene.camera().ray(film_point), passage)
                 .map_or(Rgb::BLACK, |Met { point, passed }| passed * scene.emitted(&point))
         });
-        let mut tracer = Tracer::new(scene);
+        let mut tracer = Tracer::new(scene, chunk.control);
         let share = 1.0 / (scene.camera().width() * scene.camera().height()) as f32;
         for path in chunk.light_paths.clone() {
             self.trace_light_path(&mut tracer, share, &mut chunk.light_sampler(path), out);

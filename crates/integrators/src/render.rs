@@ -1,6 +1,6 @@
 //! The driver: passes, threads, the film. The only place that starts threads.
 
-use crate::{Chunk, ChunkOutput, Integrator, Statistics};
+use crate::{Chunk, ChunkOutput, Control, Integrator, Statistics};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
@@ -59,7 +59,8 @@ impl std::fmt::Display for ThreadError {
 impl std::error::Error for ThreadError {}
 
 /// Renders `settings.spp` passes, or fewer if `observe`, called after each pass,
-/// says stop.
+/// says stop or `control` is cancelled. Then the pass under way is given up and leaves
+/// no trace; if that is the first one, the film has no pass.
 ///
 /// The result depends on scene, integrator, seed and number of passes, and on
 /// nothing else: every path has random numbers of its own, and chunks are
@@ -71,6 +72,7 @@ pub fn render(
     scene: &Scene,
     integrator: &dyn Integrator,
     settings: &Settings,
+    control: &Control,
     observe: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Rendering, ThreadError> {
     let pool = rayon::ThreadPoolBuilder::new()
@@ -84,18 +86,18 @@ pub fn render(
         notes: Vec::new(),
         statistics: Statistics::default(),
     };
+    let pixels = width * height;
+    let light_paths = integrator.light_paths(pixels);
     for pass in 0..settings.spp {
-        let chunks = chunks(scene, integrator, settings.seed, u64::from(pass));
-        let outputs: Vec<ChunkOutput> = pool.install(|| {
-            chunks
-                .into_par_iter()
-                .map(|chunk| {
-                    let mut out = ChunkOutput::default();
-                    integrator.render_chunk(scene, &chunk, &mut out);
-                    out
-                })
-                .collect()
-        });
+        let whole = Chunk {
+            seed: settings.seed,
+            pass: pass.into(),
+            pixels: 0..pixels,
+            light_paths: 0..light_paths,
+            control,
+        };
+        let outputs = pool.install(|| render_pass(scene, integrator, &whole));
+        let Some(outputs) = outputs else { break };
         rendering.add_pass(outputs, width, height);
         let progress =
             Progress { film: &rendering.film, statistics: rendering.statistics, spp: settings.spp };
@@ -106,10 +108,32 @@ pub fn render(
     Ok(rendering)
 }
 
+/// What the chunks of a pass add to it, in their order; `None` if it was given up.
+fn render_pass(
+    scene: &Scene,
+    integrator: &dyn Integrator,
+    whole: &Chunk<'_>,
+) -> Option<Vec<ChunkOutput>> {
+    let (chunks, control) = (chunks(whole), whole.control);
+    control.begin_pass(chunks.len());
+    let render_chunk = |chunk: Chunk<'_>| {
+        let mut out = ChunkOutput::default();
+        if !control.is_cancelled() {
+            integrator.render_chunk(scene, &chunk, &mut out);
+        }
+        // What was cancelled on its way may lack anything.
+        if control.is_cancelled() {
+            return None;
+        }
+        control.end_chunk();
+        Some(out)
+    };
+    chunks.into_par_iter().map(render_chunk).collect()
+}
+
 /// Cuts a pass into chunks, its light paths in proportion to its pixels.
-fn chunks(scene: &Scene, integrator: &dyn Integrator, seed: u64, pass: u64) -> Vec<Chunk> {
-    let pixels = scene.camera().width() * scene.camera().height();
-    let light_paths = integrator.light_paths(pixels);
+fn chunks<'a>(whole: &Chunk<'a>) -> Vec<Chunk<'a>> {
+    let (pixels, light_paths) = (whole.pixels.end, whole.light_paths.end);
     let share = |pixel: u32| {
         (u64::from(pixel) * u64::from(light_paths)).div_euclid(u64::from(pixels)) as u32
     };
@@ -118,7 +142,7 @@ fn chunks(scene: &Scene, integrator: &dyn Integrator, seed: u64, pass: u64) -> V
         .map(|start| {
             let range: Range<u32> = start..(start + CHUNK_PIXELS).min(pixels);
             let light_paths = share(range.start)..share(range.end);
-            Chunk { seed, pass, pixels: range, light_paths }
+            Chunk { pixels: range, light_paths, ..*whole }
         })
         .collect()
 }
@@ -145,3 +169,6 @@ impl Rendering {
         self.film.add_pass(&image);
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -18,8 +18,8 @@ pub struct Trace {
 }
 
 impl Integrator for Trace {
-    fn render_chunk(&self, scene: &Scene, chunk: &Chunk, out: &mut ChunkOutput) {
-        let mut tracer = Tracer::new(scene);
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
+        let mut tracer = Tracer::new(scene, chunk.control);
         for pixel in chunk.pixels.clone() {
             let inside =
                 if self.jitter { chunk.camera_sampler(pixel).next_2d() } else { Vec2::splat(0.5) };

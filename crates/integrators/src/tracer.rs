@@ -1,5 +1,6 @@
 //! The scene with a tally of what was asked of it.
 
+use crate::Control;
 use std::ops::AddAssign;
 use traylib_geometry::Ray;
 use traylib_math::Rgb;
@@ -45,11 +46,18 @@ impl AddAssign for Statistics {
 pub(crate) struct Tracer<'scene> {
     pub(crate) scene: &'scene Scene,
     pub(crate) statistics: Statistics,
+    control: &'scene Control,
 }
 
 impl<'scene> Tracer<'scene> {
-    pub(crate) fn new(scene: &'scene Scene) -> Self {
-        Self { scene, statistics: Statistics::default() }
+    pub(crate) fn new(scene: &'scene Scene, control: &'scene Control) -> Self {
+        Self { scene, statistics: Statistics::default(), control }
+    }
+
+    /// Whether nobody wants the answers any more: no ray meets anything then, and no
+    /// point sees another, so that walks end.
+    pub(crate) fn is_cancelled(&self) -> bool {
+        self.control.is_cancelled()
     }
 
     /// The first edge of a walk from the camera; `passage` as for
@@ -66,6 +74,9 @@ impl<'scene> Tracer<'scene> {
 
     /// What stands first in a ray from the camera, be it see-through or not.
     pub(crate) fn look(&mut self, ray: &Ray) -> Option<SurfacePoint> {
+        if self.is_cancelled() {
+            return None;
+        }
         self.statistics.camera_rays += 1;
         self.scene.intersect(ray)
     }
@@ -86,6 +97,9 @@ impl<'scene> Tracer<'scene> {
         mut passage: f32,
         count: impl Fn(&mut Statistics),
     ) -> Option<Met> {
+        if self.is_cancelled() {
+            return None;
+        }
         let (mut passed, mut rest) = (Rgb::WHITE, *ray);
         for _ in 0..MOST_PASSAGES {
             count(&mut self.statistics);
@@ -112,6 +126,9 @@ impl<'scene> Tracer<'scene> {
 
     /// The part of the light that a segment lets through, if any.
     pub(crate) fn sees(&mut self, segment: &Ray) -> Option<Rgb> {
+        if self.is_cancelled() {
+            return None;
+        }
         self.statistics.shadow_rays += 1;
         Some(self.scene.transmittance(segment)).filter(|part| !part.is_black())
     }

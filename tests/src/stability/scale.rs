@@ -3,7 +3,7 @@
 use crate::stability::column::Column;
 use crate::still_life::still_life;
 use std::ops::ControlFlow;
-use traylib_integrators::{Settings, render};
+use traylib_integrators::{Control, Settings, render};
 use traylib_math::{Grid, Rgb};
 
 /// Powers of two by which [`still_life`] is scaled.
@@ -19,8 +19,12 @@ pub fn differences(column: Column) -> Vec<i32> {
 fn picture(column: Column, scale: f32) -> Grid<Rgb> {
     let integrator = column.integrator(None);
     let settings = Settings { spp: 4, seed: 11, threads: 1 };
-    let rendering = render(&still_life(scale), integrator.as_ref(), &settings, &mut |_| {
-        ControlFlow::Continue(())
-    });
+    let rendering = render(
+        &still_life(scale),
+        integrator.as_ref(),
+        &settings,
+        &Control::default(),
+        &mut |_| ControlFlow::Continue(()),
+    );
     rendering.expect("one thread").film.develop()
 }

@@ -3,7 +3,7 @@
 //! See `tests/data/README.md` for where the numbers are from.
 
 use serde::Deserialize;
-use traylib_integrators::Settings;
+use traylib_integrators::{Control, Settings};
 use traylib_io::{LoadOptions, load_exr, load_scene_with};
 use traylib_math::Grid;
 use traylib_tests::ledger::{Finding, settle};
@@ -204,11 +204,14 @@ fn pixels_differ_by_noise_alone() {
         let loaded = load_scene_with(scene, LoadOptions::default()).unwrap();
         let integrator = program.integrator(MAX_DEPTH);
         let settings = Settings { spp: 256, seed: 7, threads: 0 };
-        let rendering =
-            traylib_integrators::render(&loaded.scene, integrator.as_ref(), &settings, &mut |_| {
-                std::ops::ControlFlow::Continue(())
-            })
-            .unwrap();
+        let rendering = traylib_integrators::render(
+            &loaded.scene,
+            integrator.as_ref(),
+            &settings,
+            &Control::default(),
+            &mut |_| std::ops::ControlFlow::Continue(()),
+        )
+        .unwrap();
         let (measured, explained) = rel_mse(&rendering.film, &channels);
         settle(&[Finding {
             claim: format!("{scene}, {program:?}: pixels differ from the reference by noise alone"),

@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 use traylib_integrators::{
-    Bdpt, DirectLight, Integrator, Limits, Particle, Progress, PureMc, Roulette, Settings,
+    Bdpt, Control, DirectLight, Integrator, Limits, Particle, Progress, PureMc, Roulette, Settings,
     Statistics, Techniques, Trace, render,
 };
 use traylib_math::{Grid, Heuristic};
@@ -26,7 +26,8 @@ fn integrators() -> Vec<(String, Box<dyn Integrator>)> {
 
 fn picture(scene: &Scene, integrator: &dyn Integrator, settings: Settings) -> Grid<[f64; 3]> {
     let observe = &mut |_: &Progress<'_>| ControlFlow::Continue(());
-    let rendering = render(scene, integrator, &settings, observe).expect("a few threads");
+    let rendering =
+        render(scene, integrator, &settings, &Control::default(), observe).expect("a few threads");
     assert_eq!(rendering.statistics.rejected, 0);
     rendering.film.mean()
 }

@@ -3,13 +3,15 @@
 use clap::Parser;
 use std::path::Path;
 use std::process::{Command, ExitCode};
+use std::sync::Arc;
 use traylib_compare::compare::{Comparison, compare};
 use traylib_compare::how::how;
 use traylib_compare::options::Options;
 use traylib_compare::page::page;
 use traylib_compare::store::{write_json, write_text};
 use traylib_compare::table::table;
-use traylib_demos::{Failure, say, stop_flag, tell};
+use traylib_demos::{Failure, on_interrupt, say, tell};
+use traylib_integrators::Control;
 
 fn main() -> ExitCode {
     let options = Options::parse();
@@ -27,7 +29,12 @@ fn run(options: &Options) -> Result<(), Failure> {
         say("warning: this is a debug build, whose times mean nothing; use cargo xtask");
     }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let stop = stop_flag();
+    let stop = Arc::new(Control::default());
+    let raised = Arc::clone(&stop);
+    on_interrupt(move || {
+        raised.cancel();
+        say("interrupt: what is done will be shown; once more stops at once");
+    });
     let comparison = compare(options, how(options, &arguments), &stop)?;
     let folder = options.folder();
     write(&folder, &comparison).map_err(Failure::output)?;

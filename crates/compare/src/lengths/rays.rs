@@ -2,7 +2,7 @@
 
 use super::LENGTHS;
 use std::ops::ControlFlow;
-use traylib_integrators::{Bdpt, Limits, Settings, ThreadError, render};
+use traylib_integrators::{Bdpt, Control, Limits, Settings, ThreadError, render};
 use traylib_scene::Scene;
 
 /// Passes to count in: every path of a picture counts, so a few tell it well.
@@ -25,6 +25,7 @@ fn count(scene: &Scene, max_depth: Option<u32>) -> Result<f64, ThreadError> {
     let limits = Limits { max_depth, ..Limits::default() };
     let bdpt = Bdpt { limits, ..Bdpt::default() };
     let settings = Settings { spp: PASSES, seed: 0, threads: 0 };
-    let rendering = render(scene, &bdpt, &settings, &mut |_| ControlFlow::Continue(()))?;
+    let rendering =
+        render(scene, &bdpt, &settings, &Control::default(), &mut |_| ControlFlow::Continue(()))?;
     Ok(rendering.statistics.rays() as f64)
 }

@@ -4,9 +4,8 @@ use crate::contestant::Contestant;
 use crate::run::{Picture, grey};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
-use traylib_integrators::{Settings, ThreadError, render};
+use traylib_integrators::{Control, Settings, ThreadError, render};
 use traylib_math::Grid;
 use traylib_scene::Scene;
 use traylib_tests::statistics::Sample;
@@ -61,7 +60,7 @@ pub(super) struct Order<'a> {
     /// Threads; 0 for one a processor.
     pub(super) threads: usize,
     /// Raised when the user wants to stop.
-    pub(super) stop: &'a AtomicBool,
+    pub(super) stop: &'a Control,
 }
 
 impl Order<'_> {
@@ -73,18 +72,19 @@ impl Order<'_> {
         let start = Instant::now();
         let mut tiles = Tiles::new(self.masked);
         let settings = Settings { spp: u32::MAX, seed: self.seed, threads: self.threads };
-        let rendering =
-            render(self.scene, contestant.integrator().as_ref(), &settings, &mut |progress| {
+        let rendering = render(
+            self.scene,
+            contestant.integrator().as_ref(),
+            &settings,
+            self.stop,
+            &mut |progress| {
                 tiles.add(&progress.film.mean(), progress.film.passes());
                 let late = start.elapsed().as_secs_f64() >= self.seconds;
                 // A variance wants two.
                 let end = late && progress.film.passes() > 1;
-                if end || self.stopped() {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                }
-            })?;
+                if end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            },
+        )?;
         let numbers = Numbers {
             method: contestant.name().to_string(),
             passes: rendering.film.passes(),
@@ -94,11 +94,7 @@ impl Order<'_> {
         let picture = rendering.film.mean();
         let variance = rendering.film.variance_of_mean();
         let half = variance.map(|variance| Half { picture, variance, numbers });
-        Ok(half.filter(|_| !self.stopped()))
-    }
-
-    fn stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+        Ok(half.filter(|_| !self.stop.is_cancelled()))
     }
 }
 

@@ -9,8 +9,7 @@ use crate::results::ReferenceResults;
 use crate::run::Picture;
 use crate::store::{Store, StoreError, key_of};
 use std::fmt;
-use std::sync::atomic::AtomicBool;
-use traylib_integrators::ThreadError;
+use traylib_integrators::{Control, ThreadError};
 use traylib_math::Grid;
 use traylib_scene::{Scene, error_floor};
 
@@ -40,7 +39,7 @@ pub struct Making<'a> {
     /// Threads; 0 for one a processor.
     pub threads: usize,
     /// Raised when the user wants to stop.
-    pub stop: &'a AtomicBool,
+    pub stop: &'a Control,
     /// Where finished halves are.
     pub store: &'a Store,
 }

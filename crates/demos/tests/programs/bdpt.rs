@@ -3,7 +3,7 @@
 use crate::common::Folder;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use traylib_integrators::{Bdpt, Report, Settings, Technique, render};
+use traylib_integrators::{Bdpt, Control, Report, Settings, Technique, render};
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_math::{Grid, Rgb};
 
@@ -14,8 +14,10 @@ fn weighted_techniques_add_up_to_the_picture() {
         let scene = load_scene_with(scene, options).unwrap().scene;
         let bdpt = Bdpt { report: Report::Techniques, ..Bdpt::default() };
         let settings = Settings { spp: 3, seed: 1, threads: 1 };
-        let rendering =
-            render(&scene, &bdpt, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+        let rendering = render(&scene, &bdpt, &settings, &Control::default(), &mut |_| {
+            ControlFlow::Continue(())
+        })
+        .unwrap();
         let whole = rendering.film.develop();
         let weighted =
             rendering.layers.iter().filter(|&(&layer, _)| Technique::of_layer(layer).weighted);

@@ -1,13 +1,24 @@
 //! Being stopped, and readers that go away.
 
 use crate::common::{Folder, Run};
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use traylib_io::load_exr;
 
 const ENDLESS: &str = "cornell --resolution 32x24 --time-limit 1h -o a.exr";
+
+/// Nothing takes light away, and so many pixels that a pass is not done in a minute.
+const WHITE_ROOM: &str = r#"(
+    camera: (position: (0, 0, 2), target: (0, 0, 0), fov: 60, resolution: (2000, 2000)),
+    materials: { "white": Lambert(reflectance: (1, 1, 1)) },
+    objects: [
+        (shape: Box(min: (-3, -3, -3), max: (3, 3, 3)), material: "white"),
+        (shape: Sphere(center: (0, 0, 0), radius: 0.5), material: "white", emission: (1, 1, 1)),
+    ],
+)
+"#;
 
 /// Starts a program that says on standard error when it is about to begin.
 fn start(folder: &Folder) -> Child {
@@ -34,11 +45,79 @@ fn signals_end_a_run_with_a_whole_picture() {
         let err: Vec<String> = lines.map(Result::unwrap).collect();
         let run = Run::from(child.wait_with_output().unwrap());
         assert_eq!((run.status, run.out.as_str()), (Some(130), "a.exr\n"), "{signal}: {err:?}");
+        assert!(err[0].starts_with("interrupt: ending with the passes that are done"), "{err:?}");
         assert!(err.iter().any(|line| line.ends_with("ended by interrupt")), "{err:?}");
         assert!(err.last().unwrap().starts_with("error: interrupted; what is written has "));
         assert_eq!(folder.names(), ["a.exr"]);
         assert_eq!(load_exr(&folder.path().join("a.exr")).unwrap().height(), 24);
     }
+}
+
+/// The first pass would take minutes. Within half a second, and the rest for a machine
+/// with other work.
+#[test]
+fn what_ends_a_run_is_heard_within_a_pass() {
+    let folder = Folder::new();
+    folder.write("white.ron", WHITE_ROOM);
+    for program in ["puremc", "directlight", "particle", "bdpt"] {
+        let start = Instant::now();
+        let run = folder.run(program, "./white.ron --time-limit 1s -q -o a.exr");
+        assert!(start.elapsed() < Duration::from_secs(10), "{program}");
+        assert_eq!((run.status, run.out.as_str()), (Some(4), ""), "{program}");
+        let words = "error: the time was up while the first pass was done to 0 %; nothing is written; a smaller --resolution or a longer --time-limit may help\n";
+        assert_eq!(run.err, words, "{program}");
+        assert_eq!(folder.names(), ["white.ron"]);
+    }
+}
+
+#[test]
+fn signals_are_heard_within_a_pass() {
+    let folder = Folder::new();
+    folder.write("white.ron", WHITE_ROOM);
+    for (signal, program) in [("INT", "bdpt"), ("TERM", "puremc"), ("HUP", "particle")] {
+        let mut command = folder.command(program, "./white.ron --max-depth 100000 -o a.exr");
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
+        assert!(lines.any(|line| line.unwrap().starts_with("note: paths")), "{signal}");
+        std::thread::sleep(Duration::from_millis(300));
+        let start = Instant::now();
+        send(signal, &child);
+        let err: Vec<String> = lines.map(Result::unwrap).collect();
+        let run = Run::from(child.wait_with_output().unwrap());
+        assert!(start.elapsed() < Duration::from_secs(10), "{signal}");
+        assert_eq!((run.status, run.out.as_str()), (Some(130), ""), "{signal}: {err:?}");
+        assert_eq!(
+            err,
+            [
+                "interrupt: ending with the passes that are done; once more stops at once",
+                "error: interrupted while the first pass was done to 0 %; nothing is written",
+            ]
+        );
+        assert_eq!(folder.names(), ["white.ron"]);
+    }
+}
+
+/// The program has written its picture and waits for somebody to read its name.
+#[test]
+fn a_second_interrupt_stops_at_once() {
+    let folder = Folder::new();
+    let (reader, mut full) = std::io::pipe().unwrap();
+    // As many bytes as a pipe holds.
+    full.write_all(&vec![b'.'; 1 << 16]).unwrap();
+    let mut command = folder.command("bdpt", "cornell --resolution 8x6 --spp 1 -o a.exr");
+    let mut child = command.stdout(full).stderr(Stdio::piped()).spawn().unwrap();
+    while !folder.path().join("a.exr").exists() {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
+    send("INT", &child);
+    assert!(lines.any(|line| line.unwrap().starts_with("interrupt: ")));
+    assert_eq!(child.try_wait().unwrap(), None);
+    send("INT", &child);
+    let err: Vec<String> = lines.map(Result::unwrap).collect();
+    assert_eq!(err, ["error: interrupted again; stopped at once"]);
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    drop(reader);
 }
 
 #[test]
@@ -71,7 +150,7 @@ fn results_that_cannot_be_kept_are_an_error() {
 }
 
 #[test]
-fn a_time_limit_holds_within_a_pass() {
+fn a_time_limit_ends_a_run_between_passes() {
     let folder = Folder::new();
     let start = Instant::now();
     let run = folder.run("bdpt", "cornell --resolution 32x24 --time-limit 1s -o a.exr");

@@ -2,7 +2,7 @@
 
 use crate::common::Folder;
 use std::ops::ControlFlow;
-use traylib_integrators::{PureMc, Settings, render};
+use traylib_integrators::{Control, PureMc, Settings, render};
 use traylib_io::{LoadOptions, load_scene_with};
 
 /// A closed room whose walls, seen from inside alone, reflect half and emit ¼.
@@ -18,8 +18,9 @@ fn in_a_furnace_radiance_is_what_it_must_be() {
     let file = folder.path().join("furnace.mgf");
     let scene = load_scene_with(&file.to_string_lossy(), options).unwrap().scene;
     let settings = Settings { spp: 16, seed: 1, threads: 1 };
-    let rendering =
-        render(&scene, &PureMc::default(), &settings, &mut |_| ControlFlow::Continue(()));
+    let rendering = render(&scene, &PureMc::default(), &settings, &Control::default(), &mut |_| {
+        ControlFlow::Continue(())
+    });
     let film = rendering.unwrap().film.develop();
     let values: Vec<f64> = film.values().iter().map(|pixel| f64::from(pixel.g)).collect();
     let count = values.len() as f64;

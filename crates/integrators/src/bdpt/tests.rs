@@ -5,6 +5,7 @@ mod replay;
 mod room;
 
 use super::*;
+use crate::Control;
 use replay::FullPath;
 pub(crate) use room::room;
 use traylib_math::{Purpose, Rgb, Sampler};
@@ -12,9 +13,10 @@ use traylib_math::{Purpose, Rgb, Sampler};
 const HEURISTICS: [Heuristic; 2] = [Heuristic::Balance, Heuristic::Power];
 
 fn render(scene: &Scene, bdpt: &Bdpt) -> Vec<(u32, Rgb)> {
-    let mut out = ChunkOutput::default();
+    let (mut out, control) = (ChunkOutput::default(), Control::default());
     for pass in 0..6 {
-        let chunk = Chunk { seed: 3, pass, pixels: 0..1024, light_paths: 0..1024 };
+        let (pixels, light_paths, control) = (0..1024, 0..1024, &control);
+        let chunk = Chunk { seed: 3, pass, pixels, light_paths, control };
         bdpt.render_chunk(scene, &chunk, &mut out);
     }
     out.light
@@ -76,7 +78,8 @@ fn weights_of_all_techniques_sum_to_one() {
 /// All paths that one light and one camera subpath make by connection or hit,
 /// whether or not something stands between.
 fn random_paths(scene: &Scene, walker: &Walker, index: u64) -> Vec<FullPath> {
-    let mut tracer = Tracer::new(scene);
+    let control = Control::default();
+    let mut tracer = Tracer::new(scene, &control);
     let (mut light, mut camera) = (Vec::new(), Vec::new());
     let mut sampler = Sampler::new(1, Purpose::Light, 0, index);
     let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light);

@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 use traylib_integrators::{
-    Bdpt, LightSampling, Rendering, Report, Settings, Technique, Techniques, render,
+    Bdpt, Control, LightSampling, Rendering, Report, Settings, Technique, Techniques, render,
 };
 use traylib_math::Rgb;
 use traylib_tests::laws::verdict::same_bits;
@@ -15,7 +15,7 @@ fn pictures(techniques: Techniques) -> Rendering {
     let bdpt = Bdpt { techniques, report: Report::Techniques, ..Bdpt::default() };
     let settings = Settings { spp: 2, seed: 201, threads: 1 };
     let observe = &mut |_: &traylib_integrators::Progress<'_>| ControlFlow::Continue(());
-    render(&still_life(1.0), &bdpt, &settings, observe).expect("one thread")
+    render(&still_life(1.0), &bdpt, &settings, &Control::default(), observe).expect("one thread")
 }
 
 /// Whether the raw picture of a technique must stay as it is. Whether a

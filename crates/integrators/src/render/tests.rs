@@ -1,0 +1,103 @@
+//! Passes that are given up.
+
+use super::*;
+use crate::bdpt::room;
+use crate::{Bdpt, BlindSpot, Limits, PureMc, Roulette, SceneFacts};
+use std::time::{Duration, Instant};
+use traylib_geometry::{Facing, Primitive, Sides, Sphere};
+use traylib_materials::{Lambert, SurfaceModel};
+use traylib_math::{Rgb, Vec3};
+use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, SceneBuilder};
+
+/// An integrator that ends the rendering when it has done a chunk.
+struct Cancelling {
+    inner: Bdpt,
+    pass: u64,
+    first_pixel: u32,
+}
+
+impl Integrator for Cancelling {
+    fn light_paths(&self, pixels: u32) -> u32 {
+        self.inner.light_paths(pixels)
+    }
+
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
+        self.inner.render_chunk(scene, chunk, out);
+        if (chunk.pass, chunk.pixels.start) == (self.pass, self.first_pixel) {
+            chunk.control.cancel();
+        }
+    }
+
+    fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
+        self.inner.blind_spots(facts)
+    }
+}
+
+fn go_on(_: &Progress<'_>) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// Whichever chunk it happens in, and on however many threads.
+#[test]
+fn a_pass_that_is_given_up_leaves_no_trace() {
+    let scene = room();
+    let settings = |spp, threads| Settings { spp, seed: 5, threads };
+    for passes in [0, 1, 3] {
+        let (bdpt, control) = (Bdpt::default(), Control::default());
+        let whole = render(&scene, &bdpt, &settings(passes, 1), &control, &mut go_on).unwrap();
+        for (threads, first_pixel) in [(1, 0), (2, 256), (3, 768)] {
+            let (pass, control) = (passes.into(), Control::default());
+            let cancelling = Cancelling { inner: Bdpt::default(), pass, first_pixel };
+            let settings = settings(100, threads);
+            let cut = render(&scene, &cancelling, &settings, &control, &mut go_on).unwrap();
+            assert_eq!(cut.film.passes(), passes);
+            assert_eq!(cut.film.mean(), whole.film.mean());
+            assert_eq!(cut.statistics, whole.statistics);
+            let part = control.part_of_pass();
+            assert!((0.0..1.0).contains(&part), "{part}");
+        }
+    }
+}
+
+/// Within a ball that keeps all light.
+fn white() -> Scene {
+    let settings = CameraSettings {
+        position: Vec3::ZERO,
+        target: Vec3::Z,
+        up: Vec3::Y,
+        fov_degrees: 60.0,
+        width: 4,
+        height: 4,
+    };
+    let mut builder = SceneBuilder::new(Camera::new(settings).unwrap());
+    let white = SurfaceModel::Lambert(Lambert::new(Rgb::WHITE).unwrap());
+    let ball = Sphere::new(Vec3::ZERO, 1.0, Facing::Inward).unwrap();
+    let object = Object {
+        shape: ObjectShape::Primitive(Primitive::Sphere(ball)),
+        sides: Sides::Both,
+        material: builder.add_material(white),
+        emission: Rgb::WHITE,
+    };
+    builder.add_object(object).unwrap();
+    builder.build().unwrap()
+}
+
+/// Nothing ends its walks but a ray that looks up.
+#[test]
+fn a_walk_without_end_hears() {
+    let scene = white();
+    let limits = Limits { max_depth: None, roulette: Roulette::OFF };
+    let control = Control::default();
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            std::thread::sleep(Duration::from_millis(100));
+            control.cancel();
+        });
+        let start = Instant::now();
+        let settings = Settings { spp: 1, seed: 0, threads: 2 };
+        let cut = render(&scene, &PureMc { limits }, &settings, &control, &mut go_on).unwrap();
+        assert_eq!((cut.film.passes(), control.part_of_pass()), (0, 0.0));
+        // Microseconds; the rest is for a machine with other work.
+        assert!(start.elapsed() < Duration::from_secs(10));
+    });
+}
