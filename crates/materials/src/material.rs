@@ -66,6 +66,17 @@ impl Material {
         site().map_or(1.0, |site| maps.coverage(site.uv))
     }
 
+    /// The part of the light that passes straight through at a place, as in
+    /// [`Shading::through`].
+    #[inline]
+    pub fn through_at(&self, site: impl FnOnce() -> Option<Site>) -> Rgb {
+        self.through_where(self.coverage(site))
+    }
+
+    fn through_where(&self, coverage: f32) -> Rgb {
+        self.through * coverage + Rgb::splat(1.0 - coverage)
+    }
+
     /// The material at a place whose unit shading normal without relief is
     /// `normal`.
     #[inline]
@@ -77,7 +88,7 @@ impl Material {
         Shading {
             model: maps.apply(self.model, site.uv),
             coverage,
-            through: self.through * coverage + Rgb::splat(1.0 - coverage),
+            through: self.through_where(coverage),
             normal: maps.shading_normal(normal, &site),
         }
     }

@@ -190,12 +190,19 @@ impl Scene {
         let end = segment.at(segment.t_max);
         let (mut passed, mut rest) = (Rgb::WHITE, *segment);
         for _ in 0..MOST_PASSAGES {
-            let Some(point) = self.intersect(&rest) else { return passed };
-            passed *= point.through;
+            let Some(hit) = self.shapes.nearest(&rest) else { return passed };
+            let material = &self.materials[self.surfaces[hit.primitive as usize].material as usize];
+            // Most shadows are thrown by what lets nothing through anywhere.
+            if !material.is_see_through() {
+                return Rgb::BLACK;
+            }
+            let at = Vec2::new(hit.u, hit.v);
+            passed *= material.through_at(|| self.site_of_textures(hit.primitive, at));
             if passed.is_black() {
                 return passed;
             }
-            rest = Ray::segment(point.site.ray_origin(rest.direction), end);
+            let site = self.primitive(hit.primitive).site(&rest, &hit);
+            rest = Ray::segment(site.ray_origin(rest.direction), end);
         }
         Rgb::BLACK
     }
