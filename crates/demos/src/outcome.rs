@@ -51,6 +51,7 @@ impl Failure {
 }
 
 impl From<traylib_io::Error> for Failure {
+    #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is wrong was read")]
     fn from(error: traylib_io::Error) -> Self {
         match error {
             traylib_io::Error::PictureFormat(_) => Self::usage(error),

@@ -170,7 +170,7 @@ impl Primitive {
     pub fn sample_toward(&self, from: Vec3, u: Vec2) -> (SurfaceSite, AreaPdf) {
         let site = match self {
             Self::Sphere(sphere) => sphere.sample_cone(from, u),
-            _ => None,
+            Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) | Self::Cone(_) => None,
         };
         let site = site.unwrap_or_else(|| self.sample_area(u));
         (site, self.pdf_toward(from, site.position, site.normal))
@@ -182,7 +182,7 @@ impl Primitive {
     pub fn pdf_toward(&self, from: Vec3, site_position: Vec3, site_normal: Vec3) -> AreaPdf {
         let cone = match self {
             Self::Sphere(sphere) => sphere.pdf_cone(from, site_position, site_normal),
-            _ => None,
+            Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) | Self::Cone(_) => None,
         };
         cone.unwrap_or_else(|| AreaPdf(1.0 / self.area()))
     }

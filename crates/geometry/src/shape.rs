@@ -15,7 +15,7 @@ pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 use crate::precise::DVec3;
-use crate::{Aabb, Error, Ray, Vec3};
+use crate::{Aabb, Error, Primitive, Ray, Vec3};
 
 /// Where a ray meets one shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,9 +105,9 @@ shape_from_both_sides!(
     Quad: |_| None,
     Sphere: |_| None,
     Triangle: |triangle| Some(triangle.corners()),
-    crate::Primitive: |primitive| match primitive {
-        crate::Primitive::Triangle(triangle) => Some(triangle.corners()),
-        _ => None,
+    Primitive: |primitive| match primitive {
+        Primitive::Triangle(triangle) => Some(triangle.corners()),
+        Primitive::Quad(_) | Primitive::Sphere(_) | Primitive::Disk(_) | Primitive::Cone(_) => None,
     }
 );
 

@@ -65,7 +65,9 @@ pub fn load_scene_with(name_or_path: &str, options: LoadOptions<'_>) -> Result<L
     let location = find(name_or_path)?;
     let imported = match &location {
         Location::Disk(path) if import::is_model(path) => import::import_whole(&location, options)?,
-        _ => import::import(&import::gather(&location)?, options)?,
+        Location::Disk(_) | Location::BuiltIn(_) => {
+            import::import(&import::gather(&location)?, options)?
+        }
     };
     let import::Imported { scene, settings, warnings, notes } = imported;
     Ok(Loaded { scene, settings, warnings, notes, name: stem(name_or_path) })

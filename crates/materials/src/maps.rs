@@ -103,7 +103,10 @@ impl Maps {
                 let specular = show(&self.specular, m.specular());
                 SurfaceModel::Phong(m.with_parts(diffuse, specular))
             }
-            other => other,
+            other @ (SurfaceModel::MaxPhong(_)
+            | SurfaceModel::Mirror(_)
+            | SurfaceModel::Sheet(_)
+            | SurfaceModel::Dielectric(_)) => other,
         }
     }
 

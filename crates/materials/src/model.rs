@@ -86,7 +86,7 @@ impl SurfaceModel {
         match self {
             Self::Mirror(m) => m.has_delta_part(),
             Self::Dielectric(_) => true,
-            _ => false,
+            Self::Lambert(_) | Self::Phong(_) | Self::MaxPhong(_) | Self::Sheet(_) => false,
         }
     }
 
@@ -101,7 +101,11 @@ impl SurfaceModel {
     pub fn seen_from_behind(self) -> Self {
         match self {
             Self::Dielectric(m) => Self::Dielectric(m.seen_from_behind()),
-            other => other,
+            other @ (Self::Lambert(_)
+            | Self::Phong(_)
+            | Self::MaxPhong(_)
+            | Self::Mirror(_)
+            | Self::Sheet(_)) => other,
         }
     }
 }

@@ -241,7 +241,7 @@ impl Scene {
             Light::Area { radiance, .. } if point.is_front() => {
                 Some((id, LightPoint::on_surface(point.site, *radiance)))
             }
-            _ => None,
+            Light::Area { .. } | Light::Point(_) => None,
         }
     }
 

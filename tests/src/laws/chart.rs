@@ -109,7 +109,7 @@ impl Chart {
         let normal = match self.kind {
             Kind::Cap(_) => from_origin,
             Kind::Cone([r, s]) => u * cos + v * sin - up * ((s - r) / up.length_squared()),
-            _ => up,
+            Kind::Quad | Kind::Triangle | Kind::Disk => up,
         };
         (self.origin + from_origin, normal.normalize() * self.normal_sign)
     }

@@ -4,7 +4,9 @@
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_tests::agreement::{Agreement, Budget, Other, Subject, agree, evenness};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::programs::Program::{self, BdptBalance, Combined, Particle, PureMc, Strict};
+use traylib_tests::programs::Program::{
+    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
+};
 
 fn agreement(name: &str, others: &[Other], budget: &Budget) -> Agreement {
     let options = LoadOptions { resolution: Some((48, 36)), ..LoadOptions::default() };
@@ -53,7 +55,7 @@ fn alike<const N: usize>(programs: [Program; N], promise: f64) -> [Other; N] {
         let passes = match program {
             PureMc => 8,
             Combined | Strict => 4,
-            _ => 1,
+            BdptPower | BdptBalance | Particle => 1,
         };
         other(program, passes, promise)
     })

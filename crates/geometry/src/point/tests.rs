@@ -24,7 +24,7 @@ fn is_final(shape: &Primitive, side: f32) -> bool {
     match shape {
         Primitive::Sphere(sphere) => is_outside(sphere.facing(), side),
         Primitive::Cone(cone) => is_outside(cone.facing(), side),
-        _ => true,
+        Primitive::Triangle(_) | Primitive::Quad(_) | Primitive::Disk(_) => true,
     }
 }
 

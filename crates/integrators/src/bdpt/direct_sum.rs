@@ -51,7 +51,9 @@ impl JoinedPath<'_> {
     pub(crate) fn technique(&self) -> (usize, usize) {
         let s = match self.joint {
             Joint::Hit => 0,
-            _ => self.light.len() + 1,
+            Joint::LightSample { .. } | Joint::Connection { .. } | Joint::Splat { .. } => {
+                self.light.len() + 1
+            }
         };
         (s, self.camera.len() + 1)
     }

@@ -93,7 +93,7 @@ impl ModelFile {
         let mut tally = Tally::default();
         let (file, mut warnings) = match location {
             Location::Disk(path) if is_mgf(path) => mgf::read(path, root, &mut tally)?,
-            _ => three_ds::read(location, &mut tally)?,
+            Location::Disk(_) | Location::BuiltIn(_) => three_ds::read(location, &mut tally)?,
         };
         warnings.extend(tally.into_warnings(&location.to_string()));
         Ok((file, warnings))
@@ -176,6 +176,7 @@ impl<'a> ModelFiles<'a> {
 
     /// A file, which may include others from its own folder and that of the scene
     /// file; why it cannot be used, else.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "the others name their place themselves")]
     pub(super) fn load(
         &mut self,
         location: &Location,

@@ -62,7 +62,11 @@ impl Importer<'_> {
                 MeshImporter { file, object, mesh, place, materials, problems: self.problems }
                     .things(named.flatten(), models)
             }
-            shape => self.primitives(shape, named.flatten(), to_check),
+            shape @ (Shape::Quad(_)
+            | Shape::Sphere(_)
+            | Shape::Disk(_)
+            | Shape::Triangle(_)
+            | Shape::Box(_)) => self.primitives(shape, named.flatten(), to_check),
         };
         let place = &self.place;
         parts.extend(things.into_iter().map(|thing| Part { place: place.clone(), thing }));

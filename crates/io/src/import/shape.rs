@@ -116,11 +116,14 @@ mod tests {
                 [point(left, low, back), point(right, low, back), point(left, low, front)],
             ),
         ] {
-            let quad = sides.iter().find_map(|side| match side {
-                Primitive::Quad(quad) if quad.normal() == normal => Some(quad),
-                _ => None,
+            let quads = sides.iter().filter_map(|side| match side {
+                Primitive::Quad(quad) => Some(quad),
+                Primitive::Triangle(_)
+                | Primitive::Sphere(_)
+                | Primitive::Disk(_)
+                | Primitive::Cone(_) => None,
             });
-            let quad = quad.unwrap();
+            let quad = { quads }.find(|quad| quad.normal() == normal).unwrap();
             let [u, v] = quad.edges();
             assert_eq!([quad.corner(), quad.corner() + u, quad.corner() + v], corners, "{normal}");
         }

@@ -19,6 +19,7 @@ pub(super) struct Builder<'a> {
 
 impl Builder<'_> {
     /// The shape; `None` if it has no area.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "the reader asks for none but shapes")]
     pub(super) fn build(&self, keyword: Keyword, words: &[&str]) -> Result<Option<Shape>, Cause> {
         match keyword {
             Keyword::Face => self.face(words),

@@ -30,6 +30,7 @@ impl Contexts {
     }
 
     /// Carries out an entity that names or describes a context.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "the others describe the material")]
     pub(super) fn set(&mut self, keyword: Keyword, words: &[&str]) -> Result<(), Cause> {
         match keyword {
             Keyword::Colour => self.colours.select(words)?,
@@ -52,6 +53,10 @@ impl Contexts {
         Ok(())
     }
 
+    #[expect(
+        clippy::wildcard_enum_match_arm,
+        reason = "only colours come here, and this is the last of them"
+    )]
     fn colour(&self, keyword: Keyword, words: &[&str]) -> Result<Colour, Cause> {
         match keyword {
             Keyword::Spectrum => spectrum(words),

@@ -50,6 +50,10 @@ pub(super) struct Repairs {
 
 impl Draft {
     /// Carries out an entity that describes a material.
+    #[expect(
+        clippy::wildcard_enum_match_arm,
+        reason = "none but what describes a material comes here"
+    )]
     pub(super) fn set(
         &mut self,
         keyword: Keyword,

@@ -177,10 +177,26 @@ impl<'a> Reader<'a> {
             | Keyword::Cone
             | Keyword::Ring
             | Keyword::Torus => self.surface(keyword, words),
-            _ => self.context(keyword, words),
+            Keyword::Colour
+            | Keyword::Chromaticity
+            | Keyword::Spectrum
+            | Keyword::Temperature
+            | Keyword::Mix
+            | Keyword::Material
+            | Keyword::Sides
+            | Keyword::DiffuseReflectance
+            | Keyword::DiffuseTransmittance
+            | Keyword::SpecularReflectance
+            | Keyword::SpecularTransmittance
+            | Keyword::Emittance
+            | Keyword::Refraction
+            | Keyword::Vertex
+            | Keyword::Point
+            | Keyword::Normal => self.context(keyword, words),
         }
     }
 
+    #[expect(clippy::wildcard_enum_match_arm, reason = "the others take no time to speak of")]
     fn context(&mut self, keyword: Keyword, words: &[&str]) -> Result<(), Cause> {
         match keyword {
             Keyword::Spectrum => self.work.take(SPECTRUM_COST)?,

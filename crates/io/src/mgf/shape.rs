@@ -106,7 +106,11 @@ impl Shape {
                 (1 + holes.len(), outline.len() + holes.iter().map(Vec::len).sum::<usize>())
             }
             Self::Prism { outline, .. } => (1, outline.len()),
-            _ => (0, 0),
+            Self::Sphere { .. }
+            | Self::Cylinder { .. }
+            | Self::Cone { .. }
+            | Self::Ring { .. }
+            | Self::Torus { .. } => (0, 0),
         }
     }
 
@@ -117,7 +121,11 @@ impl Shape {
         match self {
             Self::Face { .. } => square(vertices + 2 * (loops - 1)),
             Self::Prism { .. } => 2 * square(vertices),
-            _ => 0,
+            Self::Sphere { .. }
+            | Self::Cylinder { .. }
+            | Self::Cone { .. }
+            | Self::Ring { .. }
+            | Self::Torus { .. } => 0,
         }
     }
 

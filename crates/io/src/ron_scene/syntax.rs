@@ -15,6 +15,7 @@ pub(crate) fn problem(source: &Arc<SourceText>, error: &SpannedError) -> Problem
 }
 
 /// Title, label and help.
+#[expect(clippy::wildcard_enum_match_arm, reason = "the reader's own words will do")]
 fn explain(error: &Error) -> (String, String, Option<String>) {
     match error {
         Error::NoSuchStructField { expected, found, outer } => {
@@ -62,6 +63,7 @@ fn lower_first(text: &str) -> String {
 }
 
 /// The bytes that an error is about.
+#[expect(clippy::wildcard_enum_match_arm, reason = "the others name nothing")]
 fn span(text: &str, error: &SpannedError) -> Range<usize> {
     let name = match &error.code {
         Error::NoSuchStructField { found, .. } | Error::NoSuchEnumVariant { found, .. } => {

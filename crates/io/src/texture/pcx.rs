@@ -20,9 +20,9 @@ pub(super) fn decode(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Tex
     let mut reader = Reader::from_mem(body).map_err(failed)?;
     let mut pixels = Vec::with_capacity(usize::from(width) * usize::from(height));
     for _ in 0..height {
-        let row = row(&mut reader, &palette).or_else(|error| match error.kind() {
-            io::ErrorKind::UnexpectedEof => Ok(None),
-            _ => Err(failed(error)),
+        let row = row(&mut reader, &palette).or_else(|error| {
+            let cut_off = error.kind() == io::ErrorKind::UnexpectedEof;
+            if cut_off { Ok(None) } else { Err(failed(error)) }
         })?;
         let Some(row) = row else {
             repairs.push("cut off, rows at the bottom are missing");

@@ -165,7 +165,10 @@ fn emission_laws(samples: u64) {
         let area = match view.shape {
             // 4πr² = 4π/4.
             Primitive::Sphere(_) => PI,
-            _ => Chart::seen_from(&view.shape, view.from).area(),
+            Primitive::Triangle(_)
+            | Primitive::Quad(_)
+            | Primitive::Disk(_)
+            | Primitive::Cone(_) => Chart::seen_from(&view.shape, view.from).area(),
         };
         (view.name, Light::Area { primitive: view.shape, radiance }, PI * area * 3.0)
     });

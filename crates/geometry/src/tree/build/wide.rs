@@ -114,7 +114,7 @@ impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
         if self.is_leaf(part) {
             return match self.kind(part) {
                 Kind::Triangles => Size { blocks: 1, ..Size::default() },
-                _ => Size { shapes: part.count, ..Size::default() },
+                Kind::Others | Kind::Mixed => Size { shapes: part.count, ..Size::default() },
             };
         }
         let parts = self.children(part);
@@ -166,7 +166,7 @@ impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
         let items = items.map(|&node| (self.item)(node).0);
         match self.kind(part) {
             Kind::Triangles => out.block(items),
-            _ => out.shapes(items),
+            Kind::Others | Kind::Mixed => out.shapes(items),
         }
     }
 

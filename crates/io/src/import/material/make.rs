@@ -148,6 +148,7 @@ fn tiling(tiling: Tiling) -> materials::Tiling {
 }
 
 /// The field that an error is about; errors name the fields as files do.
+#[expect(clippy::wildcard_enum_match_arm, reason = "the others are about several fields")]
 fn faulty_part(value: &Place, error: &Error) -> Place {
     match error {
         Error::Reflectance { name, .. } => value.field(name),

@@ -62,10 +62,12 @@ fn is_apart(primitive: &Primitive, within: &Aabb) -> bool {
         let farthest = (within.min - centre).abs().max((within.max - centre).abs());
         farthest.length() < radius
     };
-    match primitive {
-        Primitive::Sphere(sphere) if is_around(sphere.centre(), sphere.radius()) => true,
-        other => !overlap(&other.bounds(), within),
+    if let Primitive::Sphere(sphere) = primitive
+        && is_around(sphere.centre(), sphere.radius())
+    {
+        return true;
     }
+    !overlap(&primitive.bounds(), within)
 }
 
 fn is_closed(shape: &ObjectShape) -> bool {

@@ -4,9 +4,9 @@ use super::*;
 
 fn centres(text: &str) -> Vec<[f64; 3]> {
     let document = with_square(text);
-    let centre = |surface: &Surface| match &surface.shape {
-        Shape::Sphere { centre, .. } => centre.round().to_array(),
-        other => panic!("{other:?}"),
+    let centre = |surface: &Surface| {
+        let Shape::Sphere { centre, .. } = &surface.shape else { panic!("{surface:?}") };
+        centre.round().to_array()
     };
     document.surfaces.iter().map(centre).collect()
 }

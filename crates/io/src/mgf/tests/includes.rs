@@ -44,9 +44,11 @@ fn arguments_transform_and_repeat_the_file() {
     let centres: Vec<[f64; 3]> = document
         .surfaces
         .iter()
-        .map(|surface| match surface.shape {
-            Shape::Sphere { centre, radius: 2.0, .. } => centre.to_array(),
-            ref other => panic!("{other:?}"),
+        .map(|surface| {
+            let Shape::Sphere { centre, radius: 2.0, .. } = surface.shape else {
+                panic!("{surface:?}")
+            };
+            centre.to_array()
         })
         .collect();
     assert_eq!(centres, [[2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [2.0, 4.0, 0.0]]);

@@ -163,12 +163,15 @@ fn channel(data: AnyChannel<FlatSamples>) -> ExrChannel {
         complete: (data.sampling.x(), data.sampling.y()) == (1, 1),
         values: match data.sample_data {
             FlatSamples::F32(values) => values,
-            others => others.values_as_f32().collect(),
+            others @ (FlatSamples::F16(_) | FlatSamples::U32(_)) => {
+                others.values_as_f32().collect()
+            }
         },
     }
 }
 
 /// Texts and numbers; what else there may be says nothing to people.
+#[expect(clippy::wildcard_enum_match_arm, reason = "sets, boxes and the like, for programs")]
 fn attribute((name, value): (&Text, &AttributeValue)) -> Option<(String, String)> {
     let words = match value {
         AttributeValue::Text(text) => text.to_string(),

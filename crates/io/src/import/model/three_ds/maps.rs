@@ -43,7 +43,10 @@ impl MapImporter<'_> {
                     maps.opacity = self.layer(map, meaning, 1.0);
                 }
                 MapKind::Bump => maps.bump = self.bump(map),
-                other => self.tally.add(format!("{} map skipped", name(*other))),
+                MapKind::Texture2
+                | MapKind::Shininess
+                | MapKind::SelfIllumination
+                | MapKind::Reflection => self.tally.add(format!("{} map skipped", name(*kind))),
             }
         }
         if maps == Maps::default() {

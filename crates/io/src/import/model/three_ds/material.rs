@@ -2,7 +2,7 @@
 
 use super::maps::MapImporter;
 use crate::import::model::Look;
-use crate::three_ds;
+use crate::three_ds::{self, Shading};
 use traylib_geometry::Sides;
 use traylib_materials::{self as materials, Lambert, Material, Phong, SurfaceModel};
 use traylib_math::Rgb;
@@ -38,8 +38,10 @@ fn surface_model(
 ) -> Result<(SurfaceModel, bool), materials::Error> {
     let diffuse = linear(material.diffuse);
     let tint = match material.shading {
-        three_ds::Shading::Metal => diffuse,
-        _ => linear(material.specular),
+        Shading::Metal => diffuse,
+        Shading::Wire | Shading::Flat | Shading::Gouraud | Shading::Phong => {
+            linear(material.specular)
+        }
     };
     let specular = tint * material.shininess_strength;
     if specular.is_black() {

@@ -46,6 +46,7 @@ pub(super) fn list_of(value: &Value) -> &[Value] {
     values
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "lists hold nothing else")]
 pub(super) fn numbers(value: &Value) -> Vec<f64> {
     match value {
         Value::Number(number) => vec![number.into_f64()],
