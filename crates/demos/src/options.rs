@@ -66,7 +66,7 @@ pub struct RenderOptions {
     #[arg(long, value_name = "FILE", requires = "check")]
     pub stats: Option<PathBuf>,
 
-    /// The folder that files included by an MGF file may come from
+    /// The folder that files included by a scene or MGF file may come from
     /// [default: that of the first file]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,

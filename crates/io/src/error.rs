@@ -21,7 +21,7 @@ pub enum Error {
         known: &'static [&'static str],
     },
     /// A file cannot be read.
-    #[error("{file}: cannot be read: {cause}")]
+    #[error("{file}: cannot be read: {}", crate::source::why(.cause))]
     Read {
         /// The file.
         file: String,

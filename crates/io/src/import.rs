@@ -24,7 +24,7 @@ pub(crate) use files::{SceneFile, gather};
 pub(crate) use whole::import_whole;
 
 use crate::load::{LoadOptions, SceneSettings};
-use crate::report::{Problem, Report};
+use crate::report::Problems;
 use crate::ron_scene::Shape;
 use crate::ron_scene::locate::Path;
 use crate::{Error, Warning};
@@ -57,8 +57,8 @@ pub const MAX_PIXELS: u64 = 1 << 28;
 /// Builds the scene of these files; the last one is the scene itself, the
 /// others are included.
 pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Imported, Error> {
-    let mut problems = Vec::new();
-    let Some(root) = files.last() else { return Err(Error::Scene(Report(problems))) };
+    let mut problems = Problems::default();
+    let Some(root) = files.last() else { return Err(problems.into_error()) };
     let camera = camera(root, options, &mut problems);
     let settings = settings(root, &mut problems);
     let materials = Materials::collect(files, &mut problems);
@@ -79,15 +79,11 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
             warnings.extend(coincidence::warnings(&scene, &root.source.name));
             Ok(Imported { scene, settings, warnings, notes: Vec::new() })
         }
-        _ => Err(Error::Scene(Report(problems))),
+        _ => Err(problems.into_error()),
     }
 }
 
-fn camera(
-    root: &SceneFile,
-    options: LoadOptions<'_>,
-    problems: &mut Vec<Problem>,
-) -> Option<Camera> {
+fn camera(root: &SceneFile, options: LoadOptions<'_>, problems: &mut Problems) -> Option<Camera> {
     let Some(camera) = &root.document.camera else {
         let help = "add for instance `camera: (position: (0, 1, 4), target: (0, 1, 0), fov: 40, \
                     resolution: (400, 300))`";
@@ -108,10 +104,32 @@ fn camera(
         width,
         height,
     };
-    place.note(Camera::new(settings), problems)
+    let part = faulty_part(&settings);
+    let camera = Camera::new(settings).map_err(|error| {
+        let help = (part == "up").then(|| "give `up` another direction".to_string());
+        problems.push(place.field(part).problem(error).with_help_if_any(help));
+    });
+    camera.ok()
 }
 
-fn settings(root: &SceneFile, problems: &mut Vec<Problem>) -> SceneSettings {
+/// The field that a camera cannot be made of, if it cannot be made. What is left is that
+/// up points along the view.
+fn faulty_part(settings: &CameraSettings) -> &'static str {
+    let CameraSettings { position, target, up, fov_degrees, width, height } = *settings;
+    if !position.is_finite() {
+        "position"
+    } else if !target.is_finite() || position == target {
+        "target"
+    } else if up.is_finite() && !(0.0 < fov_degrees && fov_degrees < 180.0) {
+        "fov"
+    } else if up.is_finite() && (width == 0 || height == 0) {
+        "resolution"
+    } else {
+        "up"
+    }
+}
+
+fn settings(root: &SceneFile, problems: &mut Problems) -> SceneSettings {
     let spp = root.document.spp.unwrap_or(64);
     let exposure = root.document.exposure.unwrap_or(1.0);
     if spp == 0 {
@@ -130,7 +148,7 @@ fn check_for_light(
     files: &[SceneFile],
     parts: &[object::Part],
     points: &[PointLight],
-    problems: &mut Vec<Problem>,
+    problems: &mut Problems,
 ) {
     let objects = || files.iter().flat_map(|file| &file.document.objects);
     let is_mesh = objects().any(|object| matches!(object.shape, Shape::Mesh(_)));
@@ -177,7 +195,7 @@ fn build(
     let mut builder = SceneBuilder::new(camera);
     let [named, own] = materials
         .map(|some| some.iter().map(|m| builder.add_material(m.clone())).collect::<Vec<_>>());
-    let mut problems = Vec::new();
+    let mut problems = Problems::default();
     for object::Part { place, thing: Thing { shape, sides, material, emission, .. } } in parts {
         let material = match material {
             ThingMaterial::Named(index) => named[index],
@@ -191,7 +209,7 @@ fn build(
         whole.note(lights::add_light(&mut builder, light), &mut problems);
     }
     let scene = whole.note(builder.build(), &mut problems);
-    scene.filter(|_| problems.is_empty()).ok_or(Error::Scene(Report(problems)))
+    scene.filter(|_| problems.is_empty()).ok_or(problems.into_error())
 }
 
 #[cfg(test)]

@@ -21,8 +21,8 @@ pub struct SceneSettings {
 pub struct LoadOptions<'a> {
     /// Width and height of the picture in pixels.
     pub resolution: Option<(u32, u32)>,
-    /// The folder that files included by MGF files may not leave; that of the
-    /// scene, if none is given.
+    /// The folder that files included by scene files and MGF files may not leave;
+    /// that of the scene, if none is given.
     pub root: Option<&'a Path>,
     /// Whether a 3DS or MGF file without any light gets a point light at the
     /// camera, with a warning. Else it is an error.
@@ -66,7 +66,7 @@ pub fn load_scene_with(name_or_path: &str, options: LoadOptions<'_>) -> Result<L
     let imported = match &location {
         Location::Disk(path) if import::is_model(path) => import::import_whole(&location, options)?,
         Location::Disk(_) | Location::BuiltIn(_) => {
-            import::import(&import::gather(&location)?, options)?
+            import::import(&import::gather(&location, options.root)?, options)?
         }
     };
     let import::Imported { scene, settings, warnings, notes } = imported;

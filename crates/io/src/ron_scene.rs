@@ -5,9 +5,11 @@
 //! may make no sense. That is the importer's part, which asks [`locate`] where in
 //! the text a value stands.
 
+mod context;
 pub mod locate;
 pub mod material;
 pub(crate) mod syntax;
+mod wanted;
 
 pub use material::Material;
 

@@ -1,10 +1,14 @@
 //! Where files come from: a folder on disk, or the set compiled in.
 
 use crate::builtin;
+use crate::suggest::nearest;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::string::FromUtf8Error;
 use std::{fmt, fs, io};
+
+/// Names of a folder that are looked at for one that was meant.
+const MOST_ENTRIES: usize = 10_000;
 
 /// A file that may be read.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -57,11 +61,60 @@ impl Location {
         }
     }
 
+    /// What to do where there is no such file, `name` being how it is called in a text.
+    pub(crate) fn advice(&self, name: &str) -> Option<String> {
+        let Self::Disk(path) = self else { return None };
+        if path.exists() {
+            return None;
+        }
+        if name.contains(|c: char| c == '\\' || c.is_control()) {
+            return Some(
+                "folders are written with `/`: in quotes, `\\` begins a special character".into(),
+            );
+        }
+        let names = fs::read_dir(self.folder()?).ok()?.take(MOST_ENTRIES).flatten();
+        let mut names: Vec<String> =
+            names.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+        names.sort_unstable();
+        let near = nearest(path.file_name()?.to_str()?, names.iter().map(String::as_str))?;
+        let folder =
+            name.rsplit_once('/').map_or_else(String::new, |(folder, _)| format!("{folder}/"));
+        Some(format!("did you mean `{folder}{near}`?"))
+    }
+
     /// The same for all names of one file.
     pub(crate) fn identity(&self) -> Self {
         match self {
             Self::Disk(path) => Self::Disk(path.canonicalize().unwrap_or_else(|_| path.clone())),
             Self::BuiltIn(_) => self.clone(),
+        }
+    }
+}
+
+/// `folder/name` with `.` and `..` resolved by the text alone.
+pub(crate) fn joined(folder: &Path, name: &str) -> PathBuf {
+    let mut path = folder.to_path_buf();
+    for part in name.split('/') {
+        match part {
+            "" | "." => {}
+            ".." => {
+                path.pop();
+            }
+            _ => path.push(part),
+        }
+    }
+    path
+}
+
+/// Why the system says no, without its numbers.
+pub(crate) fn why(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_string(),
+        io::ErrorKind::IsADirectory => "it is a folder".to_string(),
+        io::ErrorKind::PermissionDenied => "reading it is not permitted".to_string(),
+        _ => {
+            let text = error.to_string();
+            text.split(" (os error").next().unwrap_or_default().to_string()
         }
     }
 }

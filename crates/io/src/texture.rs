@@ -93,7 +93,7 @@ pub struct Texture {
 #[non_exhaustive]
 pub enum TextureError {
     /// The file cannot be read.
-    #[error("{0}")]
+    #[error("{}", crate::source::why(.0))]
     File(#[from] io::Error),
     /// The file is larger than [`TextureLimits`] allows.
     #[error("it has more than {0} bytes")]

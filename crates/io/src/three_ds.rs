@@ -86,7 +86,7 @@ pub enum Error {
     #[error("has more than {0} bytes")]
     TooLong(usize),
     /// The first chunk is not one a 3DS file begins with.
-    #[error("starts with chunk {0:#06x} at @0x0, a 3DS file with 0x4d4d, 0x3daa or 0xc23d")]
+    #[error("it is no 3DS file: it begins with chunk {0:#06x}, not with 0x4d4d, 0x3daa or 0xc23d")]
     NotThreeDs(u16),
 }
 

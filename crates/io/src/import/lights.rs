@@ -2,14 +2,14 @@
 
 use super::files::SceneFile;
 use super::place::Place;
-use crate::report::Problem;
+use crate::report::Problems;
 use crate::ron_scene::locate::{Path, Step};
 use crate::ron_scene::{Light, SpotLight};
 use traylib_math::{Rgb, Vec3};
 use traylib_scene::{Error, PointLight, SceneBuilder, SpotCone};
 
 /// The lights of all files that make sense.
-pub(super) fn collect(files: &[SceneFile], problems: &mut Vec<Problem>) -> Vec<PointLight> {
+pub(super) fn collect(files: &[SceneFile], problems: &mut Problems) -> Vec<PointLight> {
     let mut lights = Vec::new();
     for file in files {
         for (index, light) in file.document.lights.iter().enumerate() {
@@ -30,7 +30,7 @@ pub(super) fn collect(files: &[SceneFile], problems: &mut Vec<Problem>) -> Vec<P
     lights
 }
 
-fn cone(spot: &SpotLight, place: &Place, problems: &mut Vec<Problem>) -> Result<SpotCone, Error> {
+fn cone(spot: &SpotLight, place: &Place, problems: &mut Problems) -> Result<SpotCone, Error> {
     let (full, dark) = (spot.full, spot.dark.unwrap_or(spot.full));
     if !(0.0 <= full && full <= dark && 0.0 < dark && dark <= 360.0) {
         let message = "the angles must obey 0 ≤ `full` ≤ `dark` ≤ 360, and be more than 0";

@@ -6,11 +6,11 @@ use super::files::SceneFile;
 use super::place::Place;
 use super::textures::Textures;
 use crate::Warning;
-use crate::report::Problem;
+use crate::report::{Problem, Problems};
 use crate::ron_scene::Material;
 use crate::ron_scene::locate::{Path, Step};
 use crate::source::Location;
-use crate::suggest::{nearest, quoted_list};
+use crate::suggest::{nearest, quoted_list, shown};
 use make::Maker;
 use std::collections::HashMap;
 
@@ -28,7 +28,7 @@ pub(super) struct Materials {
 }
 
 impl Materials {
-    pub(super) fn collect(files: &[SceneFile], problems: &mut Vec<Problem>) -> Self {
+    pub(super) fn collect(files: &[SceneFile], problems: &mut Problems) -> Self {
         let mut materials = Self::default();
         for file in files {
             for (index, (name, material)) in file.document.materials.0.iter().enumerate() {
@@ -47,10 +47,11 @@ impl Materials {
         material: &Material,
         location: &Location,
         [key, value]: [&Place; 2],
-        problems: &mut Vec<Problem>,
+        problems: &mut Problems,
     ) {
         if self.by_name.contains_key(name) {
-            problems.push(key.labelled(format!("two materials are named `{name}`"), "the second"));
+            let title = format!("two materials are named `{}`", shown(name));
+            problems.push(key.labelled(title, "the second"));
             return;
         }
         let mut maker = Maker { location, textures: &mut self.textures, problems };
@@ -79,20 +80,22 @@ impl Materials {
     }
 
     /// The number of a material's model.
-    pub(super) fn find(
-        &self,
-        name: &str,
-        place: &Place,
-        problems: &mut Vec<Problem>,
-    ) -> Option<usize> {
+    pub(super) fn find(&self, name: &str, place: &Place, problems: &mut Problems) -> Option<usize> {
         if let Some(found) = self.by_name.get(name) {
             return *found;
         }
+        problems.push_with(|| self.not_found(name, place));
+        None
+    }
+
+    fn not_found(&self, name: &str, place: &Place) -> Problem {
         let names = || self.names.iter().map(String::as_str);
         let label = nearest(name, names()).map(|near| format!("did you mean `{near}`?"));
-        let title = format!("no material is named `{name}`");
-        let problem = place.labelled(title, label.unwrap_or_default());
-        problems.push(problem.with_help(format!("the materials are {}", quoted_list(names()))));
-        None
+        let title = format!("no material is named `{}`", shown(name));
+        let help = match self.names.len() {
+            0 => "there are none: they stand in `materials: { \"name\": Lambert(…) }`".to_string(),
+            _ => format!("the materials are {}", quoted_list(names())),
+        };
+        place.labelled(title, label.unwrap_or_default()).with_help(help)
     }
 }

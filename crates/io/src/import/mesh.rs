@@ -3,16 +3,18 @@
 use super::files::SceneFile;
 use super::frame;
 use super::material::Materials;
-use super::model::{Half, Look, ModelFile, ModelFiles, NumberedFile};
+use super::model::{Half, Look, ModelFile, ModelFiles, NumberedFile, is_model};
 use super::place::Place;
 use super::placement::Placement;
 use super::tally::Tally;
 use super::thing::{Thing, ThingMaterial};
-use crate::report::Problem;
+use crate::report::{Problem, Problems};
 use crate::ron_scene::locate::Step;
 use crate::ron_scene::{self, Mesh, Object};
-use crate::suggest::{nearest, quoted_list};
+use crate::source::Location;
+use crate::suggest::{nearest, quoted_list, shown};
 use std::collections::BTreeMap;
+use std::path::Path;
 use traylib_geometry::Sides;
 use traylib_math::Rgb;
 use traylib_scene::PointLight;
@@ -25,7 +27,7 @@ pub(super) struct MeshImporter<'a> {
     /// Of the object.
     pub(super) place: &'a Place,
     pub(super) materials: &'a Materials,
-    pub(super) problems: &'a mut Vec<Problem>,
+    pub(super) problems: &'a mut Problems,
 }
 
 impl MeshImporter<'_> {
@@ -40,7 +42,8 @@ impl MeshImporter<'_> {
         let lights = self.factor("lights", Some(self.mesh.lights)).unwrap_or(0.0);
         let location = self.file.location.beside(&self.mesh.file);
         let model = models.load(&location, &self.file.location);
-        let model = shape.field("file").note(model, self.problems);
+        let model =
+            model.map_err(|error| self.problems.push(self.not_usable(error, &location))).ok();
         let (Ok(placement), Some(model)) = (placement, model) else { return Vec::new() };
         let replaced = self.replaced(&model.file.looks);
         let mut tally = Tally::default();
@@ -65,6 +68,13 @@ impl MeshImporter<'_> {
         }
         models.add_lights(placed_lights(&model, &placement, lights, &things));
         things
+    }
+
+    fn not_usable(&self, error: String, location: &Location) -> Problem {
+        let is_model = is_model(Path::new(&self.mesh.file));
+        let what = || (!is_model).then(|| "a Mesh is a 3DS or an MGF file".to_string());
+        let help = location.advice(&self.mesh.file).or_else(what);
+        self.place.field("shape").field("file").problem(error).with_help_if_any(help)
     }
 
     /// What could shine if the object wanted it.
@@ -114,7 +124,8 @@ impl MeshImporter<'_> {
                 replaced.extend(number.map(|number| (look, number)));
             }
             if !found {
-                self.problems.push(no_such_material(&place.then(Step::Key(index)), of_file, looks));
+                let key = place.then(Step::Key(index));
+                self.problems.push_with(|| no_such_material(&key, of_file, looks));
             }
         }
         replaced
@@ -124,7 +135,7 @@ impl MeshImporter<'_> {
 fn no_such_material(place: &Place, name: &str, looks: &[Look]) -> Problem {
     let names = || looks.iter().map(|look| look.name.as_str()).filter(|name| !name.is_empty());
     let label = nearest(name, names()).map(|near| format!("did you mean `{near}`?"));
-    let title = format!("the file has no material named `{name}`");
+    let title = format!("the file has no material named `{}`", shown(name));
     let problem = place.labelled(title, label.unwrap_or_default());
     problem.with_help(format!("its materials are {}", quoted_list(names())))
 }

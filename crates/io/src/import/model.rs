@@ -5,8 +5,9 @@ mod three_ds;
 
 use super::placement::Placement;
 use super::tally::Tally;
-use crate::source::Location;
+use crate::source::{Location, why};
 use crate::{Error, Warning};
+use std::collections::HashMap;
 use std::path::Path;
 use std::rc::Rc;
 use traylib_geometry::{self as geometry, Sides};
@@ -147,7 +148,7 @@ impl ModelFile {
 pub(super) struct ModelFiles<'a> {
     /// Where included files may come from, if the caller says.
     root: Option<&'a Path>,
-    files: Vec<(Location, Rc<NumberedFile>)>,
+    files: HashMap<Location, Result<Rc<NumberedFile>, String>>,
     materials: Vec<Material>,
     /// Of the materials.
     names: Vec<String>,
@@ -166,7 +167,7 @@ impl<'a> ModelFiles<'a> {
     pub(super) fn new(root: Option<&'a Path>) -> Self {
         Self {
             root,
-            files: Vec::new(),
+            files: HashMap::new(),
             materials: Vec::new(),
             names: Vec::new(),
             lights: Vec::new(),
@@ -182,14 +183,22 @@ impl<'a> ModelFiles<'a> {
         location: &Location,
         scene: &Location,
     ) -> Result<Rc<NumberedFile>, String> {
-        if let Some((_, file)) = self.files.iter().find(|(known, _)| known == location) {
-            return Ok(Rc::clone(file));
+        if let Some(known) = self.files.get(location) {
+            return known.clone();
         }
+        let file = self.read(location, scene);
+        self.files.insert(location.clone(), file.clone());
+        file
+    }
+
+    fn read(&mut self, location: &Location, scene: &Location) -> Result<Rc<NumberedFile>, String> {
         let root = self.root.or_else(|| scene.folder());
         let (file, warnings) = ModelFile::read(location, root).map_err(|error| {
             let cause = match error {
-                Error::Read { cause, .. } => cause.to_string(),
+                Error::Read { cause, .. } => why(&cause),
                 Error::Mesh { cause, .. } => cause.to_string(),
+                Error::Mgf(crate::mgf::Error::File { fault, .. }) => fault.to_string(),
+                Error::NothingToSee(_) => "it has no face that can be drawn".to_string(),
                 other => other.to_string(),
             };
             format!("{location} cannot be used: {cause}")
@@ -198,9 +207,7 @@ impl<'a> ModelFiles<'a> {
         let first = self.materials.len();
         self.materials.extend(file.looks.iter().map(|look| look.material.clone()));
         self.names.extend(file.looks.iter().map(|look| look.name.clone()));
-        let file = Rc::new(NumberedFile { file, first });
-        self.files.push((location.clone(), Rc::clone(&file)));
-        Ok(file)
+        Ok(Rc::new(NumberedFile { file, first }))
     }
 
     /// Takes note of what was met while shapes were made.

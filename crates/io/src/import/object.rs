@@ -7,7 +7,7 @@ use super::model::{Half, ModelFiles};
 use super::place::Place;
 use super::shape;
 use super::thing::{Thing, ThingMaterial};
-use crate::report::Problem;
+use crate::report::Problems;
 use crate::ron_scene::locate::{Path, Step};
 use crate::ron_scene::{self, Shape};
 use traylib_geometry::Sides;
@@ -26,7 +26,7 @@ pub(super) fn collect(
     files: &[SceneFile],
     materials: &Materials,
     models: &mut ModelFiles,
-    problems: &mut Vec<Problem>,
+    problems: &mut Problems,
 ) -> Vec<Part> {
     let mut parts = Vec::new();
     for file in files {
@@ -44,7 +44,7 @@ struct Importer<'a> {
     file: &'a SceneFile,
     object: &'a ron_scene::Object,
     place: Place,
-    problems: &'a mut Vec<Problem>,
+    problems: &'a mut Problems,
 }
 
 impl Importer<'_> {
@@ -73,8 +73,7 @@ impl Importer<'_> {
     }
 
     fn primitives(&mut self, shape: &Shape, named: Option<usize>, emission: Rgb) -> Vec<Thing> {
-        let primitives = shape::primitives(shape);
-        let found = self.place.field("shape").note(primitives, self.problems).unwrap_or_default();
+        let found = shape::primitives(shape, &self.place.field("shape"), self.problems);
         if self.object.material.is_none() {
             let problem = self.place.problem("the object has no material");
             self.problems.push(problem.with_help("only a Mesh may do without `material`"));

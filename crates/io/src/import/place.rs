@@ -1,7 +1,7 @@
 //! Places in scene files that errors can name.
 
-use crate::report::{Problem, SourceText};
-use crate::ron_scene::locate::{Path, Step, locate};
+use crate::report::{Problem, Problems, SourceText, Spot};
+use crate::ron_scene::locate::{Path, Step};
 use std::fmt::Display;
 use std::sync::Arc;
 use traylib_math::Rgb;
@@ -22,27 +22,22 @@ impl Place {
         Self { source: Arc::clone(&self.source), path: self.path.then(step) }
     }
 
-    /// Something is wrong with this value. Where it cannot be found in the
-    /// text, its path says where it is.
+    /// Something is wrong with this value.
     pub(super) fn problem(&self, message: impl Display) -> Problem {
         self.labelled(message, "")
     }
 
     /// [`problem`](Self::problem) with words beside the value.
     pub(super) fn labelled(&self, message: impl Display, label: impl Into<String>) -> Problem {
-        let span = locate(&self.source.text, &self.path);
-        let title = match span {
-            Some(_) => message.to_string(),
-            None => format!("{}: {message}", self.path),
-        };
-        Problem { span, title, label: label.into(), ..self.missing("") }
+        let spot = Spot::Value(self.path.clone());
+        Problem { spot, label: label.into(), ..self.missing(message) }
     }
 
     /// Something is wrong with the file that stands nowhere in it.
     pub(super) fn missing(&self, message: impl Display) -> Problem {
         Problem {
             source: Arc::clone(&self.source),
-            span: None,
+            spot: Spot::Nowhere,
             title: message.to_string(),
             label: String::new(),
             help: None,
@@ -53,13 +48,13 @@ impl Place {
     pub(super) fn note<T, E: Display>(
         &self,
         result: Result<T, E>,
-        problems: &mut Vec<Problem>,
+        problems: &mut Problems,
     ) -> Option<T> {
         result.map_err(|error| problems.push(self.problem(error))).ok()
     }
 
     /// Refuses light that is negative or not finite.
-    pub(super) fn check_light(&self, what: &str, light: Rgb, problems: &mut Vec<Problem>) {
+    pub(super) fn check_light(&self, what: &str, light: Rgb, problems: &mut Problems) {
         if !(light.is_finite() && light.min_band() >= 0.0) {
             let message = format!("the {what} must be finite and not negative in each band");
             problems.push(self.problem(message));

@@ -1,28 +1,108 @@
 //! Shapes: from documents to primitives.
 
-use crate::ron_scene::{self, Block, Facing, Shape};
-use traylib_geometry::{self as geometry, Disk, Primitive, Quad, Sphere, Triangle};
+use super::place::Place;
+use crate::report::Problems;
+use crate::ron_scene::{self, Block, Disk, Facing, Quad, Shape, Sphere, Triangle};
+use traylib_geometry::{self as geometry, Error, Primitive};
 use traylib_math::Vec3;
 
-/// The primitives of a shape that needs no file.
-pub(super) fn primitives(shape: &Shape) -> Result<Vec<Primitive>, String> {
+/// The primitives of a shape that needs no file; none of one that makes no sense.
+pub(super) fn primitives(shape: &Shape, place: &Place, problems: &mut Problems) -> Vec<Primitive> {
+    if !are_numbers(shape, place, problems) {
+        return Vec::new();
+    }
     let single = match shape {
-        Shape::Quad(s) => {
-            Quad::new(s.corner.into(), s.edge_u.into(), s.edge_v.into()).map(Primitive::Quad)
-        }
-        Shape::Sphere(s) => {
-            Sphere::new(s.center.into(), s.radius, facing(s.facing)).map(Primitive::Sphere)
-        }
+        Shape::Quad(s) => geometry::Quad::new(s.corner.into(), s.edge_u.into(), s.edge_v.into())
+            .map(Primitive::Quad),
+        Shape::Sphere(s) => geometry::Sphere::new(s.center.into(), s.radius, facing(s.facing))
+            .map(Primitive::Sphere),
         Shape::Disk(s) => {
-            Disk::new(s.center.into(), s.normal.into(), s.radius).map(Primitive::Disk)
+            geometry::Disk::new(s.center.into(), s.normal.into(), s.radius).map(Primitive::Disk)
         }
         Shape::Triangle(s) => {
-            Triangle::new(s.a.into(), s.b.into(), s.c.into()).map(Primitive::Triangle)
+            geometry::Triangle::new(s.a.into(), s.b.into(), s.c.into()).map(Primitive::Triangle)
         }
-        Shape::Box(block) => return sides_of_block(block),
-        Shape::Mesh(_) => return Ok(Vec::new()),
+        Shape::Box(block) => return box_of(block, place, problems),
+        Shape::Mesh(_) => return Vec::new(),
     };
-    single.map(|primitive| vec![primitive]).map_err(|e| e.to_string())
+    match single {
+        Ok(primitive) => vec![primitive],
+        Err(error) => {
+            let problem = faulty_part(place, error).problem(error);
+            problems.push(problem.with_help_if_any(advice(shape, error)));
+            Vec::new()
+        }
+    }
+}
+
+/// Refuses what is infinite or not a number, field by field.
+fn are_numbers(shape: &Shape, place: &Place, problems: &mut Problems) -> bool {
+    let mut all = true;
+    let mut check = |field, values: &[f32]| {
+        if !values.iter().all(|value| value.is_finite()) {
+            all = false;
+            let message = format!("`{field}` is infinite or not a number");
+            problems.push(place.field(field).problem(message));
+        }
+    };
+    match shape {
+        Shape::Quad(Quad { corner, edge_u, edge_v }) => {
+            check("corner", corner);
+            check("edge_u", edge_u);
+            check("edge_v", edge_v);
+        }
+        Shape::Sphere(Sphere { center, radius, facing: _ }) => {
+            check("center", center);
+            check("radius", &[*radius]);
+        }
+        Shape::Disk(Disk { center, normal, radius }) => {
+            check("center", center);
+            check("normal", normal);
+            check("radius", &[*radius]);
+        }
+        Shape::Triangle(Triangle { a, b, c }) => {
+            check("a", a);
+            check("b", b);
+            check("c", c);
+        }
+        Shape::Box(Block { min, max }) => {
+            check("min", min);
+            check("max", max);
+        }
+        Shape::Mesh(_) => {}
+    }
+    all
+}
+
+/// The field that an error is about, where it is about one.
+fn faulty_part(place: &Place, error: Error) -> Place {
+    match error {
+        Error::NoRadius => place.field("radius"),
+        Error::NoNormal => place.field("normal"),
+        _ => place.clone(),
+    }
+}
+
+fn advice(shape: &Shape, error: Error) -> Option<String> {
+    let help = match (error, shape) {
+        (Error::NoArea, Shape::Quad(_)) => "are `edge_u` and `edge_v` parallel, or one of them 0?",
+        (Error::NoArea, Shape::Triangle(_)) => "are `a`, `b` and `c` in a line?",
+        _ => return None,
+    };
+    Some(help.to_string())
+}
+
+fn box_of(block: &Block, place: &Place, problems: &mut Problems) -> Vec<Primitive> {
+    let wrong = (0..3).find(|&axis| block.min[axis] >= block.max[axis]);
+    if let Some(axis) = wrong {
+        let name = ["x", "y", "z"][axis];
+        let (min, max) = (block.min[axis], block.max[axis]);
+        let message = "`min` must be less than `max` in x, y and z";
+        let problem = place.field("max").labelled(message, format!("{name} is {min} to {max}"));
+        problems.push(problem);
+        return Vec::new();
+    }
+    place.note(sides_of_block(block), problems).unwrap_or_default()
 }
 
 fn facing(facing: Facing) -> geometry::Facing {
@@ -44,11 +124,8 @@ impl From<ron_scene::Sides> for geometry::Sides {
 /// Six rectangles whose fronts are outside. Seen from there, with y up, u goes to the
 /// right and v up on the four walls. Top and bottom go on from the wall at the largest
 /// z: u along x, v past the wall's upper edge, and toward its lower one.
-fn sides_of_block(block: &Block) -> Result<Vec<Primitive>, String> {
+fn sides_of_block(block: &Block) -> Result<Vec<Primitive>, Error> {
     let (min, max) = (Vec3::from(block.min), Vec3::from(block.max));
-    if !min.cmplt(max).all() {
-        return Err("`min` must be less than `max` in x, y and z".to_string());
-    }
     let size = max - min;
     let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * size);
     // The corners where u and v are zero.
@@ -56,9 +133,7 @@ fn sides_of_block(block: &Block) -> Result<Vec<Primitive>, String> {
     let [front, right_front] = [min.with_z(max.z), max.with_y(min.y)];
     [(min, z, y), (right_front, -z, y), (min, x, z), (top, x, -z), (right, -x, y), (front, x, y)]
         .into_iter()
-        .map(|(corner, u, v)| {
-            Quad::new(corner, u, v).map(Primitive::Quad).map_err(|e| e.to_string())
-        })
+        .map(|(corner, u, v)| geometry::Quad::new(corner, u, v).map(Primitive::Quad))
         .collect()
 }
 
@@ -126,13 +201,6 @@ mod tests {
             let quad = { quads }.find(|quad| quad.normal() == normal).unwrap();
             let [u, v] = quad.edges();
             assert_eq!([quad.corner(), quad.corner() + u, quad.corner() + v], corners, "{normal}");
-        }
-    }
-
-    #[test]
-    fn a_block_inside_out_or_not_a_number_is_refused() {
-        for min in [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [f32::NAN, 0.0, 0.0]] {
-            assert!(sides_of_block(&Block { min, max: [1.0; 3] }).is_err(), "{min:?}");
         }
     }
 }

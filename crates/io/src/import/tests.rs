@@ -1,5 +1,5 @@
 use super::*;
-use crate::report::SourceText;
+use crate::report::{Report, SourceText};
 use crate::ron_scene::{decode, syntax};
 use crate::source::Location;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use traylib_math::{Purpose, Sampler};
 fn outcome(text: String) -> Result<(), String> {
     let source = Arc::new(SourceText { name: "changed.ron".to_string(), text });
     let document = decode(&source.text)
-        .map_err(|error| Report(vec![syntax::problem(&source, &error)]).to_string())?;
+        .map_err(|error| Report::from(syntax::problem(&source, &error)).to_string())?;
     let location = Location::BuiltIn("changed.ron".to_string());
     let files = [SceneFile { location, source, document }];
     import(&files, LoadOptions::default()).map(drop).map_err(|error| error.to_string())

@@ -111,17 +111,17 @@ fn all_errors_are_reported_together_with_their_places() {
          --> scene.ron:5:18",
         "reflectance [NaN, 0.0, 0.0] must lie between 0 and 1 in each band\n --> scene.ron:6:37",
         "two materials are named `grey`\n --> scene.ron:7:9",
-        "the radius is not positive\n  --> scene.ron:10:17",
+        "the radius is not positive\n  --> scene.ron:10:51",
         "no material is named `whit`\n  --> scene.ron:11:65",
         "^^^^^^ did you mean `white`?",
         "the materials are `white`, `gloss`, `grey`",
         "the shape has no area, or one beyond all measure\n  --> scene.ron:12:17",
         "the emission must be finite and not negative in each band\n  --> scene.ron:13:65",
         "the object has no material\n  --> scene.ron:13:9",
-        "none.3ds cannot be used: No such file",
+        "none.3ds cannot be used: there is no such file",
         "--> scene.ron:14:28",
         "the scale must be positive and finite\n  --> scene.ron:15:48",
-        "scene.ron cannot be used: starts with chunk 0x0a28 at @0x0",
+        "scene.ron cannot be used: it is no 3DS file",
     ] {
         assert!(shown.contains(part), "missing: {part}\nin:\n{shown}");
     }
@@ -137,9 +137,13 @@ fn a_scene_without_light_is_refused() {
 #[test]
 fn a_camera_that_sees_nothing_is_refused() {
     for (from, to, words, place) in [
-        ("fov: 40", "fov: 180", "field of view", ":1:10"),
-        ("target: (0, 0, 0)", "target: (0, 0, 4)", "same point", ":1:10"),
-        ("(40, 30)", "(0, 30)", "no pixels", ":1:10"),
+        ("fov: 40", "fov: 180", "field of view", ":1:56"),
+        ("target: (0, 0, 0)", "target: (0, 0, 4)", "same point", ":1:40"),
+        ("target: (0, 0, 0)", "target: (0, NaN, 4)", "must be finite", ":1:40"),
+        ("(40, 30)", "(0, 30)", "no pixels", ":1:72"),
+        ("fov: 40", "fov: 40, up: (0, 0, 9)", "up points along the view", ":1:64"),
+        // Where it is a default, the camera is shown.
+        ("position: (0, 0, 4)", "position: (0, 4, 0)", "up points along the view", ":1:10"),
         ("(40, 30)", "(100000, 100000)", "more than 2^28 pixels", ":1:72"),
     ] {
         let shown = report("camera", &lit("").replace(from, to), &[]);
@@ -211,6 +215,7 @@ fn meshes_bring_their_materials_and_warnings() {
     assert_eq!(warnings, expected);
 }
 
+mod includes;
 mod models;
 mod surfaces;
 

@@ -32,7 +32,7 @@ pub enum Error {
 #[non_exhaustive]
 pub enum FileFault {
     /// The system says no.
-    #[error("cannot be read: {0}")]
+    #[error("cannot be read: {}", crate::source::why(.0))]
     Read(#[from] std::io::Error),
     /// A folder, a pipe or the like.
     #[error("is not a file")]
@@ -105,7 +105,7 @@ pub enum Cause {
     #[error("`{0}` is an absolute name; included files are named relative to the including one")]
     Absolute(String),
     /// An included file outside of the root folder.
-    #[error("`{name}` is outside of {}, which includes may not leave (Options::root)", .root.display())]
+    #[error("`{name}` is outside of {}, which includes may not leave (Options::root, of programs `--root`)", .root.display())]
     Outside {
         /// Its name.
         name: String,

@@ -4,6 +4,7 @@ use super::budget::Budget;
 use super::error::shown;
 use super::source::Source;
 use super::{Cause, Error, FileFault, Options};
+use crate::source::joined;
 use std::collections::HashMap;
 use std::fs;
 use std::io::{ErrorKind, Read};
@@ -146,19 +147,4 @@ impl Files {
 fn canonical(file: &Path) -> Result<PathBuf, Error> {
     let fault = |error| Error::File { file: file.to_path_buf(), fault: FileFault::Read(error) };
     file.canonicalize().map_err(fault)
-}
-
-/// `folder/name` with `.` and `..` resolved by the text alone.
-fn joined(folder: &Path, name: &str) -> PathBuf {
-    let mut path = folder.to_path_buf();
-    for part in name.split('/') {
-        match part {
-            "" | "." => {}
-            ".." => {
-                path.pop();
-            }
-            _ => path.push(part),
-        }
-    }
-    path
 }

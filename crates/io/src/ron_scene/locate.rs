@@ -36,6 +36,12 @@ impl Path {
         Self(self.0.iter().copied().chain([step]).collect())
     }
 
+    /// The path of the value that this one is in; `None` of a field of the file.
+    pub fn parent(&self) -> Option<Self> {
+        let (_, before) = self.0.split_last()?;
+        (!before.is_empty()).then(|| Self(before.to_vec()))
+    }
+
     /// This path and a field more.
     #[must_use]
     pub fn field(&self, name: &'static str) -> Self {
@@ -69,6 +75,18 @@ pub fn locate(text: &str, path: &Path) -> Option<Range<usize>> {
     (scanner.at > start).then_some(start..scanner.at)
 }
 
+/// [`locate`], or the bytes of the nearest value around, if a default was meant.
+pub(crate) fn locate_near(text: &str, path: &Path) -> Option<Range<usize>> {
+    let mut path = Some(path.clone());
+    while let Some(tried) = path {
+        if let Some(found) = locate(text, &tried) {
+            return Some(found);
+        }
+        path = tried.parent();
+    }
+    None
+}
+
 /// The first byte at or after `at` that is neither blank nor in a comment.
 pub(crate) fn skip_blanks(text: &str, at: usize) -> usize {
     let mut scanner = Scanner { text, at };
@@ -76,17 +94,30 @@ pub(crate) fn skip_blanks(text: &str, at: usize) -> usize {
     scanner.at
 }
 
-struct Scanner<'a> {
+/// Finds its way in a text.
+pub(super) struct Scanner<'a> {
     text: &'a str,
     at: usize,
 }
 
 impl<'a> Scanner<'a> {
+    pub(super) fn new(text: &'a str) -> Self {
+        Self { text, at: 0 }
+    }
+
+    pub(super) fn at(&self) -> usize {
+        self.at
+    }
+
+    pub(super) fn go_to(&mut self, at: usize) {
+        self.at = at;
+    }
+
     fn rest(&self) -> &'a str {
         self.text.get(self.at..).unwrap_or_default()
     }
 
-    fn peek(&self) -> Option<char> {
+    pub(super) fn peek(&self) -> Option<char> {
         self.rest().chars().next()
     }
 
@@ -106,7 +137,7 @@ impl<'a> Scanner<'a> {
         &rest[..length]
     }
 
-    fn blanks(&mut self) {
+    pub(super) fn blanks(&mut self) {
         loop {
             self.pass_while(char::is_whitespace);
             if self.rest().starts_with("//") {
@@ -138,7 +169,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    fn any(&mut self) {
+    pub(super) fn any(&mut self) {
         self.at += self.peek().map_or(0, char::len_utf8);
     }
 
@@ -158,7 +189,7 @@ impl<'a> Scanner<'a> {
 
     /// Passes a value: a string, a bracketed group, or a word that a group may
     /// follow.
-    fn value(&mut self) {
+    pub(super) fn value(&mut self) {
         self.blanks();
         match self.peek() {
             Some('"') => self.string(),
@@ -174,6 +205,15 @@ impl<'a> Scanner<'a> {
                     self.at = end;
                 }
             }
+        }
+    }
+
+    /// Passes a string or a word.
+    pub(super) fn value_without_group(&mut self) {
+        match self.peek() {
+            Some('"') => self.string(),
+            _ if self.at_raw_string() => self.raw_string(),
+            _ => _ = self.word(),
         }
     }
 

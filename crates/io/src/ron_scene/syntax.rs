@@ -1,97 +1,144 @@
 //! What the parser says about a text, in the words of a scene file.
 
-use crate::report::{Problem, SourceText};
+mod structure;
+mod value;
+
+use super::context::{Context, Reading, context, read_to};
+use crate::report::{Problem, SourceText, Spot};
 use crate::ron_scene::locate::skip_blanks;
-use crate::suggest::{nearest, quoted_list};
+use crate::suggest::{nearest, quoted_list, shown};
 use ron::error::{Error, Position, SpannedError};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The parser's error with its place and advice.
-pub(crate) fn problem(source: &Arc<SourceText>, error: &SpannedError) -> Problem {
-    let (title, label, help) = explain(&error.code);
-    let span = Some(span(&source.text, error));
-    Problem { source: Arc::clone(source), span, title, label, help }
+/// What there is to say, and where.
+struct Finding {
+    span: Range<usize>,
+    title: String,
+    label: String,
+    help: Option<String>,
 }
 
-/// Title, label and help.
-#[expect(clippy::wildcard_enum_match_arm, reason = "the reader's own words will do")]
-fn explain(error: &Error) -> (String, String, Option<String>) {
-    match error {
-        Error::NoSuchStructField { expected, found, outer } => {
-            let title = format!("unknown field `{found}`{}", inside(outer.as_deref()));
-            unknown(title, found, expected)
-        }
-        Error::NoSuchEnumVariant { expected, found, outer } => {
-            let kind = outer.as_deref().unwrap_or("kind").to_lowercase();
-            unknown(format!("unknown {kind} `{found}`"), found, expected)
-        }
-        Error::MissingStructField { field, outer } => {
-            let title = format!("missing field `{field}`{}", inside(outer.as_deref()));
-            (title, format!("`{field}` is needed before here"), None)
-        }
-        Error::DuplicateStructField { field, outer } => {
-            let title = format!("field `{field}` is given twice{}", inside(outer.as_deref()));
-            (title, "second time".to_string(), None)
-        }
-        Error::ExpectedFloat => expected("expected a number"),
-        Error::ExpectedInteger => expected("expected a whole number"),
-        Error::ExpectedString => expected("expected a name or path in quotes"),
-        Error::Eof => expected("the file ends too early"),
-        other => expected(&lower_first(&other.to_string())),
+impl Finding {
+    fn new(span: Range<usize>, title: impl Into<String>, label: impl Into<String>) -> Self {
+        Self { span, title: title.into(), label: label.into(), help: None }
+    }
+
+    fn with_help(self, help: impl Into<String>) -> Self {
+        Self { help: Some(help.into()), ..self }
     }
 }
 
-fn expected(title: &str) -> (String, String, Option<String>) {
-    (title.to_string(), "here".to_string(), None)
+/// A text, and where the parser stopped.
+struct Stop<'a> {
+    text: &'a str,
+    /// The first character that it did not like, past blanks.
+    place: usize,
+    reading: Reading,
 }
 
-fn unknown(title: String, found: &str, expected: &[&str]) -> (String, String, Option<String>) {
+impl<'a> Stop<'a> {
+    fn context(&self) -> Option<Context<'a>> {
+        context(self.text, &self.reading.frames)
+    }
+
+    fn next(&self) -> Option<char> {
+        self.text[self.place..].chars().next()
+    }
+
+    /// Whether it stopped at the point of a number.
+    fn is_at_fraction(&self) -> bool {
+        self.next() == Some('.') && self.reading.last.end == self.place
+    }
+
+    /// Whether it stopped between values without names.
+    fn is_in_tuple(&self) -> bool {
+        let innermost = self.reading.frames.last();
+        let is_plain = innermost.is_some_and(|frame| frame.name.is_none() && frame.field.is_none());
+        is_plain
+            && self.next().is_some_and(|c| !matches!(c, ')' | ']' | '}' | '#' | ';'))
+            && self.context().is_some_and(|context| context.is_within)
+    }
+
+    /// The next character, or the last one of the text.
+    fn span(&self) -> Range<usize> {
+        let length = self.next().map_or(0, char::len_utf8);
+        if length > 0 { self.place..self.place + length } else { last_character(self.text) }
+    }
+}
+
+/// The parser's error with its place and advice.
+pub(crate) fn problem(source: &Arc<SourceText>, error: &SpannedError) -> Problem {
+    let text = &source.text;
+    let place = skip_blanks(text, offset(text, error.span.start));
+    let stop = Stop { text, place, reading: read_to(text, place) };
+    let Finding { span, title, label, help } = explain(&stop, error);
+    Problem { source: Arc::clone(source), spot: Spot::Bytes(span), title, label, help }
+}
+
+/// Whether a text begins as a scene file does.
+pub(crate) fn is_begun(text: &str) -> bool {
+    let rest = text[skip_blanks(text, 0)..].trim_start_matches(|c: char| c.is_alphanumeric());
+    rest.starts_with('(') || rest.starts_with("#!")
+}
+
+fn explain(stop: &Stop<'_>, error: &SpannedError) -> Finding {
+    match &error.code {
+        Error::NoSuchStructField { expected, found, outer } => {
+            let title = format!("unknown field `{}`{}", shown(found), inside(outer.as_deref()));
+            unknown(named(stop, error, found), title, found, expected)
+        }
+        Error::NoSuchEnumVariant { expected, found, outer } => {
+            let kind = outer.as_deref().unwrap_or("kind").to_lowercase();
+            let title = format!("unknown {kind} `{}`", shown(found));
+            unknown(named(stop, error, found), title, found, expected)
+        }
+        Error::MissingStructField { field, outer } => {
+            let title = format!("missing field `{field}`{}", inside(outer.as_deref()));
+            Finding::new(stop.span(), title, format!("`{field}` is needed before here"))
+        }
+        Error::DuplicateStructField { field, outer } => {
+            let title = format!("field `{field}` is given twice{}", inside(outer.as_deref()));
+            Finding::new(named(stop, error, field), title, "second time")
+        }
+        Error::ExpectedDifferentLength { .. } => value::count(stop),
+        Error::ExpectedStructLikeEnd if !stop.is_at_fraction() && stop.is_in_tuple() => {
+            value::count(stop)
+        }
+        code if stop.reading.frames.is_empty() => structure::around(stop, code),
+        code if stop.next().is_none() => structure::within(stop, code),
+        code if value::is_about(stop, code) => value::other(stop, code),
+        code => structure::within(stop, code),
+    }
+}
+
+fn unknown(span: Range<usize>, title: String, found: &str, expected: &[&str]) -> Finding {
     let label = nearest(found, expected.iter().copied())
         .map_or_else(|| "not known".to_string(), |near| format!("did you mean `{near}`?"));
     let help = format!("expected one of {}", quoted_list(expected.iter().copied()));
-    (title, label, Some(help))
+    Finding::new(span, title, label).with_help(help)
 }
 
 fn inside(outer: Option<&str>) -> String {
     outer.map_or_else(String::new, |outer| format!(" in `{outer}`"))
 }
 
-fn lower_first(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |first| first.to_lowercase().chain(chars).collect())
-}
-
-/// The bytes that an error is about.
-#[expect(clippy::wildcard_enum_match_arm, reason = "the others name nothing")]
-fn span(text: &str, error: &SpannedError) -> Range<usize> {
-    let name = match &error.code {
-        Error::NoSuchStructField { found, .. } | Error::NoSuchEnumVariant { found, .. } => {
-            Some(found.as_str())
-        }
-        Error::DuplicateStructField { field, .. } => Some(*field),
-        _ => None,
-    };
-    let (start, end) = (offset(text, error.span.start), offset(text, error.span.end));
-    if let Some(named) = name.and_then(|name| word_near(text, name, end)) {
-        return named;
-    }
-    // The parser stops before the blanks in front of what it does not like.
-    let start = skip_blanks(text, start);
-    if start < text.len() { start..end.max(start) } else { last_character(text) }
-}
-
-/// The last place before or at `end` where a word stands: the parser's position
-/// for a name is up to a word off.
-fn word_near(text: &str, word: &str, end: usize) -> Option<Range<usize>> {
-    let limit = text.ceil_char_boundary((end + word.len()).min(text.len()));
-    let start = text[..limit].rfind(word)?;
-    Some(start..start + word.len())
+/// Where a name stands that the parser has just read: its position is up to a word off.
+fn named(stop: &Stop<'_>, error: &SpannedError, word: &str) -> Range<usize> {
+    let text = stop.text;
+    let end = offset(text, error.span.end) + word.len();
+    let limit = text.ceil_char_boundary(end.min(text.len()));
+    text[..limit].rfind(word).map_or_else(|| stop.span(), |start| start..start + word.len())
 }
 
 fn last_character(text: &str) -> Range<usize> {
     let end = text.trim_end().len();
     text.floor_char_boundary(end.saturating_sub(1))..end
+}
+
+/// The line, from one, that a byte is in.
+fn line_of(text: &str, at: usize) -> usize {
+    text[..at].split('\n').count()
 }
 
 /// Byte offset of a position counted in lines and characters from one.

@@ -2,7 +2,7 @@
 
 use crate::import::place::Place;
 use crate::import::textures::{Meaning, Textures, Usage};
-use crate::report::Problem;
+use crate::report::Problems;
 use crate::ron_scene::Material;
 use crate::ron_scene::material::{Lay, Lobes, Pane, Relief, Sheet, Texture, Textured, Tiling};
 use crate::source::Location;
@@ -14,7 +14,7 @@ use traylib_math::{Rgb, Vec2};
 pub(super) struct Maker<'a> {
     pub(super) location: &'a Location,
     pub(super) textures: &'a mut Textures,
-    pub(super) problems: &'a mut Vec<Problem>,
+    pub(super) problems: &'a mut Problems,
 }
 
 impl Maker<'_> {
@@ -42,7 +42,11 @@ impl Maker<'_> {
     }
 
     fn made<T>(&mut self, place: &Place, made: Result<T, Error>) -> Option<T> {
-        made.map_err(|e| self.problems.push(faulty_part(place, &e).problem(e))).ok()
+        made.map_err(|e| {
+            let problem = faulty_part(place, &e).problem(&e);
+            self.problems.push(problem.with_help_if_any(advice(&e)));
+        })
+        .ok()
     }
 
     fn sheet(&mut self, place: &Place, sheet: &Sheet) -> Option<SurfaceModel> {
@@ -125,7 +129,11 @@ impl Maker<'_> {
         }
         let location = self.location.beside(file);
         let texture = self.textures.load(&location, Usage::plain(meaning));
-        let texture = place.note(texture, self.problems)?;
+        let texture = texture.map_err(|error| {
+            let problem = place.field("file").problem(error);
+            self.problems.push(problem.with_help_if_any(location.advice(file)));
+        });
+        let texture = texture.ok()?;
         let (placement, tiling) = (Affine2::from_scale(scale), tiling(lay.tiling));
         Some(Layer { placement, tiling, ..Layer::new(texture) })
     }
@@ -144,6 +152,15 @@ fn tiling(tiling: Tiling) -> materials::Tiling {
         Tiling::Repeat => materials::Tiling::Repeat,
         Tiling::Mirror => materials::Tiling::Mirror,
         Tiling::Once => materials::Tiling::Once,
+    }
+}
+
+fn advice(error: &Error) -> Option<String> {
+    match error {
+        Error::Reflectance { value, .. } if value.iter().any(|&band| band > 2.0) => {
+            Some("colours go from 0 to 1, not to 255, and are linear".to_string())
+        }
+        _ => None,
     }
 }
 
