@@ -53,7 +53,7 @@ fn a_material_that_reflects_more_than_arrives() {
 
 #[test]
 fn a_coordinate_that_is_no_number() {
-    scene_fails("center: (0, 0, 0)", "center: (0, NaN, 0)", "5:17", "not a number");
+    scene_fails("center: (0, 0, 0)", "center: (0, NaN, 0)", "5:32", "not a number");
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn a_mesh_that_is_not_there() {
 
 #[test]
 fn a_text_that_ends_too_early() {
-    scene_fails("    ],\n)", "", "6:120", "expected ");
+    scene_fails("    ],\n)", "", "4:14", "`[` is not closed");
 }
 
 #[test]
