@@ -97,3 +97,110 @@ fn in_one_place(shapes: &Bvh<Shapes<SidedPrimitive>>, index: u32) -> Vec<(u32, b
     found.dedup();
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::LightId;
+    use crate::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder};
+    use traylib_geometry::{Facing, Primitive, Quad, Sphere, SurfaceSite};
+    use traylib_materials::{Lambert, SurfaceModel};
+    use traylib_math::{Purpose, Rgb, Sampler, Vec3, warp};
+
+    /// Surfaces by how brightly they shine, in this order.
+    fn scene(shapes: &[(Primitive, Sides, f32)], point: Option<Vec3>) -> Scene {
+        let camera = Camera::new(CameraSettings {
+            position: Vec3::new(0.0, 1.0, 0.0),
+            target: Vec3::ZERO,
+            up: Vec3::Z,
+            fov_degrees: 40.0,
+            width: 8,
+            height: 8,
+        });
+        let mut builder = SceneBuilder::new(camera.unwrap());
+        let grey = Lambert::new(Rgb::splat(0.5)).unwrap();
+        let material = builder.add_material(SurfaceModel::Lambert(grey));
+        for &(primitive, sides, radiance) in shapes {
+            let (shape, emission) = (ObjectShape::Primitive(primitive), Rgb::splat(radiance));
+            builder.add_object(Object { shape, sides, material, emission }).unwrap();
+        }
+        if let Some(position) = point {
+            builder.add_point_light(position, Rgb::WHITE).unwrap();
+        }
+        builder.build().unwrap()
+    }
+
+    /// A square that faces down, about a point of the plane y = 2 turned by `slope`.
+    fn square(half: f32, slope: f32) -> Primitive {
+        let u = Vec3::new(2.0 * half, 2.0 * half * slope, 0.0);
+        let corner = Vec3::new(-half, 2.0 - half * slope, -half);
+        Primitive::Quad(Quad::new(corner, u, Vec3::new(0.0, 0.0, 2.0 * half)).unwrap())
+    }
+
+    /// What is seen from below at random points of the square.
+    fn seen(scene: &Scene, slope: f32) -> Vec<f32> {
+        let mut sampler = Sampler::new(3, Purpose::Test, 0, 0);
+        let mut look = || {
+            let [x, z] = (sampler.next_2d() * 1.8 - 0.9).to_array();
+            let from = Vec3::new(sampler.next_1d(), 0.0, sampler.next_1d());
+            let ray = Ray::new(from, Vec3::new(x, 2.0 + slope * x, z) - from);
+            scene.emitted(&scene.intersect(&ray).unwrap()).g
+        };
+        (0..2000).map(|_| look()).collect()
+    }
+
+    #[test]
+    fn a_lamp_flush_with_its_ceiling_shines() {
+        for slope in [0.0, 0.3, -0.77] {
+            let ceiling = (square(3.0, slope), Sides::Both, 0.0);
+            let lamp = (square(1.0, slope), Sides::Both, 1.0);
+            for order in [[ceiling, lamp], [lamp, ceiling]] {
+                let scene = scene(&order, None);
+                assert_eq!(scene.coincidences().lifted_lamps, 1);
+                assert!(seen(&scene, slope).iter().all(|&radiance| radiance == 1.0), "{slope}");
+            }
+        }
+    }
+
+    #[test]
+    fn of_lamps_in_one_place_the_first_hides_the_rest() {
+        for slope in [0.0, 0.3] {
+            let lamps = [5.0, 7.0, 9.0].map(|radiance| (square(1.0, slope), Sides::Both, radiance));
+            let scene = scene(&lamps, None);
+            assert_eq!(scene.coincidences().lifted_lamps, 3);
+            assert!(seen(&scene, slope).iter().all(|&radiance| radiance == 5.0), "{slope}");
+        }
+    }
+
+    /// The halves of a lamp with two fronts are never met together.
+    #[test]
+    fn lamps_back_to_back_stay_where_they_are() {
+        let up = Quad::new(Vec3::new(-1.0, 2.0, -1.0), 2.0 * Vec3::Z, 2.0 * Vec3::X).unwrap();
+        let up = (Primitive::Quad(up), Sides::Front, 2.0);
+        let scene = scene(&[(square(1.0, 0.0), Sides::Front, 1.0), up], None);
+        assert_eq!(scene.coincidences(), Coincidences::default());
+        assert!(seen(&scene, 0.0).iter().all(|&radiance| radiance == 1.0));
+    }
+
+    /// Of a point light on a ball all points outside see all or nothing.
+    #[test]
+    fn a_point_light_in_a_surface_is_seen_from_all_around() {
+        let centre = Vec3::new(0.3, 2.5, 0.1);
+        let mut sampler = Sampler::new(4, Purpose::Test, 0, 0);
+        for _ in 0..200 {
+            let normal = warp::uniform_sphere(sampler.next_2d());
+            let ball = Sphere::new(centre, 0.7, Facing::Outward).unwrap();
+            let light = centre + 0.7 * normal;
+            let scene = scene(&[(Primitive::Sphere(ball), Sides::Both, 0.0)], Some(light));
+            assert_eq!(scene.coincidences().points_in_surfaces, 1);
+            let (x0, _) = scene.sample_light(LightId(0), Vec3::ZERO, Vec2::ZERO);
+            let floor = square(3.0, 0.0).sample_area(sampler.next_2d());
+            for _ in 0..50 {
+                let away = warp::cosine_hemisphere(normal, sampler.next_2d());
+                let position = light + away * 3.0 * (0.01 + sampler.next_1d());
+                let site = SurfaceSite { position, ..floor };
+                assert_eq!(scene.transmittance(&x0.segment_from(&site)), Rgb::WHITE, "{away}");
+            }
+        }
+    }
+}
