@@ -8,6 +8,7 @@ pub mod laws;
 pub mod ledger;
 pub mod measure;
 pub mod programs;
+pub mod relations;
 pub mod scenes;
 pub mod stability;
 pub mod statistics;

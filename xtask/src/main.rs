@@ -9,6 +9,7 @@ mod layers;
 mod planted;
 mod proofs;
 mod prove;
+mod relations;
 mod stability;
 mod workspace;
 
@@ -26,6 +27,9 @@ Usage: cargo xtask TASK [ARGUMENTS]
   prove    every proof at length, with a report of all claims; under 40 minutes
   planted [DEFECT…]
            plant defects one at a time and name the tests that find each
+  relations [OPTIONS]
+           scenes drawn by chance, and relations that must hold on them; under
+           40 minutes, --help for more
   stability [OPTIONS]
            every program over every failure scene, judged; --help for more
   compare-integrators [SCENE…] [OPTIONS]
@@ -48,6 +52,7 @@ fn main() -> ExitCode {
         ["ci"] => ci::run(),
         ["prove"] => prove::run(),
         ["planted", ref defects @ ..] => planted::run(defects),
+        ["relations", ref arguments @ ..] => relations::run(arguments),
         ["stability", ref arguments @ ..] => stability::run(arguments),
         ["count-instructions", ref arguments @ ..] => count_instructions::run(arguments),
         ["compare-integrators", ref arguments @ ..] => {

@@ -1,0 +1,319 @@
+//! How a relation is judged.
+//!
+//! In looks with random numbers of their own, each with four times as many passes
+//! as the one before: only what is suspicious at a look is looked at again. Looks
+//! are independent, so a claim that is true is refused with the product of their
+//! levels, 10⁻⁹. Rounding may shift light a little and is no fault: each claim says
+//! by how much, and the test is of a difference beyond that.
+
+use crate::relations::render::{Built, CELLS, Cells, Estimator, Trouble, Workshop};
+use crate::statistics::Sample;
+use statrs::distribution::{ContinuousCDF, StudentsT};
+use std::sync::Arc;
+
+/// How improbable each look must find a claim to be looked at again.
+pub const LEVELS: [f64; 3] = [1e-2, 1e-3, 1e-4];
+
+/// Two looks so improbable need no third.
+const CERTAIN: f64 = 1e-10;
+
+/// In fewer passes than this light was hardly met.
+const FEW: usize = 20;
+
+/// Part of the brightest light that may be lost where numbers become too small.
+const LOST: f64 = 1e-14;
+
+/// How many times as many passes each look has as the first.
+const PASSES: [u32; 3] = [1, 4, 16];
+
+/// A rendering that is one side of a claim, or a part of it.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Of what.
+    pub built: Arc<Built>,
+    /// By what.
+    pub estimator: Estimator,
+    /// The greatest sample that there can be: says how rare light can be that was
+    /// not met.
+    pub brightest: f64,
+    /// Whether much of the light may come in such samples. If not, this matters only
+    /// where hardly any light was met.
+    pub is_rare: bool,
+}
+
+/// One side of a claim.
+#[derive(Clone, Debug)]
+pub enum Side {
+    /// The sum of these.
+    Rendered(Vec<Part>),
+    /// This radiance in every pixel.
+    Known(f64),
+}
+
+/// What is claimed of the two sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// The same picture, bit for bit.
+    SameBits,
+    /// The same mean, up to this part of it, over all and over each quarter.
+    SameMean(f64),
+    /// The same mean over all of the picture, up to this part of it.
+    MeanOfAll(f64),
+    /// The left mean is not greater than the right one, up to this part of it.
+    AtMost(f64),
+}
+
+/// How the random numbers of both sides hang together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Numbers {
+    /// The same: differences are taken pass by pass.
+    Common,
+    /// Others.
+    Own,
+}
+
+/// A relation that must hold.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// In words.
+    pub what: String,
+    /// One side.
+    pub left: Side,
+    /// The other.
+    pub right: Side,
+    /// Whether the right picture is the left one with left for right.
+    pub flipped: bool,
+    /// How many times as bright as the right picture the left one is.
+    pub factor: f64,
+    /// What must hold.
+    pub law: Law,
+    /// Random numbers of the sides.
+    pub numbers: Numbers,
+}
+
+/// What the first look saw, whatever came of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct First {
+    /// Mean of the picture, left and right.
+    pub means: [f64; 2],
+    /// Variances of these means.
+    pub variances: [f64; 2],
+    /// How improbable it was.
+    pub p: f64,
+}
+
+/// What came of a claim.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// It holds, as far as can be seen.
+    Holds(First),
+    /// It does not: what each look saw.
+    Broken(Vec<Look>),
+    /// It could not be rendered.
+    Failed(Trouble),
+}
+
+/// What one look saw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Look {
+    /// Passes of each side.
+    pub passes: u32,
+    /// The seed of the left side.
+    pub seed: u64,
+    /// Mean of the cell that differs most, left and right.
+    pub means: [f64; 2],
+    /// Standard error of their difference.
+    pub error: f64,
+    /// How improbable this is if the claim is true.
+    pub p: f64,
+    /// The same as [`First`].
+    pub first: First,
+}
+
+/// Judges a claim; the first look has so many passes.
+pub fn judge(claim: &Claim, workshop: &Workshop, passes: u32, seed: u64) -> Verdict {
+    let mut looks = Vec::new();
+    for (number, (&level, &times)) in LEVELS.iter().zip(&PASSES).enumerate() {
+        match look(claim, workshop, passes * times, seed_of(seed, number as u64)) {
+            Err(trouble) => return Verdict::Failed(trouble),
+            Ok(look) if look.p >= level => {
+                let first = looks.first().unwrap_or(&look).first;
+                return Verdict::Holds(first);
+            }
+            Ok(look) => looks.push(look),
+        }
+        if looks.len() >= 2 && looks.iter().all(|look| look.p < CERTAIN) {
+            break;
+        }
+    }
+    Verdict::Broken(looks)
+}
+
+/// The seed of this look; those of parts follow.
+fn seed_of(seed: u64, look: u64) -> u64 {
+    seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(look << 32)
+}
+
+fn look(claim: &Claim, workshop: &Workshop, passes: u32, seed: u64) -> Result<Look, Trouble> {
+    let left = rendered(&claim.left, workshop, passes, seed)?;
+    let others = if claim.numbers == Numbers::Common { seed } else { seed + 1000 };
+    let right = rendered(&claim.right, workshop, passes, others)?;
+    let right = right.map(|cells| if claim.flipped { cells.flipped() } else { cells });
+    let right =
+        right.map(|cells| if claim.factor == 1.0 { cells } else { cells.times(claim.factor) });
+    let seen = Seen { claim, sides: [left, right], passes };
+    Ok(seen.judge(seed))
+}
+
+/// `None` for a side that is known.
+fn rendered(
+    side: &Side,
+    workshop: &Workshop,
+    passes: u32,
+    seed: u64,
+) -> Result<Option<Cells>, Trouble> {
+    let Side::Rendered(parts) = side else { return Ok(None) };
+    let mut sum: Option<Cells> = None;
+    for (number, part) in parts.iter().enumerate() {
+        let cells = workshop.render(&part.built, part.estimator, seed + number as u64, passes)?;
+        sum = Some(match sum {
+            None => cells,
+            Some(sum) => sum.plus(&cells),
+        });
+    }
+    Ok(sum)
+}
+
+/// Both sides of a claim at one look.
+struct Seen<'a> {
+    claim: &'a Claim,
+    sides: [Option<Cells>; 2],
+    passes: u32,
+}
+
+impl Seen<'_> {
+    fn judge(&self, seed: u64) -> Look {
+        let (mut p, mut cell) = (1.0_f64, 0);
+        match self.claim.law {
+            Law::SameBits => {
+                if !self.same_bits() {
+                    p = 0.0;
+                    cell = (0..CELLS)
+                        .max_by(|&a, &b| self.gap(a).total_cmp(&self.gap(b)))
+                        .unwrap_or(0);
+                }
+            }
+            Law::MeanOfAll(margin) => p = self.p(0, margin),
+            Law::SameMean(margin) | Law::AtMost(margin) => {
+                for candidate in 0..CELLS {
+                    let found = (self.p(candidate, margin) * CELLS as f64).min(1.0);
+                    if found < p {
+                        (p, cell) = (found, candidate);
+                    }
+                }
+            }
+        }
+        let means = [self.mean(0, cell), self.mean(1, cell)];
+        let error = self.difference(cell).variance_of_mean.sqrt();
+        Look { passes: self.passes, seed, means, error, p, first: self.first(p) }
+    }
+
+    /// Whether the pictures are the same to the last bit, but for light that is
+    /// beyond all range beside the brightest: products of single precision lose it.
+    fn same_bits(&self) -> bool {
+        let [Some(left), Some(right)] = &self.sides else { return false };
+        let brightest = left.bands.iter().copied().fold(0.0, f64::max);
+        let mut pairs = left.bands.iter().zip(&right.bands);
+        pairs.all(|(left, right)| left == right || (left - right).abs() < LOST * brightest)
+    }
+
+    fn first(&self, p: f64) -> First {
+        let samples = [0, 1].map(|side| self.sample(side, 0));
+        First { means: samples.map(|s| s.mean), variances: samples.map(|s| s.variance_of_mean), p }
+    }
+
+    fn sample(&self, side: usize, cell: usize) -> Sample {
+        match (&self.sides[side], [&self.claim.left, &self.claim.right][side]) {
+            (Some(cells), _) => Sample::of(&cells.values[cell]),
+            (None, &Side::Known(mean)) => Sample { count: usize::MAX, mean, variance_of_mean: 0.0 },
+            (None, Side::Rendered(_)) => Sample { count: 0, mean: 0.0, variance_of_mean: 0.0 },
+        }
+    }
+
+    fn mean(&self, side: usize, cell: usize) -> f64 {
+        self.sample(side, cell).mean
+    }
+
+    fn gap(&self, cell: usize) -> f64 {
+        (self.mean(0, cell) - self.mean(1, cell)).abs()
+    }
+
+    /// The difference of the means, with its variance.
+    fn difference(&self, cell: usize) -> Sample {
+        if let ([Some(left), Some(right)], Numbers::Common) = (&self.sides, self.claim.numbers) {
+            let pairs = left.values[cell].iter().zip(&right.values[cell]);
+            let differences: Vec<f64> = pairs.map(|(left, right)| left - right).collect();
+            return Sample::of(&differences);
+        }
+        let [a, b] = [0, 1].map(|side| self.sample(side, cell));
+        Sample {
+            // Of Welch's degrees of freedom, at least those of the shorter side.
+            count: a.count.min(b.count),
+            mean: a.mean - b.mean,
+            variance_of_mean: a.variance_of_mean + b.variance_of_mean,
+        }
+    }
+
+    /// How improbable such a difference is if the means are the same but for the
+    /// margin: Student's law, both sides.
+    fn p(&self, cell: usize, margin: f64) -> f64 {
+        let difference = self.difference(cell);
+        let means = [self.mean(0, cell), self.mean(1, cell)];
+        // A quarter may be dark by itself: rounding is a part of all there is.
+        let allowed = margin * means[0].abs().max(means[1].abs());
+        let one_sided = matches!(self.claim.law, Law::AtMost(_));
+        let size = if one_sided { difference.mean } else { difference.mean.abs() };
+        let beyond = size - allowed;
+        if beyond <= 0.0 {
+            return 1.0;
+        }
+        let error = difference.variance_of_mean.sqrt();
+        let by_spread = if error > 0.0 { two_sided(beyond / error, difference.count) } else { 0.0 };
+        by_spread.max(self.by_rarity(cell, means))
+    }
+
+    /// How probable it is that the darker side missed light that comes in samples
+    /// as bright as its brightest; zero where that is not known.
+    ///
+    /// The mean of n samples in 0..M whose law has the mean μ falls short of it by
+    /// d with probability exp(−n d²/(2Mμ)) at most, since their second moment is Mμ
+    /// at most (Maurer, *A bound on the deviation probability for sums of
+    /// non-negative random variables*, 2003).
+    fn by_rarity(&self, cell: usize, means: [f64; 2]) -> f64 {
+        let darker = usize::from(means[1] < means[0]);
+        let Some(cells) = &self.sides[darker] else { return 0.0 };
+        let parts = match [&self.claim.left, &self.claim.right][darker] {
+            Side::Rendered(parts) => parts.as_slice(),
+            Side::Known(_) => return 0.0,
+        };
+        let hardly_met = cells.values[cell].iter().filter(|value| **value > 0.0).count() < FEW;
+        if !hardly_met && !parts.iter().any(|part| part.is_rare) {
+            return 0.0;
+        }
+        let brightest = parts.iter().map(|part| part.brightest).fold(0.0, f64::max);
+        let other = self.sample(1 - darker, cell);
+        let truth = other.mean - 3.0 * other.variance_of_mean.sqrt();
+        let short = truth - means[darker];
+        if short <= 0.0 {
+            return 1.0;
+        }
+        let share = if cell == 0 { 1.0 } else { 0.25 };
+        let samples = f64::from(cells.pixels) * share * f64::from(self.passes);
+        (-samples * short * short / (2.0 * brightest * truth)).exp()
+    }
+}
+
+fn two_sided(t: f64, count: usize) -> f64 {
+    let freedom = (count.min(1_000_000) as f64 - 1.0).max(1.0);
+    StudentsT::new(0.0, 1.0, freedom).map_or(1.0, |law| 2.0 * law.sf(t))
+}

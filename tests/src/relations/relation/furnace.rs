@@ -1,0 +1,133 @@
+//! Things under a sky of radiance 1 that takes all light that arrives.
+
+use super::{Subject, name, side};
+use crate::programs::Program;
+use crate::relations::draw::Dice;
+use crate::relations::judge::{Claim, Law, Numbers, Side};
+use crate::relations::render::{Estimator, Trouble};
+use crate::relations::scene::{Base, DrawnScene, Lobes, Material, Object, Shape};
+use traylib_geometry::{Ray, Sides};
+use traylib_math::Vec3;
+use traylib_scene::Scene;
+
+/// Where most rays get out no path is so long.
+const LONGEST: u32 = 1000;
+
+/// Surfaces that lose nothing are not to be seen: every sample of `puremc` is 1,
+/// and the mean of other programs.
+pub(super) fn white(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
+    let Some(mut scene) = under_the_sky(subject)? else { return Ok(Vec::new()) };
+    scene.objects.iter_mut().for_each(whiten);
+    scene.max_depth = Some(LONGEST);
+    let built = subject.build(&scene)?;
+    let others = [Program::Combined, Program::BdptPower, Program::BdptBalance];
+    let other = dice.pick(if scene.fronts_are_alike() { &others } else { &others[..1] });
+    let claim = |program, law| {
+        let estimator = Estimator::Program(program);
+        Claim {
+            what: format!("nothing is to be seen in a white furnace, {}", name(estimator)),
+            left: side(&scene, &built, estimator),
+            right: Side::Known(1.0),
+            flipped: false,
+            factor: 1.0,
+            law,
+            numbers: Numbers::Own,
+        }
+    };
+    Ok(vec![claim(Program::PureMc, Law::SameMean(1e-5)), claim(other, Law::SameMean(2e-5))])
+}
+
+/// Nothing is brighter than the sky.
+pub(super) fn no_gain(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
+    let Some(scene) = under_the_sky(subject)? else { return Ok(Vec::new()) };
+    let built = subject.build(&scene)?;
+    Ok(vec![Claim {
+        what: String::from("nothing is brighter than the sky, PureMc"),
+        left: side(&scene, &built, Estimator::Program(Program::PureMc)),
+        right: Side::Known(1.0),
+        flipped: false,
+        factor: 1.0,
+        law: Law::AtMost(1e-5),
+        numbers: Numbers::Own,
+    }])
+}
+
+/// The things of a scene without those that shut its camera in, none of them a
+/// lamp: light that never gets out would never be known.
+fn under_the_sky(subject: &Subject<'_>) -> Result<Option<DrawnScene>, Trouble> {
+    let mut scene = subject.drawn.clone();
+    scene.lights.clear();
+    scene.objects.iter_mut().for_each(|object| object.emission = Vec3::ZERO);
+    // Light is denser in glass.
+    let camera = scene.camera.position;
+    scene.objects.retain(|object| {
+        let is_glass = matches!(object.material.base, Base::Glass(_));
+        let has_holes = object.material.opacity.is_some();
+        !is_glass || !object.shape.bounds().contains(camera) && !has_holes
+    });
+    let extent = |object: &Object| object.shape.bounds().extent().length();
+    scene.objects.sort_by(|a, b| extent(a).total_cmp(&extent(b)));
+    loop {
+        if scene.objects.is_empty() {
+            return Ok(None);
+        }
+        let mut lit = scene.clone();
+        lit.objects.push(sky(&scene));
+        if is_open(&subject.build(&lit)?.scene) {
+            return Ok(Some(lit));
+        }
+        scene.objects.pop();
+    }
+}
+
+fn sky(scene: &DrawnScene) -> Object {
+    let radius = 2.0 * scene.reach();
+    Object {
+        shape: Shape::Sphere { centre: Vec3::ZERO, radius, inward: true },
+        material: Material::grey(0.0),
+        emission: Vec3::ONE,
+        sides: Sides::Both,
+    }
+}
+
+/// Whether a quarter of all rays from the camera meet the sky at once.
+fn is_open(scene: &Scene) -> bool {
+    let mut dice = Dice::new(0, 0);
+    let position = scene.camera().position();
+    let meets_sky = |direction: Vec3| {
+        let point = scene.intersect(&Ray::new(position, direction));
+        point.is_some_and(|point| point.light.is_some())
+    };
+    (0..400).filter(|_| meets_sky(dice.direction())).count() > 100
+}
+
+/// Gives it a surface of its kind that loses nothing, and no normals but its own:
+/// elsewhere light is lost to the sides on which they disagree.
+fn whiten(object: &mut Object) {
+    if object.is_lamp() {
+        return;
+    }
+    if let Shape::Mesh(mesh) = &mut object.shape {
+        mesh.normals = None;
+    }
+    if let Shape::Sphere { inward: true, .. } = object.shape {
+        // Of its inside alone it would let light in and not out.
+        object.sides = Sides::Both;
+    }
+    let half = Vec3::splat(0.5);
+    let base = match object.material.base {
+        Base::Lambert(_) | Base::Phong(_) | Base::MaxPhong(..) => Base::Lambert(Vec3::ONE),
+        Base::Mirror(_, diffuse) => Base::Mirror(Vec3::ONE - diffuse, diffuse),
+        Base::Sheet(..) => Base::Sheet(Lobes::diffuse(half), Lobes::diffuse(half)),
+        Base::Glass(index) => {
+            // Of one side alone it would let light in and not out.
+            object.sides = Sides::Both;
+            Base::Glass(index)
+        }
+        Base::Pane(reflectance, _) => Base::Pane(reflectance, Vec3::ONE - reflectance),
+    };
+    // Light that goes straight into glass is not the denser light that is there.
+    let is_glass = matches!(base, Base::Glass(_));
+    let opacity = object.material.opacity.clone().filter(|_| !is_glass);
+    object.material = Material { opacity, ..Material::plain(base) };
+}

@@ -1,0 +1,38 @@
+//! Lights on surfaces: rounding may decide on which side of it they are, once for
+//! the whole picture.
+
+use super::{Subject, alike};
+use crate::programs::Program;
+use crate::relations::judge::{Claim, Law};
+use crate::relations::render::{Estimator, Trouble};
+use crate::relations::scene::{DrawnScene, Light};
+
+/// How far a light is moved, as a part of the size of its surface.
+const NUDGE: f32 = 1e-3;
+
+/// The picture is that of the light a little off the surface, to that side to which
+/// it is nearer.
+pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
+    let estimator = Estimator::Program(Program::Strict);
+    let Some(sides) = off_the_surface(subject.drawn) else { return Ok(Vec::new()) };
+    let mean = |scene: &DrawnScene| {
+        let cells = subject.workshop.render(&*subject.build(scene)?, estimator, 1, 16)?;
+        Ok::<f64, Trouble>(cells.values[0].iter().sum())
+    };
+    let here = mean(subject.drawn)?;
+    let [front, back] = [mean(&sides[0])?, mean(&sides[1])?];
+    let nearer = usize::from((back - here).abs() < (front - here).abs());
+    let what = "a light on a surface is on one side of it";
+    Ok(vec![alike(subject, &sides[nearer], estimator, what, Law::SameMean(0.03))?])
+}
+
+/// The scene with its first light that lies on a surface moved to either side.
+fn off_the_surface(scene: &DrawnScene) -> Option<[DrawnScene; 2]> {
+    let normal = |light: &Light| scene.surface_at(light.position);
+    let (index, step) = scene.lights.iter().enumerate().find_map(|(i, l)| Some((i, normal(l)?)))?;
+    Some([NUDGE, -NUDGE].map(|nudge| {
+        let mut moved = scene.clone();
+        moved.lights[index].position += step * nudge;
+        moved
+    }))
+}

@@ -1,0 +1,55 @@
+//! The light of all lamps is the sum of that of each.
+
+use super::who::{part, sees};
+use super::{Subject, name, side};
+use crate::programs::Program;
+use crate::relations::draw::Dice;
+use crate::relations::judge::{Claim, Law, Numbers, Part, Side};
+use crate::relations::render::{Estimator, Trouble};
+use crate::relations::scene::DrawnScene;
+use traylib_math::Vec3;
+
+/// More lamps than this take too long.
+const MOST: usize = 4;
+
+/// By one program.
+pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
+    let single = each_alone(subject.drawn);
+    // Of two surfaces in one plane the lamp is met, while it is one.
+    if !(2..=MOST).contains(&single.len()) || subject.drawn.has_coplanar() {
+        return Ok(Vec::new());
+    }
+    let programs: Vec<Program> =
+        Program::ALL.into_iter().filter(|&program| sees(subject, program)).collect();
+    if programs.is_empty() {
+        return Ok(Vec::new());
+    }
+    let estimator = Estimator::Program(dice.pick(&programs));
+    let parts: Result<Vec<Part>, Trouble> =
+        single.iter().map(|scene| Ok(part(scene, &subject.build(scene)?, estimator))).collect();
+    Ok(vec![Claim {
+        what: format!("all lamps = the sum of {}, {}", single.len(), name(estimator)),
+        left: side(subject.drawn, &subject.built, estimator),
+        right: Side::Rendered(parts?),
+        flipped: false,
+        factor: 1.0,
+        law: Law::SameMean(2e-5),
+        numbers: Numbers::Own,
+    }])
+}
+
+/// The scene with one thing that shines, for each of them.
+fn each_alone(scene: &DrawnScene) -> Vec<DrawnScene> {
+    let mut dark = scene.clone();
+    dark.lights.clear();
+    dark.objects.iter_mut().for_each(|object| object.emission = Vec3::ZERO);
+    let lamps = scene.objects.iter().enumerate().filter(|(_, object)| object.is_lamp());
+    let of_objects = lamps.map(|(index, lamp)| {
+        let mut single = dark.clone();
+        single.objects[index].emission = lamp.emission;
+        single
+    });
+    let of_lights =
+        scene.lights.iter().map(|&light| DrawnScene { lights: vec![light], ..dark.clone() });
+    of_objects.chain(of_lights).collect()
+}

@@ -1,0 +1,126 @@
+//! Who can see the light of a scene, and who so steadily that it can be judged.
+
+use super::Subject;
+use crate::programs::Program;
+use crate::relations::draw::Dice;
+use crate::relations::judge::Part;
+use crate::relations::render::{Built, Estimator};
+use crate::relations::scene::{DrawnScene, luminance};
+use std::f64::consts::PI;
+use std::sync::Arc;
+use traylib_geometry::Ray;
+use traylib_integrators::{BlindSpot, Integrator, SceneFacts};
+use traylib_math::{Rgb, Vec2};
+use traylib_scene::{Camera, Scene};
+
+/// Exponents over this make light samples and splats find enormous light too rarely
+/// to be met at all.
+const SHARP: f32 = 20.0;
+
+/// Whether this program is not blind here, and its noise can be judged.
+pub(super) fn sees(subject: &Subject<'_>, program: Program) -> bool {
+    let drawn = subject.drawn;
+    let integrator: Box<dyn Integrator> = Estimator::Program(program).integrator(None);
+    let facts = SceneFacts::of(&subject.built.scene);
+    let is_blind = integrator.blind_spots(&facts).into_iter().any(|spot| match spot {
+        BlindSpot::SeenInMirrors => sees_mirrors(&subject.built.scene),
+        BlindSpot::Interreflection
+        | BlindSpot::AreaLights
+        | BlindSpot::PointLightCaustics
+        | BlindSpot::PointLightCausticsInMirrors => true,
+    });
+    let is_steady = match program {
+        Program::Strict => drawn.sharpest() <= SHARP,
+        Program::Particle => drawn.sharpest() <= SHARP && drawn.fronts_are_alike(),
+        Program::BdptPower | Program::BdptBalance => drawn.fronts_are_alike(),
+        Program::PureMc | Program::Combined => true,
+    };
+    !is_blind && is_steady
+}
+
+/// A rendering of a scene.
+pub(super) fn part(drawn: &DrawnScene, built: &Arc<Built>, estimator: Estimator) -> Part {
+    let brightest = match estimator {
+        Estimator::Program(Program::Particle) => brightest_splat(drawn, built),
+        Estimator::Program(
+            Program::PureMc
+            | Program::Strict
+            | Program::Combined
+            | Program::BdptPower
+            | Program::BdptBalance,
+        )
+        | Estimator::Among(_) => brightest_walk(drawn, built),
+    };
+    let walks_hit = matches!(estimator, Estimator::Program(Program::PureMc | Program::Particle));
+    let is_rare = walks_hit || drawn.has_mirrors() || drawn.sharpest() > SHARP;
+    Part { built: Arc::clone(built), estimator, brightest, is_rare }
+}
+
+/// The greatest sample of walks from the camera: each edge may end on a lamp, and
+/// surfaces only weaken; or a point light shines on the surface nearest to it.
+fn brightest_walk(drawn: &DrawnScene, built: &Built) -> f64 {
+    let area = drawn.objects.iter().map(|object| luminance(object.emission)).fold(0.0, f32::max);
+    let points = drawn.lights.iter().map(|light| {
+        let mut dice = Dice::new(0, 0);
+        let to_surface = |_| {
+            let ray = Ray::new(light.position, dice.direction());
+            built.scene.intersect(&ray).map(|point| (point.site.position - light.position).length())
+        };
+        let nearest = (0..200).filter_map(to_surface).fold(f32::INFINITY, f32::min);
+        f64::from(luminance(light.intensity) / (nearest * nearest)) * lobe(drawn)
+    });
+    (f64::from(area) + points.sum::<f64>()) * longest(drawn)
+}
+
+/// The greatest value of a lobe.
+fn lobe(drawn: &DrawnScene) -> f64 {
+    (f64::from(drawn.sharpest()) + 2.0) / (2.0 * PI)
+}
+
+/// The most that a light path adds to the picture, as a sample: it carries the power
+/// of all lamps, or twice that of a weak one, which the brightest surface there is
+/// throws at the camera from the nearest point that the camera sees.
+fn brightest_splat(drawn: &DrawnScene, built: &Built) -> f64 {
+    let scene = &built.scene;
+    let power: f64 = scene.lights().iter().map(|light| f64::from(light.power().luminance())).sum();
+    let camera = scene.camera();
+    let nearest = |ray: Ray| {
+        let point = scene.intersect(&ray)?;
+        let distance = f64::from((point.site.position - camera.position()).length());
+        Some(f64::from(camera.pdf(ray.direction).0) / (distance * distance))
+    };
+    let closeness = rays(camera).filter_map(nearest).fold(0.0, f64::max);
+    let pixels = f64::from(camera.width() * camera.height());
+    2.0 * power * lobe(drawn) * closeness / pixels * longest(drawn)
+}
+
+/// How often a path may meet something, for all practical purposes.
+fn longest(drawn: &DrawnScene) -> f64 {
+    f64::from(drawn.max_depth.unwrap_or(10))
+}
+
+/// Nine for each pixel.
+fn rays(camera: &Camera) -> impl Iterator<Item = Ray> {
+    let (width, height) = (3 * camera.width(), 3 * camera.height());
+    (0..width * height).map(move |i| {
+        camera.ray(Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5) / 3.0)
+    })
+}
+
+/// Whether the camera sees a mirror anywhere, also through what is before it; by
+/// 9 rays a pixel.
+fn sees_mirrors(scene: &Scene) -> bool {
+    rays(scene.camera()).any(|mut ray| {
+        for _ in 0..8 {
+            let Some(point) = scene.intersect(&ray) else { return false };
+            if point.model.has_delta_part() {
+                return true;
+            }
+            if point.through == Rgb::BLACK {
+                return false;
+            }
+            ray.origin = point.site.ray_origin(ray.direction);
+        }
+        true
+    })
+}

@@ -1,0 +1,174 @@
+//! What is in a scene, as far as relations depend on it.
+
+use super::{Base, DrawnScene, Object, Shape};
+use traylib_geometry::Sides;
+use traylib_math::Vec3;
+
+/// A flat piece: its plane and a box around it.
+struct Flat {
+    normal: Vec3,
+    offset: f64,
+    bounds: traylib_geometry::Aabb,
+}
+
+impl DrawnScene {
+    /// Whether a surface reflects or refracts ideally.
+    pub fn has_mirrors(&self) -> bool {
+        self.objects.iter().any(|object| match object.material.base {
+            Base::Mirror(..) | Base::Glass(_) => true,
+            Base::Pane(reflectance, _) => reflectance != Vec3::ZERO,
+            Base::Lambert(_) | Base::Phong(_) | Base::MaxPhong(..) | Base::Sheet(..) => false,
+        })
+    }
+
+    /// The greatest exponent of a lobe.
+    pub fn sharpest(&self) -> f32 {
+        let sharpness = |object: &Object| match object.material.base {
+            Base::Phong(lobes) => lobes.exponent,
+            Base::MaxPhong(_, exponent) => exponent,
+            Base::Sheet(a, b) => a.exponent.max(b.exponent),
+            Base::Lambert(_) | Base::Mirror(..) | Base::Glass(_) | Base::Pane(..) => 0.0,
+        };
+        self.objects.iter().map(sharpness).fold(0.0, f32::max)
+    }
+
+    /// Whether walks from lamps and from the camera see the same surfaces: no back
+    /// that is not there can be looked through or lit. Solids that hold neither
+    /// camera nor light are so, and the room around all.
+    pub fn fronts_are_alike(&self) -> bool {
+        let one_sided = |object: &&Object| object.sides == Sides::Front;
+        self.objects.iter().filter(one_sided).all(|object| {
+            let bounds = object.shape.bounds();
+            let inside = |point: Vec3| bounds.contains(point);
+            match &object.shape {
+                Shape::Sphere { inward: true, .. } => self.objects.iter().all(|other| {
+                    let inner = other.shape.bounds();
+                    inside(inner.min) && inside(inner.max)
+                }),
+                shape if shape.is_solid() => {
+                    let lights = self.lights.iter().map(|light| light.position);
+                    let lamps = self.objects.iter().filter(|other| !std::ptr::eq(*other, object));
+                    let apart = |other: &Object| {
+                        let o = other.shape.bounds();
+                        let overlap =
+                            o.min.cmple(bounds.max).all() && bounds.min.cmple(o.max).all();
+                        // A room around it overlaps, and is no matter.
+                        !overlap || o.min.cmplt(bounds.min).all() && o.max.cmpgt(bounds.max).all()
+                    };
+                    !lights.chain([self.camera.position]).any(inside) && { lamps }.all(apart)
+                }
+                _ => false,
+            }
+        })
+    }
+
+    /// Whether two flat surfaces lie in one plane and may overlap: which of them is
+    /// met is decided by their order or by rounding.
+    pub fn has_coplanar(&self) -> bool {
+        let flats: Vec<Vec<Flat>> =
+            self.objects.iter().map(|object| flats(&object.shape)).collect();
+        flats.iter().enumerate().any(|(index, first)| {
+            flats[index + 1..]
+                .iter()
+                .any(|second| first.iter().any(|a| second.iter().any(|b| are_coplanar(a, b))))
+        })
+    }
+
+    /// Whether the camera or a light without extent lies on a surface, or nearly: on
+    /// which side of it is decided by rounding.
+    pub fn has_point_on_surface(&self) -> bool {
+        let lights = self.lights.iter().map(|light| light.position);
+        lights.chain([self.camera.position]).any(|point| self.surface_at(point).is_some())
+    }
+
+    /// The normal of the surface that a point lies on, or nearly, as long as the
+    /// surface is large.
+    pub fn surface_at(&self, point: Vec3) -> Option<Vec3> {
+        self.objects.iter().find_map(|object| surface_at(point, &object.shape))
+    }
+
+    /// Whether all glass is the boundary of something, and the camera outside.
+    pub fn glass_is_solid(&self) -> bool {
+        let is_glass = |object: &&Object| matches!(object.material.base, Base::Glass(_));
+        self.objects.iter().filter(is_glass).all(|object| {
+            let around = object.shape.bounds().contains(self.camera.position);
+            object.shape.is_solid() && object.sides == Sides::Both && !around
+        })
+    }
+
+    /// Whether rounding decides nowhere what is met.
+    pub fn is_clear(&self) -> bool {
+        !self.has_coplanar() && !self.has_point_on_surface()
+    }
+
+    /// Makes its first object shine if nothing does.
+    pub fn light_up(&mut self) {
+        if self.lights.is_empty() && !self.objects.iter().any(Object::is_lamp) {
+            self.objects[0].emission = Vec3::ONE;
+        }
+    }
+
+    /// A distance from the origin beyond which there is nothing.
+    pub fn reach(&self) -> f32 {
+        let reach = |object: &Object| {
+            let bounds = object.shape.bounds();
+            bounds.min.abs().max(bounds.max.abs()).max_element()
+        };
+        let camera = self.camera.position.abs().max_element();
+        1.75 * self.objects.iter().map(reach).fold(camera, f32::max)
+    }
+}
+
+fn surface_at(point: Vec3, shape: &Shape) -> Option<Vec3> {
+    if let &Shape::Sphere { centre, radius, .. } = shape {
+        let away = point - centre;
+        return ((away.length() / radius - 1.0).abs() < 1e-3).then_some(away);
+    }
+    flats(shape).iter().find_map(|flat| {
+        let size = flat.bounds.extent().length();
+        let away = flat.normal.as_dvec3().dot(point.as_dvec3()) - flat.offset;
+        let is_near = away.abs() < f64::from(1e-3 * size);
+        let bounds = flat.bounds.grown(Vec3::splat(1e-3 * size));
+        (is_near && bounds.contains(point)).then_some(flat.normal * size)
+    })
+}
+
+fn flats(shape: &Shape) -> Vec<Flat> {
+    let flat = |corner: Vec3, u: Vec3, v: Vec3, piece: Shape| {
+        let normal = u.as_dvec3().cross(v.as_dvec3()).normalize_or_zero();
+        Flat {
+            normal: normal.as_vec3(),
+            offset: normal.dot(corner.as_dvec3()),
+            bounds: piece.bounds(),
+        }
+    };
+    match shape {
+        &Shape::Triangle([a, b, c]) => vec![flat(a, b - a, c - a, shape.clone())],
+        &Shape::Quad([corner, u, v]) => vec![flat(corner, u, v, shape.clone())],
+        &Shape::Disk { centre, normal, .. } => {
+            let u = normal.any_orthogonal_vector();
+            vec![flat(centre, u, normal.cross(u), shape.clone())]
+        }
+        Shape::Box(_) => {
+            crate::relations::form::cut::sides_of_box(shape).iter().flat_map(flats).collect()
+        }
+        Shape::Mesh(mesh) => {
+            mesh.corners().flat_map(|corners| flats(&Shape::Triangle(corners))).collect()
+        }
+        Shape::Cone { .. } | Shape::Sphere { .. } => Vec::new(),
+    }
+}
+
+fn are_coplanar(a: &Flat, b: &Flat) -> bool {
+    let along = a.normal.dot(b.normal);
+    if along.abs() < 0.999_99 {
+        return false;
+    }
+    let size = a.bounds.extent().length() + b.bounds.extent().length();
+    let offset = b.offset * f64::from(along.signum());
+    let margin = Vec3::splat(1e-5 * size);
+    let (near, other) = (a.bounds.grown(margin), &b.bounds);
+    (a.offset - offset).abs() < 1e-4 * f64::from(size)
+        && other.min.cmple(near.max).all()
+        && near.min.cmple(other.max).all()
+}
