@@ -107,6 +107,7 @@ pub(crate) fn joined(folder: &Path, name: &str) -> PathBuf {
 }
 
 /// Why the system says no, without its numbers.
+#[expect(clippy::wildcard_enum_match_arm, reason = "the system's open set")]
 pub(crate) fn why(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_string(),

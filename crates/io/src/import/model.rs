@@ -191,6 +191,7 @@ impl<'a> ModelFiles<'a> {
         file
     }
 
+    #[expect(clippy::wildcard_enum_match_arm, reason = "other errors say themselves what they are")]
     fn read(&mut self, location: &Location, scene: &Location) -> Result<Rc<NumberedFile>, String> {
         let root = self.root.or_else(|| scene.folder());
         let (file, warnings) = ModelFile::read(location, root).map_err(|error| {

@@ -75,6 +75,7 @@ fn are_numbers(shape: &Shape, place: &Place, problems: &mut Problems) -> bool {
 }
 
 /// The field that an error is about, where it is about one.
+#[expect(clippy::wildcard_enum_match_arm, reason = "an open set; most errors are of no one field")]
 fn faulty_part(place: &Place, error: Error) -> Place {
     match error {
         Error::NoRadius => place.field("radius"),

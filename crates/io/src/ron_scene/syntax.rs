@@ -82,6 +82,7 @@ pub(crate) fn is_begun(text: &str) -> bool {
     rest.starts_with('(') || rest.starts_with("#!")
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "the parser's open set")]
 fn explain(stop: &Stop<'_>, error: &SpannedError) -> Finding {
     match &error.code {
         Error::NoSuchStructField { expected, found, outer } => {

@@ -155,6 +155,7 @@ fn tiling(tiling: Tiling) -> materials::Tiling {
     }
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "of most errors there is no more to say")]
 fn advice(error: &Error) -> Option<String> {
     match error {
         Error::Reflectance { value, .. } if value.iter().any(|&band| band > 2.0) => {

@@ -10,6 +10,7 @@ use ron::error::Error;
 use std::ops::Range;
 
 /// Whether an error is about the kind of a value, and not about brackets and commas.
+#[expect(clippy::wildcard_enum_match_arm, reason = "the parser's open set")]
 pub(super) fn is_about(stop: &Stop<'_>, code: &Error) -> bool {
     let begins_here = || stop.context().is_some_and(|context| context.value.start == stop.place);
     match code {
@@ -89,6 +90,7 @@ fn token(stop: &Stop<'_>) -> Range<usize> {
 }
 
 /// What is wanted, where nothing better is known.
+#[expect(clippy::wildcard_enum_match_arm, reason = "the parser's open set")]
 fn plain(code: &Error) -> &'static str {
     match code {
         Error::ExpectedFloat | Error::FloatUnderscore => "a number",
