@@ -177,7 +177,6 @@ impl<'a> ModelFiles<'a> {
 
     /// A file, which may include others from its own folder and that of the scene
     /// file; why it cannot be used, else.
-    #[expect(clippy::wildcard_enum_match_arm, reason = "the others name their place themselves")]
     pub(super) fn load(
         &mut self,
         location: &Location,
