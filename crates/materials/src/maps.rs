@@ -64,9 +64,10 @@ impl Bump {
     /// *Simulation of Wrinkled Surfaces*, 1978). The slopes are taken over a pixel
     /// of the picture.
     pub fn normal(&self, normal: Vec3, uv: Vec2, [p_u, p_v]: [Vec3; 2]) -> Vec3 {
-        let unit = self.height * p_u.length();
-        let [h_u, h_v] = self.slopes(uv).map(|slope| slope * unit);
-        let [t_u, t_v] = [p_u, p_v].map(|t| t - normal * normal.dot(t));
+        // Tangents as parts of the first, so that no product of them leaves f32.
+        let unit = 1.0 / p_u.length();
+        let [h_u, h_v] = self.slopes(uv).map(|slope| slope * self.height);
+        let [t_u, t_v] = [p_u, p_v].map(|t| t * unit).map(|t| t - normal * normal.dot(t));
         let flat = t_u.cross(t_v);
         let side = normal.dot(flat).signum();
         let relief = (t_u + normal * h_u).cross(t_v + normal * h_v) * side;

@@ -20,7 +20,8 @@ impl Frame {
     /// Duff et al., *Building an Orthonormal Basis, Revisited*, JCGT 2017.
     #[inline]
     pub fn around(z: Vec3) -> Self {
-        let sign = 1.0_f32.copysign(z.z);
+        // Zero has no sign here: −0 is what turning and moving make of 0.
+        let sign = if z.z < 0.0 { -1.0 } else { 1.0 };
         let a = -1.0 / (sign + z.z);
         let b = z.x * z.y * a;
         Self {
@@ -59,6 +60,13 @@ mod tests {
             assert!(x.dot(y).abs() < 1e-6 && x.dot(z).abs() < 1e-6 && y.dot(z).abs() < 1e-6);
             assert!((x.cross(y) - z).length() < 1e-6, "{z}");
         }
+    }
+
+    /// Where a normal's zero comes from must not turn what is sampled around it.
+    #[test]
+    fn zero_has_no_sign() {
+        let frame = |z| Frame::around(Vec3::new(0.6, 0.8, z));
+        assert_eq!((frame(0.0).x, frame(0.0).y), (frame(-0.0).x, frame(-0.0).y));
     }
 
     #[test]
