@@ -1,10 +1,12 @@
 //! The same scene in another form: other files, other places, other pieces.
 
 pub mod cut;
+pub mod exported;
 pub mod files;
 mod mgf;
 pub mod motion;
 mod picture;
+pub mod pictured;
 mod ron;
 mod three_ds;
 

@@ -140,19 +140,20 @@ fn name(estimator: Estimator) -> String {
     }
 }
 
-/// The subject and another scene, both by the same estimator.
+/// Two scenes by the same estimator.
 fn alike(
-    subject: &Subject<'_>,
-    other: &DrawnScene,
+    scenes: [&DrawnScene; 2],
+    workshop: &Workshop,
     estimator: Estimator,
     what: &str,
     law: Law,
 ) -> Result<Claim, Trouble> {
-    let built = subject.build(other)?;
+    let built = |scene: &DrawnScene| workshop.build(scene).map(Arc::new);
+    let [left, right] = [built(scenes[0])?, built(scenes[1])?];
     Ok(Claim {
         what: format!("{what}, {}", name(estimator)),
-        left: side(subject.drawn, &subject.built, estimator),
-        right: side(other, &built, estimator),
+        left: side(scenes[0], &left, estimator),
+        right: side(scenes[1], &right, estimator),
         flipped: false,
         factor: 1.0,
         law,

@@ -227,18 +227,9 @@ fn add_flat(objects: &mut Vec<(usize, Object)>, material: usize, flat: Object) {
         && *of == material
         && last.normals.is_some() == mesh.normals.is_some()
     {
-        join(last, mesh);
+        last.join(mesh);
     } else {
         objects.push((material, flat));
-    }
-}
-
-fn join(mesh: &mut Mesh, other: &Mesh) {
-    let first = mesh.positions.len() as u32;
-    mesh.positions.extend(&other.positions);
-    mesh.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|i| i + first)));
-    if let (Some(normals), Some(others)) = (&mut mesh.normals, &other.normals) {
-        normals.extend(others);
     }
 }
 

@@ -1,5 +1,6 @@
 //! A scene as files, and back as what the library makes of them.
 
+use super::ron::Entry;
 use super::{picture, ron};
 use crate::relations::scene::{DrawnScene, Picture};
 use std::fs;
@@ -20,9 +21,14 @@ impl Files {
     /// The scene in our own format; shapes that only other formats know stand in
     /// files of theirs. All names begin with `stem`.
     pub fn of(scene: &DrawnScene, stem: &str) -> Self {
-        let mut files = Self { text: String::new(), beside: Vec::new(), stem: stem.into() };
-        files.text = ron::scene(scene, &mut files);
+        let mut files = Self::empty(stem);
+        let entries: Vec<Entry<'_>> = scene.objects.iter().map(Entry::Object).collect();
+        files.text = ron::scene(scene, &entries, &mut files);
         files
+    }
+
+    pub(super) fn empty(stem: &str) -> Self {
+        Self { text: String::new(), beside: Vec::new(), stem: stem.into() }
     }
 
     /// The name of the scene file.

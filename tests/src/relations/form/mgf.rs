@@ -1,9 +1,14 @@
 //! The Materials and Geometry Format.
 
 use crate::relations::form::cut::sides_of_box;
-use crate::relations::scene::{Mesh, Shape};
+use crate::relations::scene::{Base, Lobes, Mesh, Object, Shape};
+use std::f64::consts::PI;
 use std::fmt::Write;
+use traylib_geometry::Sides;
 use traylib_math::Vec3;
+
+/// Lumens a watt of Radiance.
+const LUMENS_PER_WATT: f64 = 179.0;
 
 /// One shape with both sides that neither shines nor reflects: what it is made of
 /// stands in the scene file.
@@ -13,11 +18,73 @@ pub(super) fn single(shape: &Shape) -> String {
     format!("m only =\n\tsides 2\n{}", text.0)
 }
 
+/// Whether MGF has words for it: grey, and no pictures.
+pub(super) fn can_say(object: &Object) -> bool {
+    let base = &object.material.base;
+    let is_glass = matches!(base, Base::Glass(_));
+    let scatters_on = !matches!(base, Base::Sheet(_, on) if on.diffuse == Vec3::ZERO && on.specular == Vec3::ZERO);
+    let known = !matches!(base, Base::MaxPhong(..)) && scatters_on;
+    // Glass has both sides there, and does not shine.
+    let as_glass_must = !is_glass || object.sides == Sides::Both && !object.is_lamp();
+    !object.material.has_maps() && known && as_glass_must
+}
+
+/// These objects, each with a material of its own.
+pub(super) fn whole(objects: &[Object]) -> String {
+    let mut text = Text::default();
+    for (number, object) in objects.iter().enumerate() {
+        text.material(number, object);
+        text.shape(&object.shape);
+    }
+    text.0
+}
+
+/// The roughness whose lobe has this exponent.
+fn roughness(exponent: f32) -> f64 {
+    (0.5 / f64::from(exponent)).sqrt()
+}
+
 /// Lines of a file under way.
 #[derive(Default)]
 pub(super) struct Text(pub(super) String);
 
 impl Text {
+    /// The material of an object, and makes it the current one.
+    fn material(&mut self, number: usize, object: &Object) {
+        let is_glass = matches!(object.material.base, Base::Glass(_));
+        let sides = if object.sides == Sides::Front || is_glass { 1 } else { 2 };
+        self.line(&format!("m m{number} =\n\tsides {sides}\n\tc"));
+        // All are grey.
+        let part = |colour: Vec3| colour.x;
+        match object.material.base {
+            Base::Lambert(colour) => self.line(&format!("\trd {}", part(colour))),
+            Base::Phong(lobes) => self.lobes(["rd", "rs"], &lobes),
+            Base::Mirror(mirrored, diffuse) => {
+                self.line(&format!("\trd {}\n\trs {} 0", part(diffuse), part(mirrored)));
+            }
+            Base::Sheet(back, on) => {
+                self.lobes(["rd", "rs"], &back);
+                self.lobes(["td", "ts"], &on);
+            }
+            Base::Glass(index) => self.line(&format!("\tts 1 0\n\tir {index} 0")),
+            Base::Pane(mirrored, through) => {
+                self.line(&format!("\trs {} 0\n\tts {} 0", part(mirrored), part(through)));
+            }
+            // Not among what can be said.
+            Base::MaxPhong(..) => {}
+        }
+        if object.is_lamp() {
+            let exitance = f64::from(part(object.emission)) * PI * LUMENS_PER_WATT;
+            self.line(&format!("\ted {exitance}"));
+        }
+    }
+
+    fn lobes(&mut self, [diffuse, specular]: [&str; 2], lobes: &Lobes) {
+        let rough = roughness(lobes.exponent);
+        self.line(&format!("\t{diffuse} {}", lobes.diffuse.x));
+        self.line(&format!("\t{specular} {} {rough}", lobes.specular.x));
+    }
+
     /// A shape of the current material.
     pub(super) fn shape(&mut self, shape: &Shape) {
         match shape {

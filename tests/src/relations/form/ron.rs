@@ -8,39 +8,72 @@ use std::fmt::Write;
 use traylib_geometry::Sides;
 use traylib_math::Vec3;
 
+/// What stands in a list of objects.
+pub(super) enum Entry<'a> {
+    /// A surface.
+    Object(&'a Object),
+    /// All of a file of shapes, as it says itself.
+    Whole(String),
+    /// A file of shapes that says what shines, with a factor on that; all else is as
+    /// of this object.
+    Lamp(String, f32, &'a Object),
+}
+
 /// The text; pictures and shapes from other formats are added to `files`.
-pub(super) fn scene(scene: &DrawnScene, files: &mut Files) -> String {
-    let mut names: Vec<&Material> = Vec::new();
+pub(super) fn scene(scene: &DrawnScene, entries: &[Entry<'_>], files: &mut Files) -> String {
+    let mut names = Names::default();
     let mut objects = String::new();
-    for object in &scene.objects {
-        let number = names.iter().position(|&known| *known == object.material);
-        let number = number.unwrap_or_else(|| {
-            names.push(&object.material);
-            names.len() - 1
-        });
-        let _ = writeln!(objects, "        {},", object_text(object, number, files));
+    for entry in entries {
+        let text = match entry {
+            Entry::Object(object) => {
+                let (shape, emission) = (shape(&object.shape, files), object.emission);
+                let emits = format!(", emission: {}", vector(emission));
+                let emits = if object.is_lamp() { emits.as_str() } else { "" };
+                format!("(shape: {shape}, {}{emits})", looks(object, &mut names))
+            }
+            Entry::Whole(file) => format!("(shape: Mesh(file: \"{file}\"))"),
+            Entry::Lamp(file, glow, object) => {
+                let looks = looks(object, &mut names);
+                format!("(shape: Mesh(file: \"{file}\", glow: {glow}), {looks})")
+            }
+        };
+        let _ = writeln!(objects, "        {text},");
     }
     let mut materials = String::new();
-    for (number, known) in names.iter().enumerate() {
+    for (number, known) in names.0.iter().enumerate() {
         let _ = writeln!(materials, "        \"m{number}\": {},", material(known, files));
     }
-    let lights: Vec<String> = scene
-        .lights
-        .iter()
-        .map(|l| {
-            format!(
-                "        {},
-",
-                light(l)
-            )
-        })
-        .collect();
-    let lights = lights.concat();
+    let lights: Vec<String> =
+        scene.lights.iter().map(|l| format!("        {},\n", light(l))).collect();
     format!(
         "(\n    {},\n    materials: {{\n{materials}    }},\n    objects: [\n{objects}    ],\n    \
-         lights: [\n{lights}    ],\n)\n",
+         lights: [\n{}    ],\n)\n",
         camera(&scene.camera),
+        lights.concat(),
     )
+}
+
+/// Materials by number.
+#[derive(Default)]
+struct Names<'a>(Vec<&'a Material>);
+
+impl<'a> Names<'a> {
+    fn number(&mut self, material: &'a Material) -> usize {
+        let known = self.0.iter().position(|&known| known == material);
+        known.unwrap_or_else(|| {
+            self.0.push(material);
+            self.0.len() - 1
+        })
+    }
+}
+
+/// Material and sides.
+fn looks<'a>(object: &'a Object, names: &mut Names<'a>) -> String {
+    let sides = match object.sides {
+        Sides::Both => "",
+        Sides::Front => ", sides: Front",
+    };
+    format!("material: \"m{}\"{sides}", names.number(&object.material))
 }
 
 fn camera(camera: &Camera) -> String {
@@ -55,18 +88,6 @@ fn camera(camera: &Camera) -> String {
 /// Three numbers, as short as they can be read back to the last bit.
 pub(super) fn vector(v: Vec3) -> String {
     format!("({}, {}, {})", v.x, v.y, v.z)
-}
-
-fn object_text(object: &Object, material: usize, files: &mut Files) -> String {
-    let mut text = format!("(shape: {}, material: \"m{material}\"", shape(&object.shape, files));
-    if object.is_lamp() {
-        let _ = write!(text, ", emission: {}", vector(object.emission));
-    }
-    // A file of shapes has a word of its own on sides.
-    if object.sides == Sides::Front {
-        text += ", sides: Front";
-    }
-    text + ")"
 }
 
 fn shape(shape: &Shape, files: &mut Files) -> String {

@@ -1,12 +1,98 @@
 //! 3D Studio's format.
 
-use crate::relations::scene::Mesh;
+use crate::relations::scene::{Base, Material, Mesh, Object, Shape};
+use traylib_geometry::Sides;
 use traylib_math::Vec3;
 
 /// One mesh without a material.
 pub(super) fn mesh(mesh: &Mesh) -> Vec<u8> {
     let object = object("only", mesh, None);
     file(&object)
+}
+
+/// Whether 3D Studio has words for it.
+pub(super) fn can_say(material: &Material) -> bool {
+    let known = match material.base {
+        Base::Lambert(_) => true,
+        Base::Phong(lobes) => (1.0..=1024.0).contains(&lobes.exponent),
+        Base::MaxPhong(..)
+        | Base::Mirror(..)
+        | Base::Sheet(..)
+        | Base::Glass(_)
+        | Base::Pane(..) => false,
+    };
+    known && !material.has_maps()
+}
+
+/// These meshes, each with a material of its own.
+pub(super) fn whole(objects: &[Object]) -> Vec<u8> {
+    let mut editor = Vec::new();
+    for (number, object) in objects.iter().enumerate() {
+        let (diffuse, specular, exponent) = match object.material.base {
+            Base::Phong(lobes) => (lobes.diffuse, lobes.specular, lobes.exponent),
+            Base::Lambert(colour) => (colour, Vec3::ZERO, 1.0),
+            // Not among what can be said.
+            Base::MaxPhong(..)
+            | Base::Mirror(..)
+            | Base::Sheet(..)
+            | Base::Glass(_)
+            | Base::Pane(..) => {
+                continue;
+            }
+        };
+        let name = format!("m{number}");
+        let mut parts = [
+            chunk(0xa000, &text(&name)),
+            chunk(0xa020, &colour(diffuse)),
+            chunk(0xa030, &colour(specular)),
+            chunk(0xa040, &fraction(exponent.log2() / 10.0)),
+            chunk(0xa041, &fraction(if specular == Vec3::ZERO { 0.0 } else { 1.0 })),
+        ]
+        .concat();
+        if object.sides == Sides::Both {
+            parts.extend(chunk(0xa081, &[]));
+        }
+        editor.extend(chunk(0xafff, &parts));
+        editor.extend(placed(&name, object));
+    }
+    file(&editor)
+}
+
+/// One mesh that shines of itself, as a share of its brightest band.
+pub(super) fn lamp(object: &Object, brightest: f32) -> Vec<u8> {
+    let parts = [
+        chunk(0xa000, &text("lamp")),
+        chunk(0xa020, &colour(object.emission / brightest)),
+        chunk(0xa041, &fraction(0.0)),
+        chunk(0xa084, &fraction(1.0)),
+    ];
+    file(&[chunk(0xafff, &parts.concat()), placed("lamp", object)].concat())
+}
+
+fn placed(name: &str, object: &Object) -> Vec<u8> {
+    match &object.shape {
+        Shape::Mesh(mesh) => self::object(name, mesh, Some(name)),
+        Shape::Triangle(_)
+        | Shape::Quad(_)
+        | Shape::Disk { .. }
+        | Shape::Cone { .. }
+        | Shape::Sphere { .. }
+        | Shape::Box(_) => Vec::new(),
+    }
+}
+
+/// Coded for a screen.
+fn colour(linear: Vec3) -> Vec<u8> {
+    let coded = linear.to_array().map(|band| {
+        let band = f64::from(band);
+        (if band <= 0.003_130_8 { 12.92 * band } else { 1.055 * band.powf(1.0 / 2.4) - 0.055 })
+            as f32
+    });
+    chunk(0x0010, &floats(Vec3::from_array(coded)))
+}
+
+fn fraction(fraction: f32) -> Vec<u8> {
+    chunk(0x0031, &fraction.to_le_bytes())
 }
 
 /// A whole file with these chunks in its section of meshes and materials.

@@ -1,13 +1,15 @@
 //! The scene in another form: the same light.
 
-use super::{Subject, alike};
+use super::{Subject, alike, name, side};
 use crate::programs::Program;
 use crate::relations::draw::Dice;
-use crate::relations::form::cut;
+use crate::relations::form::exported::{Exported, through_mgf, through_three_ds};
 use crate::relations::form::motion::Motion;
-use crate::relations::judge::{Claim, Law};
+use crate::relations::form::{cut, pictured};
+use crate::relations::judge::{Claim, Law, Numbers};
 use crate::relations::render::{Estimator, Trouble};
 use crate::relations::scene::{DrawnScene, Object, Shape};
+use std::sync::Arc;
 use traylib_math::glam::{DMat3, DVec3};
 
 /// What rounding may shift where random numbers fall alike: the few paths that meet
@@ -45,7 +47,15 @@ pub enum Change {
     TrianglesAsMeshes,
     /// Lamps in two pieces.
     LampsInTwo,
-    /// Twice, four times … as bright.
+    /// Most of it in an MGF file, in grey.
+    ThroughMgf,
+    /// Most of it in 3DS files.
+    ThroughThreeDs,
+    /// Pictures of one colour for colours.
+    ColoursAsPictures,
+    /// Panes as mirrors with holes.
+    PanesAsHoles,
+    /// A quarter as bright.
     Brighter,
 }
 
@@ -56,11 +66,13 @@ struct Changed {
     flipped: bool,
     /// In words.
     how: String,
+    /// What it is held against, if not the scene itself.
+    before: Option<DrawnScene>,
 }
 
 impl Change {
     /// All of them.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 18] = [
         Self::MovedByHalves,
         Self::Moved,
         Self::QuarterTurned,
@@ -74,6 +86,10 @@ impl Change {
         Self::MeshesAsTriangles,
         Self::TrianglesAsMeshes,
         Self::LampsInTwo,
+        Self::ThroughMgf,
+        Self::ThroughThreeDs,
+        Self::ColoursAsPictures,
+        Self::PanesAsHoles,
         Self::Brighter,
     ];
 
@@ -81,7 +97,7 @@ impl Change {
     /// what is seen.
     fn apply(self, scene: &DrawnScene, dice: &mut Dice) -> Option<Changed> {
         let changed = |how: String, scene: DrawnScene, law: Law| {
-            Some(Changed { scene, law, flipped: false, how })
+            Some(Changed { scene, law, flipped: false, how, before: None })
         };
         let moved = |motion: Motion, law: Law| {
             let Motion { scale, shift, .. } = motion;
@@ -121,7 +137,13 @@ impl Change {
             Self::Mirrored if is_clear && !has_quads_with_pictures(scene) => {
                 let mirror = Motion::turn(DMat3::from_diagonal(DVec3::new(-1.0, 1.0, 1.0)));
                 let how = String::from("left for right");
-                Some(Changed { scene: mirror.scene(scene), law: ROUGHLY, flipped: true, how })
+                Some(Changed {
+                    scene: mirror.scene(scene),
+                    law: ROUGHLY,
+                    flipped: true,
+                    how,
+                    before: None,
+                })
             }
             Self::Backwards if is_clear => cut(cut::backwards(scene)),
             Self::BoxesAsQuads => {
@@ -131,6 +153,16 @@ impl Change {
             Self::MeshesAsTriangles if is_clear => cut(cut::meshes_as_triangles(scene)),
             Self::TrianglesAsMeshes if is_clear => cut(cut::triangles_as_meshes(scene)),
             Self::LampsInTwo if is_clear => cut(cut::lamps_in_two(scene)),
+            Self::ColoursAsPictures => {
+                let (plain, pictured) = pictured::colours_as_pictures(scene)?;
+                let claim = changed(format!("{self:?}"), pictured, NEARLY)?;
+                Some(Changed { before: Some(plain), ..claim })
+            }
+            Self::PanesAsHoles => {
+                let (plain, pictured) = pictured::panes_as_holes(scene)?;
+                let claim = changed(format!("{self:?}"), pictured, ROUGHLY)?;
+                Some(Changed { before: Some(plain), ..claim })
+            }
             // What rounding may decide is left out.
             Self::MovedByHalves
             | Self::Moved
@@ -143,6 +175,8 @@ impl Change {
             | Self::MeshesAsTriangles
             | Self::TrianglesAsMeshes
             | Self::LampsInTwo
+            | Self::ThroughMgf
+            | Self::ThroughThreeDs
             | Self::Brighter => None,
         }
     }
@@ -163,9 +197,25 @@ pub(super) fn claims(
     if change == Change::Brighter {
         return brighter(subject, dice);
     }
-    let Some(Changed { scene, law, flipped, how }) = change.apply(subject.drawn, dice) else {
+    if change == Change::ThroughMgf {
+        return exported(through_mgf(subject.drawn, "other"), subject, dice);
+    }
+    if change == Change::ThroughThreeDs {
+        return exported(through_three_ds(subject.drawn, "other"), subject, dice);
+    }
+    let Some(Changed { scene, law, flipped, how, before }) = change.apply(subject.drawn, dice)
+    else {
         return Ok(Vec::new());
     };
+    let before = before.as_ref().unwrap_or(subject.drawn);
+    let estimator = who_may_tell(before, law, dice);
+    let claim = alike([before, &scene], subject.workshop, estimator, &how, law)?;
+    Ok(vec![Claim { flipped, ..claim }])
+}
+
+/// Any program; where walks from lamps see other surfaces than walks from the camera,
+/// what they lack depends on weights, and these on where things are.
+fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
     let programs = [
         Program::PureMc,
         Program::Combined,
@@ -173,11 +223,29 @@ pub(super) fn claims(
         Program::BdptPower,
         Program::Particle,
     ];
-    // Where walks from lamps see other surfaces, what they lack depends on weights.
-    let alike_from_both_ends = subject.drawn.fronts_are_alike() || law == Law::SameBits;
-    let program = dice.pick(if alike_from_both_ends { &programs } else { &programs[..3] });
-    let claim = alike(subject, &scene, Estimator::Program(program), &how, law)?;
-    Ok(vec![Claim { flipped, ..claim }])
+    let any = scene.fronts_are_alike() || law == Law::SameBits;
+    Estimator::Program(dice.pick(if any { &programs } else { &programs[..3] }))
+}
+
+/// The scene through another format against the same in ours.
+fn exported(
+    exported: Option<Exported>,
+    subject: &Subject<'_>,
+    dice: &mut Dice,
+) -> Result<Vec<Claim>, Trouble> {
+    let Some(Exported { arranged, files }) = exported else { return Ok(Vec::new()) };
+    let estimator = who_may_tell(&arranged, NEARLY, dice);
+    let here = Arc::new(subject.workshop.build(&arranged)?);
+    let there = Arc::new(subject.workshop.load(&files, arranged.max_depth)?);
+    Ok(vec![Claim {
+        what: format!("through another format, {}", name(estimator)),
+        left: side(&arranged, &here, estimator),
+        right: side(&arranged, &there, estimator),
+        flipped: false,
+        factor: 1.0,
+        law: NEARLY,
+        numbers: Numbers::Common,
+    }])
 }
 
 /// All lamps a quarter as bright: a quarter of the picture, exactly.
@@ -186,8 +254,9 @@ fn brighter(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Troubl
     scene.objects.iter_mut().for_each(|object| object.emission *= 0.25);
     scene.lights.iter_mut().for_each(|light| light.intensity *= 0.25);
     let program = dice.pick(&[Program::Combined, Program::BdptPower, Program::Particle]);
-    let law = Law::SameMean(1e-9);
-    let claim = alike(subject, &scene, Estimator::Program(program), "a quarter as bright", law)?;
+    let (estimator, law) = (Estimator::Program(program), Law::SameMean(1e-9));
+    let scenes = [subject.drawn, &scene];
+    let claim = alike(scenes, subject.workshop, estimator, "a quarter as bright", law)?;
     Ok(vec![Claim { factor: 4.0, ..claim }])
 }
 

@@ -23,7 +23,8 @@ pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
     let [front, back] = [mean(&sides[0])?, mean(&sides[1])?];
     let nearer = usize::from((back - here).abs() < (front - here).abs());
     let what = "a light on a surface is on one side of it";
-    Ok(vec![alike(subject, &sides[nearer], estimator, what, Law::SameMean(0.03))?])
+    let scenes = [subject.drawn, &sides[nearer]];
+    Ok(vec![alike(scenes, subject.workshop, estimator, what, Law::SameMean(0.03))?])
 }
 
 /// The scene with its first light that lies on a surface moved to either side.

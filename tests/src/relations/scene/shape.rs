@@ -64,6 +64,16 @@ impl Mesh {
         Self { positions, triangles, normals: None, uvs: None }
     }
 
+    /// Adds the triangles of another mesh, which has normals if this one has.
+    pub fn join(&mut self, other: &Self) {
+        let first = self.positions.len() as u32;
+        self.positions.extend(&other.positions);
+        self.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|i| i + first)));
+        if let (Some(normals), Some(others)) = (&mut self.normals, &other.normals) {
+            normals.extend(others);
+        }
+    }
+
     /// The corners of each triangle.
     pub fn corners(&self) -> impl Iterator<Item = [Vec3; 3]> {
         let place = |index: u32| self.positions[index as usize];
