@@ -4,6 +4,7 @@ use crate::stability::column::Column;
 use crate::stability::{closed, crowded, plate};
 use traylib_geometry::Vec3;
 use traylib_integrators::BlindSpot;
+use traylib_io::{LoadOptions, load_scene_with};
 use traylib_scene::Scene;
 
 /// A scene that breaks something.
@@ -53,8 +54,10 @@ impl FailureScene {
     pub fn build(&self) -> Scene {
         match self.source {
             Source::File(name) => {
-                let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/failure");
-                let loaded = traylib_io::load_scene(&format!("{folder}/{name}.ron"));
+                let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes");
+                // One of them includes a scene from the folder above.
+                let options = LoadOptions { root: Some(scenes.as_ref()), ..Default::default() };
+                let loaded = load_scene_with(&format!("{scenes}/failure/{name}.ron"), options);
                 loaded.unwrap_or_else(|error| panic!("{name}: {error}")).scene
             }
             Source::Built(build) => build(),
