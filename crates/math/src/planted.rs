@@ -64,11 +64,15 @@ pub enum Defect {
     PointInSurfaceLost,
     /// Long paths that survive count no more.
     LongPathsUnpaid,
+    /// The light tree takes tubes and cones for flat lamps.
+    TubeTakenForFlat,
+    /// Lamps are chosen by power alone, so that a faint one starts no light path.
+    FaintLampUnchosen,
 }
 
 impl Defect {
     /// All of them.
-    pub const ALL: [Self; 26] = [
+    pub const ALL: [Self; 28] = [
         Self::SplatCosine,
         Self::LightPathsIgnoredInWeights,
         Self::LightPathsDividedTwice,
@@ -95,6 +99,8 @@ impl Defect {
         Self::LampStaysFlush,
         Self::PointInSurfaceLost,
         Self::LongPathsUnpaid,
+        Self::TubeTakenForFlat,
+        Self::FaintLampUnchosen,
     ];
 }
 

@@ -8,7 +8,7 @@ use crate::seat::Seat;
 use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
 use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides};
 use traylib_materials::Material;
-use traylib_math::{DiscreteDistribution, Rgb, Vec3};
+use traylib_math::{Defect, DiscreteDistribution, Rgb, Vec3, planted};
 
 /// A lamp starts no fewer light paths than this part of what it would if all were
 /// alike. It costs the others at most as much of theirs, and a lamp that outshines
@@ -160,8 +160,9 @@ impl SceneBuilder {
     pub fn build(self) -> Result<Scene, Error> {
         let Self { mut lights, surfaces, .. } = self;
         let powers: Vec<f32> = lights.iter().map(|l| l.power().luminance()).collect();
+        let rarest = if planted(Defect::FaintLampUnchosen) { 0.0 } else { RAREST };
         let light_by_power =
-            DiscreteDistribution::with_floor(&powers, RAREST).ok_or(Error::Dark)?;
+            DiscreteDistribution::with_floor(&powers, rarest).ok_or(Error::Dark)?;
         let mut shapes = Bvh::of_shapes(self.shapes)?;
         let lifted_lamps = coincidence::lift_lamps(&mut shapes, &surfaces, &mut lights)?;
         let seats = seats(&lights, &surfaces, &self.materials, shapes.shapes());
