@@ -45,34 +45,30 @@ pub fn sides_of_box(shape: &Shape) -> Vec<Shape> {
 
 /// Two triangles for each quad without pictures.
 pub fn quads_as_triangles(scene: &DrawnScene) -> Option<DrawnScene> {
-    everywhere(scene, |object| match object.shape {
-        Shape::Quad([corner, u, v]) if !object.material.has_maps() => {
-            let [a, b, c, d] = [corner, corner + u, corner + u + v, corner + v];
-            let halves = [[a, b, c], [a, c, d]];
-            Some(halves.map(|half| object.with_shape(Shape::Triangle(half))).into())
-        }
-        _ => None,
+    everywhere(scene, |object| {
+        let Shape::Quad([corner, u, v]) = object.shape else { return None };
+        let [a, b, c, d] = [corner, corner + u, corner + u + v, corner + v];
+        let halves = [[a, b, c], [a, c, d]].map(|half| object.with_shape(Shape::Triangle(half)));
+        (!object.material.has_maps()).then(|| halves.into())
     })
 }
 
 /// Each triangle of a mesh for itself, where it has neither normals nor pictures.
 pub fn meshes_as_triangles(scene: &DrawnScene) -> Option<DrawnScene> {
-    everywhere(scene, |object| match &object.shape {
-        Shape::Mesh(mesh) if mesh.normals.is_none() && !object.material.has_maps() => Some(
-            mesh.corners().map(|corners| object.with_shape(Shape::Triangle(corners))).collect(),
-        ),
-        _ => None,
+    everywhere(scene, |object| {
+        let Shape::Mesh(mesh) = &object.shape else { return None };
+        let is_plain = mesh.normals.is_none() && !object.material.has_maps();
+        let triangle = |corners| object.with_shape(Shape::Triangle(corners));
+        is_plain.then(|| mesh.corners().map(triangle).collect())
     })
 }
 
 /// A mesh of one triangle for each triangle.
 pub fn triangles_as_meshes(scene: &DrawnScene) -> Option<DrawnScene> {
-    everywhere(scene, |object| match object.shape {
-        Shape::Triangle(corners) => {
-            let mesh = Mesh::flat(corners.into(), vec![[0, 1, 2]]);
-            Some(vec![object.with_shape(Shape::Mesh(mesh))])
-        }
-        _ => None,
+    everywhere(scene, |object| {
+        let Shape::Triangle(corners) = object.shape else { return None };
+        let mesh = Mesh::flat(corners.into(), vec![[0, 1, 2]]);
+        Some(vec![object.with_shape(Shape::Mesh(mesh))])
     })
 }
 

@@ -22,7 +22,7 @@ pub struct Exported {
 pub fn through_mgf(scene: &DrawnScene, stem: &str) -> Option<Exported> {
     let scene = &greyed(scene);
     let (inside, outside): (Vec<Object>, Vec<Object>) =
-        scene.objects.iter().map(mgf_would_say).partition(|object| mgf::can_say(object));
+        scene.objects.iter().map(mgf_would_say).partition(mgf::can_say);
     if inside.is_empty() {
         return None;
     }

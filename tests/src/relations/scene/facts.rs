@@ -40,25 +40,24 @@ impl DrawnScene {
         self.objects.iter().filter(one_sided).all(|object| {
             let bounds = object.shape.bounds();
             let inside = |point: Vec3| bounds.contains(point);
-            match &object.shape {
-                Shape::Sphere { inward: true, .. } => self.objects.iter().all(|other| {
+            if let Shape::Sphere { inward: true, .. } = object.shape {
+                return self.objects.iter().all(|other| {
                     let inner = other.shape.bounds();
                     inside(inner.min) && inside(inner.max)
-                }),
-                shape if shape.is_solid() => {
-                    let lights = self.lights.iter().map(|light| light.position);
-                    let lamps = self.objects.iter().filter(|other| !std::ptr::eq(*other, object));
-                    let apart = |other: &Object| {
-                        let o = other.shape.bounds();
-                        let overlap =
-                            o.min.cmple(bounds.max).all() && bounds.min.cmple(o.max).all();
-                        // A room around it overlaps, and is no matter.
-                        !overlap || o.min.cmplt(bounds.min).all() && o.max.cmpgt(bounds.max).all()
-                    };
-                    !lights.chain([self.camera.position]).any(inside) && { lamps }.all(apart)
-                }
-                _ => false,
+                });
             }
+            let lights = self.lights.iter().map(|light| light.position);
+            let others = self.objects.iter().filter(|other| !std::ptr::eq(*other, object));
+            let apart = |other: &Object| {
+                let o = other.shape.bounds();
+                let overlap = o.min.cmple(bounds.max).all() && bounds.min.cmple(o.max).all();
+                // A room around it overlaps, and is no matter.
+                !overlap || o.min.cmplt(bounds.min).all() && o.max.cmpgt(bounds.max).all()
+            };
+            object.shape.is_solid() && !lights.chain([self.camera.position]).any(inside) && {
+                others
+            }
+            .all(apart)
         })
     }
 
