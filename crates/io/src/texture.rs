@@ -82,6 +82,9 @@ pub struct Texture {
     /// Opacity from 0 to 1, in EXR as stored; of the same size. `None` if every pixel is
     /// opaque.
     pub alpha: Option<Grid<f32>>,
+    /// Whether the file says that its opacity is undefined and only to be kept, as TGA
+    /// can: who shows the picture takes it for opaque.
+    pub alpha_is_undefined: bool,
     /// How the numbers in the file stand for light.
     pub coding: Coding,
     /// What was repaired.
@@ -149,6 +152,7 @@ pub fn load_texture(path: &Path, limits: TextureLimits) -> Result<Texture, Error
         return Ok(Texture {
             pixels,
             alpha: alpha.filter(|alpha| !is_opaque(alpha)),
+            alpha_is_undefined: false,
             coding: Coding::Linear,
             warnings: Vec::new(),
         });
@@ -166,11 +170,17 @@ pub fn texture_from_bytes(
     name: &Path,
     limits: TextureLimits,
 ) -> Result<Texture, Error> {
-    let Decoded { pixels, alpha, coding, repairs } =
+    let Decoded { pixels, alpha, alpha_is_undefined, coding, repairs } =
         decode(bytes, name, limits).map_err(|cause| in_file(name, cause))?;
     let file = name.display().to_string();
     let warning = |what: &str| Warning { file: file.clone(), what: what.to_string(), count: 1 };
-    Ok(Texture { pixels, alpha, coding, warnings: repairs.into_iter().map(warning).collect() })
+    Ok(Texture {
+        pixels,
+        alpha,
+        alpha_is_undefined,
+        coding,
+        warnings: repairs.into_iter().map(warning).collect(),
+    })
 }
 
 fn in_file(path: &Path, cause: TextureError) -> Error {
@@ -190,6 +200,7 @@ fn read(path: &Path, limits: TextureLimits) -> Result<Vec<u8>, TextureError> {
 struct Decoded {
     pixels: Grid<Rgb>,
     alpha: Option<Grid<f32>>,
+    alpha_is_undefined: bool,
     coding: Coding,
     /// What was repaired, in words, each kind once.
     repairs: Vec<&'static str>,

@@ -41,7 +41,7 @@ pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
     for warning in &picture.warnings {
         say(format_args!("warning: {warning}"));
     }
-    if picture.alpha.is_some() {
+    if picture.alpha.is_some() && !picture.alpha_is_undefined {
         say(format_args!("warning: {}: opacity left out, no format has it here", input.display()));
     }
     if let Some(warning) = losses(output, &picture.pixels)? {

@@ -134,7 +134,8 @@ fn pixels(picture: &texture::Texture, usage: Usage) -> Grid<Rgb> {
     let bands = |pixel: Rgb, f: fn(f32) -> f32| Rgb::from(pixel.to_array().map(f));
     let stored = |pixel: &Rgb| if is_coded { bands(*pixel, srgb::encode) } else { *pixel };
     let turned = |pixel: Rgb| if usage.negative { bands(pixel, |x| 1.0 - x) } else { pixel };
-    match (usage.meaning, &picture.alpha) {
+    let alpha = picture.alpha.as_ref().filter(|_| !picture.alpha_is_undefined);
+    match (usage.meaning, alpha) {
         (Meaning::Colour, _) if !usage.negative => picture.pixels.map(|&p| p * usage.factor),
         (Meaning::Colour, _) => picture.pixels.map(|pixel| {
             let negative = turned(stored(pixel));
@@ -183,6 +184,19 @@ mod tests {
         }
     }
 
+    #[test]
+    fn undefined_opacity_is_none() {
+        let picture = |alpha_is_undefined| texture::Texture {
+            pixels: Grid::filled(1, 1, Rgb::BLACK),
+            alpha: Some(Grid::filled(1, 1, 0.25)),
+            alpha_is_undefined,
+            coding: Coding::Srgb,
+            warnings: Vec::new(),
+        };
+        let opacity = |picture| pixels(&picture, Usage::plain(Meaning::Alpha)).values()[0].g;
+        assert_eq!([false, true].map(|undefined| opacity(picture(undefined))), [0.25, 1.0]);
+    }
+
     /// Of any use: zero, and one warning for the file.
     #[test]
     fn numbers_that_are_none_are_zero() {
@@ -211,6 +225,7 @@ mod tests {
         let picture = texture::Texture {
             pixels: Grid::filled(1, 1, Rgb::splat(grey)),
             alpha: Some(Grid::filled(1, 1, 0.75)),
+            alpha_is_undefined: false,
             coding,
             warnings: Vec::new(),
         };

@@ -39,7 +39,13 @@ pub(super) fn decode(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Tex
             pixels.values_mut()[y * width + x] = header.light(value(stored));
         }
     }
-    Ok(Decoded { pixels, alpha: None, coding: Coding::Linear, repairs: Vec::new() })
+    Ok(Decoded {
+        pixels,
+        alpha: None,
+        alpha_is_undefined: false,
+        coding: Coding::Linear,
+        repairs: Vec::new(),
+    })
 }
 
 /// In `f64`, since the least step is too small for a power of an `f32`.

@@ -51,13 +51,15 @@ pub(super) fn tga(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Textur
     }
     let mut decoded = picture("TGA", TgaDecoder::new(Cursor::new(bytes)), limits).map(linear)?;
     let alpha_bits = bytes.get(17).map_or(0, |descriptor| descriptor & 0x0f);
-    let means_something = alpha_bits > 0 && tga_attributes(bytes).is_none_or(|kind| kind > 2);
-    decoded.alpha = decoded.alpha.filter(|_| means_something);
+    let attributes = tga_attributes(bytes);
+    let is_there = alpha_bits > 0 && !matches!(attributes, Some(0 | 1));
+    decoded.alpha = decoded.alpha.filter(|_| is_there);
+    decoded.alpha_is_undefined = attributes == Some(2);
     Ok(decoded)
 }
 
-/// What the extension area of version 2 says of the fourth byte: 0 to 2 that it is no
-/// opacity, more that it is.
+/// What the extension area of version 2 says of the fourth byte: 0 that there is none, 1
+/// that it means nothing, 2 that it is undefined but to be kept, more that it is opacity.
 fn tga_attributes(bytes: &[u8]) -> Option<u8> {
     const KIND: usize = 494;
     let footer = bytes.last_chunk::<26>()?;
@@ -125,6 +127,7 @@ fn decoded<T: Copy>(
     Decoded {
         pixels: Grid::from_values(width, height, colours).expect("one a pixel"),
         alpha: Grid::from_values(width, height, alpha).filter(|_| !is_opaque),
+        alpha_is_undefined: false,
         coding: Coding::Srgb,
         repairs: Vec::new(),
     }

@@ -74,7 +74,12 @@ fn exr_files_are_read_from_disk() {
     let light = Grid::filled(3, 1, Rgb::new(7.0, -1.0, 0.1));
     crate::write_picture(&path, &light, 1.0, &[]).unwrap();
     std::fs::rename(&path, &named).unwrap();
-    let expected =
-        Texture { pixels: light, alpha: None, coding: Coding::Linear, warnings: Vec::new() };
+    let expected = Texture {
+        pixels: light,
+        alpha: None,
+        alpha_is_undefined: false,
+        coding: Coding::Linear,
+        warnings: Vec::new(),
+    };
     assert_eq!(load_texture(&named, TextureLimits::default()).unwrap(), expected);
 }

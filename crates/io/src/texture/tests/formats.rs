@@ -128,9 +128,11 @@ fn tga_may_say_that_its_fourth_byte_is_no_opacity() {
         file.push(kind);
         file.extend([area, 0].iter().flat_map(|offset| offset.to_le_bytes()));
         file.extend(b"TRUEVISION-XFILE.\0");
-        rgba8(&read(&file).unwrap())[0][3]
+        let found = read(&file).unwrap();
+        (rgba8(&found)[0][3], found.alpha_is_undefined)
     };
-    assert_eq!([0, 1, 2, 3, 4].map(opacity), [255, 255, 255, 0, 0]);
+    let expected = [(255, false), (255, false), (0, true), (0, false), (0, false)];
+    assert_eq!([0, 1, 2, 3, 4].map(opacity), expected);
 }
 
 /// The colour i of the headers of [`made::pcx`].
