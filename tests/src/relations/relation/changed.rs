@@ -129,6 +129,10 @@ impl Change {
             }
             Self::ScaledByPowerOfTwo => {
                 let power = dice.pick(&[-40, -14, -3, -1, 1, 2, 7, 20, 33]);
+                // Squares of lengths must not leave single precision, nor what is
+                // divided by them.
+                let least = (1e-15 / scene.finest()).log2() as i32;
+                let power = power.clamp(least, (1e15 / scene.reach()).log2() as i32);
                 moved(Motion::scale(f64::from(power).exp2()), Law::SameBits)
             }
             Self::Scaled if is_clear => {
@@ -233,6 +237,7 @@ fn exported(
     subject: &Subject<'_>,
     dice: &mut Dice,
 ) -> Result<Vec<Claim>, Trouble> {
+    let exported = exported.filter(|_| subject.drawn.is_clear());
     let Some(Exported { arranged, files }) = exported else { return Ok(Vec::new()) };
     let estimator = who_may_tell(&arranged, NEARLY, dice);
     let here = Arc::new(subject.workshop.build(&arranged)?);

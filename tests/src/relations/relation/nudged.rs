@@ -7,8 +7,9 @@ use crate::relations::judge::{Claim, Law};
 use crate::relations::render::{Estimator, Trouble};
 use crate::relations::scene::{DrawnScene, Light};
 
-/// How far a light is moved, as a part of the size of its surface.
-const NUDGE: f32 = 1e-3;
+/// How far a light is moved, as a part of the size of its surface; ten times as far
+/// as it may be off it.
+const NUDGE: f32 = 1e-5;
 
 /// The picture is that of the light a little off the surface, to that side to which
 /// it is nearer.
@@ -29,7 +30,7 @@ pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
 
 /// The scene with its first light that lies on a surface moved to either side.
 fn off_the_surface(scene: &DrawnScene) -> Option<[DrawnScene; 2]> {
-    let normal = |light: &Light| scene.surface_at(light.position);
+    let normal = |light: &Light| scene.surface_at(light.position, 0.1 * NUDGE);
     let (index, step) = scene.lights.iter().enumerate().find_map(|(i, l)| Some((i, normal(l)?)))?;
     Some([NUDGE, -NUDGE].map(|nudge| {
         let mut moved = scene.clone();

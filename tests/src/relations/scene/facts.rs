@@ -77,13 +77,13 @@ impl DrawnScene {
     /// which side of it is decided by rounding.
     pub fn has_point_on_surface(&self) -> bool {
         let lights = self.lights.iter().map(|light| light.position);
-        lights.chain([self.camera.position]).any(|point| self.surface_at(point).is_some())
+        lights.chain([self.camera.position]).any(|point| self.surface_at(point, 1e-3).is_some())
     }
 
-    /// The normal of the surface that a point lies on, or nearly, as long as the
-    /// surface is large.
-    pub fn surface_at(&self, point: Vec3) -> Option<Vec3> {
-        self.objects.iter().find_map(|object| surface_at(point, &object.shape))
+    /// The normal of a surface that a point lies on, or off by this part of its size
+    /// at most; as long as the surface is large.
+    pub fn surface_at(&self, point: Vec3, off: f32) -> Option<Vec3> {
+        self.objects.iter().find_map(|object| surface_at(point, &object.shape, off))
     }
 
     /// Whether all glass is the boundary of something, and the camera outside.
@@ -107,6 +107,12 @@ impl DrawnScene {
         }
     }
 
+    /// The size of the smallest thing.
+    pub fn finest(&self) -> f32 {
+        let size = |object: &Object| object.shape.bounds().extent().max_element();
+        self.objects.iter().map(size).fold(f32::INFINITY, f32::min)
+    }
+
     /// A distance from the origin beyond which there is nothing.
     pub fn reach(&self) -> f32 {
         let reach = |object: &Object| {
@@ -118,16 +124,16 @@ impl DrawnScene {
     }
 }
 
-fn surface_at(point: Vec3, shape: &Shape) -> Option<Vec3> {
+fn surface_at(point: Vec3, shape: &Shape, off: f32) -> Option<Vec3> {
     if let &Shape::Sphere { centre, radius, .. } = shape {
         let away = point - centre;
-        return ((away.length() / radius - 1.0).abs() < 1e-3).then_some(away);
+        return ((away.length() / radius - 1.0).abs() < off).then_some(away);
     }
     flats(shape).iter().find_map(|flat| {
         let size = flat.bounds.extent().length();
         let away = flat.normal.as_dvec3().dot(point.as_dvec3()) - flat.offset;
-        let is_near = away.abs() < f64::from(1e-3 * size);
-        let bounds = flat.bounds.grown(Vec3::splat(1e-3 * size));
+        let is_near = away.abs() < f64::from(off * size);
+        let bounds = flat.bounds.grown(Vec3::splat(off * size));
         (is_near && bounds.contains(point)).then_some(flat.normal * size)
     })
 }
