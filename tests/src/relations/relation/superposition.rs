@@ -1,7 +1,7 @@
 //! The light of all lamps is the sum of that of each.
 
 use super::who::{part, sees};
-use super::{Subject, name, side};
+use super::{Subject, name};
 use crate::programs::Program;
 use crate::relations::draw::Dice;
 use crate::relations::judge::{Claim, Law, Numbers, Part, Side};
@@ -11,6 +11,12 @@ use traylib_math::Vec3;
 
 /// More lamps than this take too long.
 const MOST: usize = 4;
+
+/// No lamp is rarer than one seventeenth of its share of all lamps
+/// (`docs/conventions.md`, "Choosing a lamp").
+const RARITY: f64 = 17.0;
+/// For a first idea of how much light each lamp brings.
+const PASSES: u32 = 8;
 
 /// By one program.
 pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
@@ -24,18 +30,39 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim
     if programs.is_empty() {
         return Ok(Vec::new());
     }
-    let estimator = Estimator::Program(dice.pick(&programs));
+    let program = dice.pick(&programs);
+    let estimator = Estimator::Program(program);
     let parts: Result<Vec<Part>, Trouble> =
         single.iter().map(|scene| Ok(part(scene, &subject.build(scene)?, estimator))).collect();
+    let parts = parts?;
+    let mut whole = part(subject.drawn, &subject.built, estimator);
+    if program == Program::Particle {
+        whole.brightest = brightest_of_all(subject, &parts)?;
+    }
     Ok(vec![Claim {
         what: format!("all lamps = the sum of {}, {}", single.len(), name(estimator)),
-        left: side(subject.drawn, &subject.built, estimator),
-        right: Side::Rendered(parts?),
+        left: Side::Rendered(vec![whole]),
+        right: Side::Rendered(parts),
         flipped: false,
         factor: 1.0,
         law: Law::SameMean(2e-5),
         numbers: Numbers::Own,
     }])
+}
+
+/// As bright as samples can be on average, where lamps take turns: those of each lamp
+/// alone, as often as it brings light, and brighter by as much as it is rare.
+fn brightest_of_all(subject: &Subject<'_>, parts: &[Part]) -> Result<f64, Trouble> {
+    let (mut light, mut brightness) = (0.0, 0.0);
+    for part in parts {
+        let cells = subject.workshop.render(&part.built, part.estimator, 1, PASSES)?;
+        let mean = cells.values[0].iter().sum::<f64>() / f64::from(PASSES);
+        light += mean;
+        brightness += mean * part.brightest;
+    }
+    // If none brings any, there is nothing to be accused of.
+    let mean = if light > 0.0 { brightness / light } else { f64::INFINITY };
+    Ok(RARITY * parts.len() as f64 * mean)
 }
 
 /// The scene with one thing that shines, for each of them.
