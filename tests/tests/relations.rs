@@ -67,14 +67,6 @@ fn scenes_that_were_caught_keep_all_relations() {
     }
 }
 
-/// What is not mended yet can at least be read.
-#[test]
-fn open_cases_can_be_read() {
-    for file in files(&folder().join("open")).unwrap() {
-        Case::read(&file).unwrap();
-    }
-}
-
 /// To the letter, but for files of shapes, in which corners are not shared.
 #[test]
 fn scenes_come_back_from_their_files() {
