@@ -25,8 +25,8 @@ Usage: cargo xtask relations [OPTIONS]
   --relation NAME     this relation alone
   --shrink SECONDS    how long to look for a smaller scene where one is broken
                       [default: 20]
-  --passes N          passes of the first look [default: 64]
-  --changes N         forms of each scene to try [default: 4]
+  --passes N          passes of the first look [default: 128]
+  --changes N         forms of each scene to try [default: 6]
 
 Exit status: 0 all hold, 1 not so, 2 the command line was not understood.";
 

@@ -46,7 +46,7 @@ fn room(dice: &mut Dice) -> DrawnScene {
         let thing = thing(dice, &space);
         objects.push(thing);
     }
-    if dice.chance(0.04) {
+    if dice.chance(0.1) {
         objects.push(lamp::sun(dice, &space));
     }
     finish(dice, &space, objects, lights)
@@ -82,10 +82,6 @@ fn open(dice: &mut Dice) -> DrawnScene {
     for _ in 0..dice.below(4) {
         let thing = thing(dice, &space);
         objects.push(thing);
-    }
-    if !lights.is_empty() && dice.chance(0.1) {
-        lights[0].position = on_a_ball(dice, &space, &mut objects);
-        lights[0].spot = None;
     }
     finish(dice, &space, objects, lights)
 }
@@ -123,9 +119,13 @@ fn space(dice: &mut Dice) -> DrawnScene {
 fn finish(
     dice: &mut Dice,
     space: &Enclosure,
-    objects: Vec<Object>,
-    lights: Vec<Light>,
+    mut objects: Vec<Object>,
+    mut lights: Vec<Light>,
 ) -> DrawnScene {
+    if !lights.is_empty() && dice.chance(0.15) {
+        lights[0].position = on_a_ball(dice, space, &mut objects);
+        lights[0].spot = None;
+    }
     let camera = camera::within(dice, space, &objects);
     let max_depth = Some(dice.pick(&[2, 2, 3, 3, 4, 5, 6]));
     let mut scene = DrawnScene { camera, objects, lights, max_depth };

@@ -4,6 +4,7 @@
 mod changed;
 mod furnace;
 mod nudged;
+mod outsider;
 mod programs;
 mod right;
 mod superposition;
@@ -35,6 +36,8 @@ pub enum Relation {
     Changed(Change),
     /// The light of all lamps is the sum of that of each.
     Superposition,
+    /// A lamp outside of a closed room changes nothing within.
+    Outsider,
     /// Surfaces that lose nothing, under a sky of radiance 1, are not to be seen.
     WhiteFurnace,
     /// Nothing under a sky of radiance 1 is brighter than the sky.
@@ -63,6 +66,7 @@ impl Relation {
             Self::Programs,
             Self::Techniques,
             Self::Superposition,
+            Self::Outsider,
             Self::WhiteFurnace,
             Self::NoGain,
         ];
@@ -81,6 +85,7 @@ impl Relation {
             Self::Techniques => Ok(techniques::claims(subject, dice)),
             Self::Changed(change) => changed::claims(change, subject, dice),
             Self::Superposition => superposition::claims(subject, dice),
+            Self::Outsider => outsider::claims(subject, dice),
             Self::WhiteFurnace => furnace::white(subject, dice),
             Self::NoGain => furnace::no_gain(subject),
         }
@@ -107,6 +112,7 @@ impl fmt::Display for Relation {
             | Self::Programs
             | Self::Techniques
             | Self::Superposition
+            | Self::Outsider
             | Self::WhiteFurnace
             | Self::NoGain => write!(f, "{self:?}"),
         }

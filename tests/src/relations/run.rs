@@ -38,8 +38,8 @@ impl Default for Plan {
         Self {
             scenes: 0..5000,
             seed: 1,
-            passes: 64,
-            changes: 4,
+            passes: 128,
+            changes: 6,
             only: None,
             patience: Duration::from_mins(1),
             shrink: Some(Duration::from_secs(20)),

@@ -48,7 +48,7 @@ fn ceiling(dice: &mut Dice, space: &Enclosure, size: f32) -> Shape {
 fn lamp_material(dice: &mut Dice, shape: &Shape) -> Material {
     match dice.below(10) {
         0 => Material::grey(0.5),
-        1 => {
+        1 | 4 => {
             let part = Lobes::diffuse(Vec3::splat(0.8));
             Material::plain(Base::Sheet(Lobes::NONE, part))
         }

@@ -1,6 +1,6 @@
 //! The light of all lamps is the sum of that of each.
 
-use super::who::{part, sees};
+use super::who::{RARITY, part, sees};
 use super::{Subject, name};
 use crate::programs::Program;
 use crate::relations::draw::Dice;
@@ -12,9 +12,6 @@ use traylib_math::Vec3;
 /// More lamps than this take too long.
 const MOST: usize = 4;
 
-/// No lamp is rarer than one seventeenth of its share of all lamps
-/// (`docs/conventions.md`, "Choosing a lamp").
-const RARITY: f64 = 17.0;
 /// For a first idea of how much light each lamp brings.
 const PASSES: u32 = 8;
 
@@ -62,7 +59,7 @@ fn brightest_of_all(subject: &Subject<'_>, parts: &[Part]) -> Result<f64, Troubl
     }
     // If none brings any, there is nothing to be accused of.
     let mean = if light > 0.0 { brightness / light } else { f64::INFINITY };
-    Ok(RARITY * parts.len() as f64 * mean)
+    Ok(RARITY * subject.built.scene.lights().len() as f64 * mean)
 }
 
 /// The scene with one thing that shines, for each of them.

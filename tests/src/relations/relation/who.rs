@@ -17,6 +17,10 @@ use traylib_scene::{Camera, Scene};
 /// to be met at all.
 const SHARP: f32 = 20.0;
 
+/// No lamp starts fewer light paths than one seventeenth of its share if all had the
+/// same (`docs/conventions.md`, "Choosing a lamp").
+pub(super) const RARITY: f64 = 17.0;
+
 /// Whether this program is not blind here, and its noise can be judged.
 pub(super) fn sees(subject: &Subject<'_>, program: Program) -> bool {
     let drawn = subject.drawn;
@@ -52,7 +56,8 @@ pub(super) fn part(drawn: &DrawnScene, built: &Arc<Built>, estimator: Estimator)
         | Estimator::Among(_) => brightest_walk(drawn, built),
     };
     let walks_hit = matches!(estimator, Estimator::Program(Program::PureMc | Program::Particle));
-    let is_rare = walks_hit || drawn.has_mirrors() || drawn.sharpest() > SHARP;
+    let is_rare =
+        walks_hit || drawn.has_mirrors() || drawn.sharpest() > SHARP || drawn.has_bright_spots();
     Part { built: Arc::clone(built), estimator, brightest, is_rare }
 }
 

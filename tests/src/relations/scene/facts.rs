@@ -1,6 +1,6 @@
 //! What is in a scene, as far as relations depend on it.
 
-use super::{Base, DrawnScene, Object, Shape};
+use super::{Base, DrawnScene, Material, Object, Shape};
 use traylib_geometry::Sides;
 use traylib_math::Vec3;
 
@@ -105,6 +105,24 @@ impl DrawnScene {
         if self.lights.is_empty() && !self.objects.iter().any(Object::is_lamp) {
             self.objects[0].emission = Vec3::ONE;
         }
+    }
+
+    /// Whether a lamp that is small to the camera lights something at once beside it, or
+    /// itself: a bright spot on the film that few rays find.
+    pub fn has_bright_spots(&self) -> bool {
+        self.objects.iter().filter(|object| object.is_lamp()).any(|lamp| {
+            let bounds = lamp.shape.bounds();
+            let size = bounds.extent().length();
+            let away = (bounds.centre() - self.camera.position).length();
+            let near = bounds.grown(Vec3::splat(3.0 * size));
+            let is_beside = |other: &Object| {
+                let o = other.shape.bounds();
+                let overlaps = o.min.cmple(near.max).all() && near.min.cmple(o.max).all();
+                overlaps && !std::ptr::eq(other, lamp)
+            };
+            let lights_itself = lamp.material != Material::grey(0.0);
+            size < 0.1 * away && (lights_itself || self.objects.iter().any(is_beside))
+        })
     }
 
     /// The size of the smallest thing.
