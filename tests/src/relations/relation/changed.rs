@@ -18,6 +18,14 @@ const NEARLY: Law = Law::SameMean(2e-5);
 /// What it may shift where they do not.
 const ROUGHLY: Law = Law::SameMean(5e-5);
 
+/// What rounding may shift where coordinates are others: each end of the smallest thing
+/// is known to half a unit in the last place of the largest coordinate, which counts twice
+/// in its area.
+fn rounded(moved: &DrawnScene) -> Law {
+    let of_the_smallest = 2.0 * f32::EPSILON * moved.reach() / moved.finest();
+    Law::SameMean(f64::from(of_the_smallest).max(2e-5))
+}
+
 /// What is done to the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Change {
@@ -104,6 +112,10 @@ impl Change {
             let how = format!("scaled by {scale:e}, moved by {shift}");
             changed(how, motion.scene(scene), law)
         };
+        let shifted = |shift: DVec3| {
+            let motion = Motion::shift(shift);
+            moved(motion, rounded(&motion.scene(scene)))
+        };
         let cut = |pieces: Option<DrawnScene>| changed(format!("{self:?}"), pieces?, ROUGHLY);
         let is_clear = scene.is_clear();
         let size = f64::from((scene.camera.target - scene.camera.position).length());
@@ -111,11 +123,9 @@ impl Change {
             Self::MovedByHalves if is_clear => {
                 let steps = [0; 3].map(|_| f64::from(dice.below(9)) - 4.0);
                 let unit = (0.5 * size).log2().floor().exp2();
-                moved(Motion::shift(DVec3::from_array(steps) * unit), NEARLY)
+                shifted(DVec3::from_array(steps) * unit)
             }
-            Self::Moved if is_clear => {
-                moved(Motion::shift(dice.direction().as_dvec3() * size), NEARLY)
-            }
+            Self::Moved if is_clear => shifted(dice.direction().as_dvec3() * size),
             Self::QuarterTurned if is_clear => {
                 let scene = boxes_with_pictures_cut(scene);
                 let turn = Motion::turn(quarter_turn(dice));

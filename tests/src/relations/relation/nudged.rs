@@ -1,5 +1,6 @@
-//! Lights on surfaces: rounding may decide on which side of it they are, once for
-//! the whole picture.
+//! Lights on solids: rounding may decide on which side of the surface they are, once for
+//! the whole picture. Of a solid one side is seen, so that a light which shines on both
+//! is, too, as good as one off the surface.
 
 use super::{Subject, alike};
 use crate::programs::Program;
@@ -30,7 +31,7 @@ pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
 
 /// The scene with its first light that lies on a surface moved to either side.
 fn off_the_surface(scene: &DrawnScene) -> Option<[DrawnScene; 2]> {
-    let normal = |light: &Light| scene.surface_at(light.position, 0.1 * NUDGE);
+    let normal = |light: &Light| scene.solid_surface_at(light.position, 0.1 * NUDGE);
     let (index, step) = scene.lights.iter().enumerate().find_map(|(i, l)| Some((i, normal(l)?)))?;
     Some([NUDGE, -NUDGE].map(|nudge| {
         let mut moved = scene.clone();

@@ -86,6 +86,18 @@ impl DrawnScene {
         self.objects.iter().find_map(|object| surface_at(point, &object.shape, off))
     }
 
+    /// The same of a solid, whose two sides are never lit at once for the same picture. A
+    /// light that lies on a sheet shines on both.
+    pub fn solid_surface_at(&self, point: Vec3, off: f32) -> Option<Vec3> {
+        let solids = self.objects.iter().filter(|object| object.shape.is_solid());
+        let sheets = self.objects.iter().filter(|object| !object.shape.is_solid());
+        let on = |object: &Object| surface_at(point, &object.shape, off);
+        if sheets.into_iter().any(|object| on(object).is_some()) {
+            return None;
+        }
+        solids.into_iter().find_map(on)
+    }
+
     /// Whether all glass is the boundary of something, and the camera outside.
     pub fn glass_is_solid(&self) -> bool {
         let is_glass = |object: &&Object| matches!(object.material.base, Base::Glass(_));
