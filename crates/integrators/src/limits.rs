@@ -24,7 +24,7 @@ impl Limits {
 ///
 /// Where no light is lost, in a white room or in light that glass holds, that alone
 /// would never end. So a walk goes on beyond 256 edges with a chance below one whatever
-/// its surfaces keep; see [`longest_chance`].
+/// its surfaces keep; see `longest_chance`.
 ///
 /// The chance scales the estimator alone. It enters no density and no weight,
 /// so it may depend on whatever it likes.
