@@ -59,7 +59,8 @@ pub(crate) fn lift_lamps(
     Ok(heights.len())
 }
 
-/// How high to lift a lamp, in units of [`Primitive::lifted`](traylib_geometry::Primitive::lifted): one, and one more for each
+/// How high to lift a lamp, in units of
+/// [`Primitive::lifted`](traylib_geometry::Primitive::lifted): one, and one more for each
 /// later lamp in its place that faces the same way. `None` if it lies alone.
 fn height(shapes: &Bvh<Shapes<SidedPrimitive>>, surfaces: &[Surface], lamp: u32) -> Option<f32> {
     let others = in_one_place(shapes, lamp);

@@ -135,7 +135,7 @@ impl Scene {
     /// its outline.
     #[cold]
     fn prefer_front(&self, ray: &Ray, hit: &mut Hit, site: &mut SurfaceSite) {
-        let here = Ray { t_max: hit.t * (1.0 + EDGE), ..*ray };
+        let here = Ray { t_max: ray.t_max.min(hit.t * (1.0 + EDGE)), ..*ray };
         for other in self.shapes.all_hits(&here) {
             let there = self.primitive(other.primitive).site(ray, &other);
             if there.normal.dot(ray.direction) < 0.0 {
