@@ -28,7 +28,8 @@ pub struct Coincidences {
     pub points_in_surfaces: usize,
 }
 
-/// Lifts every lamp that lies in one place with another surface; how many there were.
+/// Lifts every lamp that lies in one place with another surface; how many there were,
+/// with those at the limits of numbers, which stay where they are.
 ///
 /// # Errors
 /// Those of the shapes.
@@ -49,7 +50,9 @@ pub(crate) fn lift_lamps(
     let mut all = shapes.shapes().to_vec();
     for &(index, height) in &heights {
         let shape = &mut all[index as usize].primitive;
-        *shape = shape.lifted(height)?;
+        // So far out that there is no number above its own: it stays.
+        let Ok(lifted) = shape.lifted(height) else { continue };
+        *shape = lifted;
         let light = surfaces[index as usize].light.map(|id| &mut lights[id.0 as usize]);
         if let Some(Light::Area { primitive, .. }) = light {
             *primitive = *shape;
@@ -181,6 +184,15 @@ mod tests {
         let scene = scene(&[(square(1.0, 0.0), Sides::Front, 1.0), up], None);
         assert_eq!(scene.coincidences(), Coincidences::default());
         assert!(seen(&scene, 0.0).iter().all(|&radiance| radiance == 1.0));
+    }
+
+    /// A hollow ball so far out that lifted it would have no room within.
+    #[test]
+    fn lamps_that_cannot_be_lifted_stay_where_they_are() {
+        let ball = Sphere::new(Vec3::new(1e5, 0.0, 0.0), 0.1, Facing::Inward).unwrap();
+        let ball = |radiance| (Primitive::Sphere(ball), Sides::Both, radiance);
+        let scene = scene(&[ball(0.0), ball(1.0)], None);
+        assert_eq!(scene.coincidences().lifted_lamps, 1);
     }
 
     /// Of a point light on a ball all points outside see all or nothing.
