@@ -25,7 +25,7 @@ use traylib_math::Vec3;
 const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
 
 /// The least chance of a node that may give a point light, against its neighbour.
-const RAREST: f32 = 1.0 / (1 << 16) as f32;
+const RAREST: f32 = 1.0 / 256.0;
 
 /// The lamps of a scene by place, direction and strength.
 #[derive(Clone, Debug)]

@@ -216,7 +216,7 @@ impl Scene {
 
     /// A lamp to light a surface at `x1`: rather one that is strong, near and
     /// shines there, whatever stands between. A lamp that could light `x1` has a
-    /// chance, and none is so weak that stronger ones leave it less than 2⁻¹⁶ at each
+    /// chance, and none is so weak that stronger ones leave it less than 2⁻⁸ at each
     /// turn of the tree.
     #[inline]
     pub fn choose_light_for(&self, x1: Vec3, u: f64) -> LightChoice<'_> {

@@ -1,6 +1,6 @@
 //! A lamp outside of a closed room: nothing changes within, however strong it is.
 
-use super::who::{RARITY, part, sees};
+use super::who::{OUTSHONE, RARITY, part, sees};
 use super::{Subject, name, side};
 use crate::programs::Program;
 use crate::relations::draw::Dice;
@@ -32,8 +32,10 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim
     let built = Arc::new(subject.workshop.build(&lit)?);
     let within = part(drawn, &subject.built, estimator);
     let mut with = part(&lit, &built, estimator);
-    // It takes light paths away, but for what is every lamp's due.
-    with.brightest = within.brightest * RARITY * built.scene.lights().len() as f64;
+    // It takes choices away, but for what is every lamp's due.
+    let lamps = built.scene.lights().len() as f64;
+    with.brightest = within.brightest * (RARITY * lamps).max(OUTSHONE);
+    with.is_rare = true;
     Ok(vec![Claim {
         what: format!("a lamp outside changes nothing, {}", name(estimator)),
         left: side(drawn, &subject.built, estimator),

@@ -21,6 +21,10 @@ const SHARP: f32 = 20.0;
 /// same (`docs/conventions.md`, "Choosing a lamp").
 pub(super) const RARITY: f64 = 17.0;
 
+/// No lamp that may light a vertex is chosen for it less often than once in so many
+/// times for each lamp that outshines it (the same).
+pub(super) const OUTSHONE: f64 = 256.0;
+
 /// Whether this program is not blind here, and its noise can be judged.
 pub(super) fn sees(subject: &Subject<'_>, program: Program) -> bool {
     let drawn = subject.drawn;
