@@ -10,4 +10,4 @@ pub mod pictured;
 mod ron;
 mod three_ds;
 
-pub use files::Files;
+pub use files::{Files, Placement};

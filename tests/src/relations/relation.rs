@@ -6,6 +6,7 @@ mod furnace;
 mod nudged;
 mod outsider;
 mod programs;
+mod reciprocity;
 mod right;
 mod superposition;
 mod techniques;
@@ -38,8 +39,13 @@ pub enum Relation {
     Superposition,
     /// A lamp outside of a closed room changes nothing within.
     Outsider,
+    /// A lamp and a sensor change places.
+    Reciprocity,
     /// Surfaces that lose nothing, under a sky of radiance 1, are not to be seen.
     WhiteFurnace,
+    /// Fronts that glow by as much as they do not reflect are not to be seen under it
+    /// either.
+    GlowingFurnace,
     /// Nothing under a sky of radiance 1 is brighter than the sky.
     NoGain,
 }
@@ -67,7 +73,9 @@ impl Relation {
             Self::Techniques,
             Self::Superposition,
             Self::Outsider,
+            Self::Reciprocity,
             Self::WhiteFurnace,
+            Self::GlowingFurnace,
             Self::NoGain,
         ];
         alone.into_iter().chain(Change::ALL.map(Self::Changed)).collect()
@@ -86,7 +94,9 @@ impl Relation {
             Self::Changed(change) => changed::claims(change, subject, dice),
             Self::Superposition => superposition::claims(subject, dice),
             Self::Outsider => outsider::claims(subject, dice),
+            Self::Reciprocity => reciprocity::claims(subject, dice),
             Self::WhiteFurnace => furnace::white(subject, dice),
+            Self::GlowingFurnace => furnace::glowing(subject, dice),
             Self::NoGain => furnace::no_gain(subject),
         }
     }
@@ -113,7 +123,9 @@ impl fmt::Display for Relation {
             | Self::Techniques
             | Self::Superposition
             | Self::Outsider
+            | Self::Reciprocity
             | Self::WhiteFurnace
+            | Self::GlowingFurnace
             | Self::NoGain => write!(f, "{self:?}"),
         }
     }

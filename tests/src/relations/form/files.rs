@@ -1,11 +1,26 @@
 //! A scene as files, and back as what the library makes of them.
 
+use super::motion::Motion;
 use super::ron::Entry;
-use super::{picture, ron};
-use crate::relations::scene::{DrawnScene, Picture};
+use super::{mgf, picture, ron};
+use crate::relations::scene::{DrawnScene, Picture, Shape};
 use std::fs;
 use std::io;
 use std::path::Path;
+use traylib_math::Vec3;
+use traylib_math::glam::DMat3;
+
+/// How a scene file places the shapes of other files: scaled, then turned about one
+/// axis by right angles, then moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Metres a unit of the file.
+    pub scale: f32,
+    /// Degrees about x, y and z, of which one is not zero at most.
+    pub rotate: [f32; 3],
+    /// In metres.
+    pub translate: Vec3,
+}
 
 /// A scene file and what has to lie beside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,9 +30,52 @@ pub struct Files {
     /// Names and contents of the others.
     pub beside: Vec<(String, Vec<u8>)>,
     stem: String,
+    placement: Option<Placement>,
+}
+
+impl Placement {
+    /// Where the shape stands in a file that is placed so. Right angles are exact, as
+    /// they are where files are read: else what touches would not touch any more.
+    fn taken_back(&self, shape: &Shape) -> Shape {
+        let [x, y, z] = self.rotate.map(|degrees| f64::from(degrees).to_radians());
+        let turn =
+            DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x);
+        let turn = DMat3::from_cols_array(&turn.to_cols_array().map(f64::round));
+        let (back, scale) = (turn.transpose(), 1.0 / f64::from(self.scale));
+        let shift = back * self.translate.as_dvec3() * -scale;
+        Motion { turn: back, scale, shift }.shape(shape)
+    }
 }
 
 impl Files {
+    /// The same, with every shape that can stand in an MGF file in one of its own, and
+    /// placed from there.
+    pub fn placed(scene: &DrawnScene, stem: &str, placement: Placement) -> Self {
+        let mut files = Self { placement: Some(placement), ..Self::empty(stem) };
+        let entries: Vec<Entry<'_>> = scene.objects.iter().map(Entry::Object).collect();
+        files.text = ron::scene(scene, &entries, &mut files);
+        files
+    }
+
+    /// The words for a shape that stands in an MGF file of its own, if it should.
+    pub(super) fn mesh(&mut self, shape: &Shape) -> String {
+        let Some(placement) = self.placement else {
+            return format!("Mesh(file: \"{}\")", self.add("mgf", mgf::single(shape).into_bytes()));
+        };
+        let taken_back = mgf::single(&placement.taken_back(shape));
+        let file = self.add("mgf", taken_back.into_bytes());
+        let Placement { scale, rotate: [x, y, z], translate } = placement;
+        let translate = ron::vector(translate);
+        format!(
+            "Mesh(file: \"{file}\", scale: {scale}, rotate: ({x}, {y}, {z}), translate: {translate})"
+        )
+    }
+
+    /// Whether shapes that need no file get one.
+    pub(super) fn places_all(&self) -> bool {
+        self.placement.is_some()
+    }
+
     /// The scene in our own format; shapes that only other formats know stand in
     /// files of theirs. All names begin with `stem`.
     pub fn of(scene: &DrawnScene, stem: &str) -> Self {
@@ -28,7 +86,7 @@ impl Files {
     }
 
     pub(super) fn empty(stem: &str) -> Self {
-        Self { text: String::new(), beside: Vec::new(), stem: stem.into() }
+        Self { text: String::new(), beside: Vec::new(), stem: stem.into(), placement: None }
     }
 
     /// The name of the scene file.

@@ -91,6 +91,9 @@ pub(super) fn vector(v: Vec3) -> String {
 }
 
 fn shape(shape: &Shape, files: &mut Files) -> String {
+    if files.places_all() && !shape.shows_pictures() {
+        return files.mesh(shape);
+    }
     match shape {
         Shape::Triangle(corners) => {
             let [a, b, c] = corners.map(vector);
@@ -115,9 +118,7 @@ fn shape(shape: &Shape, files: &mut Files) -> String {
         Shape::Mesh(mesh) if mesh.uvs.is_some() => {
             format!("Mesh(file: \"{}\")", files.add("3ds", super::three_ds::mesh(mesh)))
         }
-        Shape::Disk { .. } | Shape::Cone { .. } | Shape::Mesh(_) => {
-            format!("Mesh(file: \"{}\")", files.add("mgf", super::mgf::single(shape).into_bytes()))
-        }
+        Shape::Disk { .. } | Shape::Cone { .. } | Shape::Mesh(_) => files.mesh(shape),
     }
 }
 

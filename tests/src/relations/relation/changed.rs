@@ -5,7 +5,7 @@ use crate::programs::Program;
 use crate::relations::draw::Dice;
 use crate::relations::form::exported::{Exported, through_mgf, through_three_ds};
 use crate::relations::form::motion::Motion;
-use crate::relations::form::{cut, pictured};
+use crate::relations::form::{Files, Placement, cut, pictured};
 use crate::relations::judge::{Claim, Law, Numbers};
 use crate::relations::render::{Estimator, Trouble};
 use crate::relations::scene::{DrawnScene, Object, Shape};
@@ -59,6 +59,8 @@ pub enum Change {
     ThroughMgf,
     /// Most of it in 3DS files.
     ThroughThreeDs,
+    /// In files of shapes that are scaled, turned and moved to where these belong.
+    Placed,
     /// Pictures of one colour for colours.
     ColoursAsPictures,
     /// Panes as mirrors with holes.
@@ -80,7 +82,7 @@ struct Changed {
 
 impl Change {
     /// All of them.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::MovedByHalves,
         Self::Moved,
         Self::QuarterTurned,
@@ -96,6 +98,7 @@ impl Change {
         Self::LampsInTwo,
         Self::ThroughMgf,
         Self::ThroughThreeDs,
+        Self::Placed,
         Self::ColoursAsPictures,
         Self::PanesAsHoles,
         Self::Brighter,
@@ -191,6 +194,7 @@ impl Change {
             | Self::LampsInTwo
             | Self::ThroughMgf
             | Self::ThroughThreeDs
+            | Self::Placed
             | Self::Brighter => None,
         }
     }
@@ -212,10 +216,15 @@ pub(super) fn claims(
         return brighter(subject, dice);
     }
     if change == Change::ThroughMgf {
-        return exported(through_mgf(subject.drawn, "other"), subject, dice);
+        return exported(through_mgf(subject.drawn, "other"), subject, dice, "MGF");
     }
     if change == Change::ThroughThreeDs {
-        return exported(through_three_ds(subject.drawn, "other"), subject, dice);
+        return exported(through_three_ds(subject.drawn, "other"), subject, dice, "3DS");
+    }
+    if change == Change::Placed {
+        let placement = placement(subject.drawn, dice);
+        let how = format!("{placement:?}");
+        return exported(placed(subject.drawn, placement), subject, dice, &how);
     }
     let Some(Changed { scene, law, flipped, how, before }) = change.apply(subject.drawn, dice)
     else {
@@ -241,11 +250,28 @@ fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
     Estimator::Program(dice.pick(if any { &programs } else { &programs[..3] }))
 }
 
+/// Any scale by a power of two, quarter turns, and a shift by parts of what is seen.
+fn placement(scene: &DrawnScene, dice: &mut Dice) -> Placement {
+    let mut rotate = [0.0; 3];
+    rotate[dice.below(3) as usize] = 90.0 * dice.below(4) as f32;
+    let scale = dice.pick(&[0.25, 0.5, 1.0, 2.0, 1024.0]);
+    let size = (scene.camera.target - scene.camera.position).length();
+    let unit = (0.5 * size).log2().floor().exp2();
+    Placement { scale, rotate, translate: (dice.direction() * 4.0).round() * unit }
+}
+
+fn placed(scene: &DrawnScene, placement: Placement) -> Option<Exported> {
+    let files = Files::placed(scene, "other", placement);
+    let is_placed = files.beside.iter().any(|(name, _)| name.contains("mgf"));
+    is_placed.then(|| Exported { arranged: scene.clone(), files })
+}
+
 /// The scene through another format against the same in ours.
 fn exported(
     exported: Option<Exported>,
     subject: &Subject<'_>,
     dice: &mut Dice,
+    how: &str,
 ) -> Result<Vec<Claim>, Trouble> {
     let exported = exported.filter(|_| subject.drawn.is_clear());
     let Some(Exported { arranged, files }) = exported else { return Ok(Vec::new()) };
@@ -253,12 +279,12 @@ fn exported(
     let here = Arc::new(subject.workshop.build(&arranged)?);
     let there = Arc::new(subject.workshop.load(&files, arranged.max_depth)?);
     Ok(vec![Claim {
-        what: format!("through another format, {}", name(estimator)),
+        what: format!("{how}, {}", name(estimator)),
         left: side(&arranged, &here, estimator),
         right: side(&arranged, &there, estimator),
         flipped: false,
         factor: 1.0,
-        law: NEARLY,
+        law: rounded(&arranged),
         numbers: Numbers::Common,
     }])
 }

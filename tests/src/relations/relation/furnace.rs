@@ -37,6 +37,66 @@ pub(super) fn white(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>
     Ok(vec![claim(Program::PureMc, Law::SameMean(1e-5)), claim(other, Law::SameMean(2e-5))])
 }
 
+/// Fronts that glow by as much as they do not reflect are not to be seen, whatever
+/// their shape: each is a lamp of it.
+pub(super) fn glowing(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
+    let mut scene = subject.drawn.clone();
+    scene.lights.clear();
+    scene.max_depth = Some(LONGEST);
+    // Light is denser in glass.
+    scene.objects.retain(|object| !matches!(object.material.base, Base::Glass(_)));
+    if dice.chance(0.4) {
+        // Walks from lamps see these alone as walks from the camera do.
+        scene.objects.retain(|object| object.shape.is_solid());
+    }
+    scene.objects.iter_mut().for_each(glow);
+    let sky = sky(&scene);
+    scene.objects.push(sky);
+    let built = subject.build(&scene)?;
+    let programs = Program::ALL.into_iter().filter(|&program| match program {
+        Program::PureMc | Program::Strict | Program::Combined => true,
+        Program::BdptPower | Program::BdptBalance | Program::Particle => scene.fronts_are_alike(),
+    });
+    let programs: Vec<Program> = programs.collect();
+    let chosen = [Program::PureMc, dice.pick(&programs[1..])];
+    let is_clear = scene.is_clear();
+    let claims = chosen.into_iter().filter(|_| is_clear).map(|program| {
+        let estimator = Estimator::Program(program);
+        Claim {
+            what: format!("nothing is to be seen in a glowing furnace, {}", name(estimator)),
+            left: side(&scene, &built, estimator),
+            right: Side::Known(1.0),
+            flipped: false,
+            factor: 1.0,
+            law: Law::SameMean(2e-5),
+            numbers: Numbers::Own,
+        }
+    });
+    Ok(claims.collect())
+}
+
+/// Gives it a surface of its kind without lobes, of one side, that glows.
+fn glow(object: &mut Object) {
+    if let Shape::Mesh(mesh) = &mut object.shape {
+        mesh.normals = None;
+    }
+    let (base, albedo) = match object.material.base {
+        Base::Lambert(colour) | Base::MaxPhong(colour, _) => (Base::Lambert(colour), colour),
+        Base::Phong(lobes) => (Base::Lambert(lobes.diffuse), lobes.diffuse),
+        Base::Mirror(mirrored, diffuse) => (Base::Mirror(mirrored, diffuse), mirrored + diffuse),
+        Base::Sheet(back, on) => {
+            let base = Base::Sheet(Lobes::diffuse(back.diffuse), Lobes::diffuse(on.diffuse));
+            (base, back.diffuse + on.diffuse)
+        }
+        Base::Pane(mirrored, through) => (Base::Pane(mirrored, through), mirrored + through),
+        Base::Glass(index) => (Base::Glass(index), Vec3::ONE),
+    };
+    object.emission = Vec3::ONE - albedo;
+    object.sides = Sides::Front;
+    let opacity = object.material.opacity.clone();
+    object.material = Material { opacity, ..Material::plain(base) };
+}
+
 /// Nothing is brighter than the sky.
 pub(super) fn no_gain(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
     let Some(scene) = under_the_sky(subject)? else { return Ok(Vec::new()) };
