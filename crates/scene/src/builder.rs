@@ -4,9 +4,9 @@ use crate::coincidence::{self, Coincidences};
 use crate::light::check_emission;
 use crate::light_tree::LightTree;
 use crate::scene::{LightId, Surface};
-use crate::seat::Seat;
+use crate::seat::{self, Seat};
 use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
-use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides};
+use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides, SurfaceSite};
 use traylib_materials::Material;
 use traylib_math::{Defect, DiscreteDistribution, Rgb, Vec3, planted};
 
@@ -169,9 +169,11 @@ impl SceneBuilder {
         let is_within = |seat: &&Seat| matches!(seat, Seat::Within(_));
         let points_in_surfaces = seats.iter().filter(is_within).count();
         let light_tree = LightTree::new(&lights);
+        let camera_in: Vec<SurfaceSite> =
+            seat::touching(self.camera.position(), shapes.shapes()).collect();
         let see_through = self.materials.iter().any(Material::is_see_through);
         Ok(Scene {
-            camera: self.camera,
+            camera: camera_in.iter().fold(self.camera, Camera::lifted),
             shapes,
             surfaces,
             materials: self.materials,
@@ -179,7 +181,11 @@ impl SceneBuilder {
             meshes: self.meshes,
             lights,
             seats,
-            coincidences: Coincidences { lifted_lamps, points_in_surfaces },
+            coincidences: Coincidences {
+                lifted_lamps,
+                points_in_surfaces,
+                surfaces_at_camera: camera_in.len(),
+            },
             light_by_power,
             light_tree,
         })

@@ -1,7 +1,7 @@
 //! The pinhole camera.
 
 use crate::Error;
-use traylib_geometry::Ray;
+use traylib_geometry::{Ray, SurfaceSite};
 use traylib_math::glam::DVec3;
 use traylib_math::{SolidAnglePdf, Vec2, Vec3};
 
@@ -84,6 +84,13 @@ impl Camera {
             height,
             pixels_per_unit: 1.0 / pixel,
         })
+    }
+
+    /// The same camera, its pinhole off a surface in which it lies, on the side into
+    /// which it looks: what is there would be met or not by rounding.
+    pub(crate) fn lifted(self, site: &SurfaceSite) -> Self {
+        let at = SurfaceSite { position: self.position, ..*site };
+        Self { position: at.ray_origin(self.forward), ..self }
     }
 
     /// The pinhole.

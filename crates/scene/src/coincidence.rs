@@ -26,6 +26,8 @@ pub struct Coincidences {
     pub lifted_lamps: usize,
     /// Point lights within a surface, which shine on both its sides.
     pub points_in_surfaces: usize,
+    /// Surfaces in which the camera lay, which was lifted off them.
+    pub surfaces_at_camera: usize,
 }
 
 /// Lifts every lamp that lies in one place with another surface; how many there were,
@@ -121,7 +123,11 @@ mod tests {
             width: 8,
             height: 8,
         });
-        let mut builder = SceneBuilder::new(camera.unwrap());
+        seen_by(camera.unwrap(), shapes, point)
+    }
+
+    fn seen_by(camera: Camera, shapes: &[(Primitive, Sides, f32)], point: Option<Vec3>) -> Scene {
+        let mut builder = SceneBuilder::new(camera);
         let grey = Lambert::new(Rgb::splat(0.5)).unwrap();
         let material = builder.add_material(SurfaceModel::Lambert(grey));
         for &(primitive, sides, radiance) in shapes {
@@ -193,6 +199,38 @@ mod tests {
         let ball = |radiance| (Primitive::Sphere(ball), Sides::Both, radiance);
         let scene = scene(&[ball(0.0), ball(1.0)], None);
         assert_eq!(scene.coincidences().lifted_lamps, 1);
+    }
+
+    /// All rays into the surface meet it, none that leaves it.
+    #[test]
+    fn a_camera_in_a_surface_sees_from_one_side_of_it() {
+        let mut sampler = Sampler::new(5, Purpose::Test, 0, 0);
+        for slope in [0.0, 0.3, -0.77] {
+            for side in [1.0, -1.0] {
+                let floor = square(3.0, slope);
+                let site = floor.sample_area(sampler.next_2d());
+                let (along, _) = site.normal.any_orthonormal_pair();
+                let camera = Camera::new(CameraSettings {
+                    position: site.position,
+                    target: site.position + along + site.normal * (0.2 * side),
+                    up: site.normal,
+                    fov_degrees: 90.0,
+                    width: 32,
+                    height: 32,
+                });
+                let scene = seen_by(camera.unwrap(), &[(floor, Sides::Both, 1.0)], None);
+                assert_eq!(scene.coincidences().surfaces_at_camera, 1);
+                let mut met = 0;
+                for _ in 0..1000 {
+                    let ray = scene.camera().ray(sampler.next_2d() * 32.0);
+                    let into = ray.direction.dot(site.normal) * side;
+                    let hit = scene.intersect(&ray).is_some();
+                    assert!(into.abs() < 1e-6 || hit == (into < 0.0), "{slope}, {side}, {into}");
+                    met += usize::from(hit);
+                }
+                assert!((100..900).contains(&met), "{met}");
+            }
+        }
     }
 
     /// Of a point light on a ball all points outside see all or nothing.

@@ -24,15 +24,22 @@ impl Seat {
         if planted(Defect::PointInSurfaceLost) {
             return Self::Plain;
         }
-        // Most shapes are nowhere near.
-        let is_near = |shape: &&SidedPrimitive| {
-            let bounds = shape.primitive.bounds();
-            let rounding = (position.abs() + bounds.extent()) * (64.0 * f32::EPSILON);
-            bounds.grown(rounding).contains(position)
-        };
-        let touching = |shape: &SidedPrimitive| shape.primitive.touching(position);
-        shapes.iter().filter(is_near).find_map(touching).map_or(Self::Plain, Self::Within)
+        touching(position, shapes).next().map_or(Self::Plain, Self::Within)
     }
+}
+
+/// The surfaces in which a point lies up to rounding.
+pub(crate) fn touching(
+    position: Vec3,
+    shapes: &[SidedPrimitive],
+) -> impl Iterator<Item = SurfaceSite> {
+    // Most shapes are nowhere near.
+    let is_near = move |shape: &&SidedPrimitive| {
+        let bounds = shape.primitive.bounds();
+        let rounding = (position.abs() + bounds.extent()) * (64.0 * f32::EPSILON);
+        bounds.grown(rounding).contains(position)
+    };
+    shapes.iter().filter(is_near).filter_map(move |shape| shape.primitive.touching(position))
 }
 
 impl Scene {

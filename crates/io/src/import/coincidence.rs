@@ -4,9 +4,11 @@ use super::tally::Tally;
 use crate::Warning;
 use traylib_scene::{Coincidences, Scene};
 
-/// What there is to say of lamps that lay in one place with something else.
+/// What there is to say of lamps and of a camera that lay in one place with something
+/// else.
 pub(super) fn warnings(scene: &Scene, file: &str) -> impl Iterator<Item = Warning> {
-    let Coincidences { lifted_lamps, points_in_surfaces } = scene.coincidences();
+    let Coincidences { lifted_lamps, points_in_surfaces, surfaces_at_camera } =
+        scene.coincidences();
     let mut tally = Tally::default();
     tally.add_many(
         "lamp in one place with another surface: lifted off it, so that it shines \
@@ -16,6 +18,11 @@ pub(super) fn warnings(scene: &Scene, file: &str) -> impl Iterator<Item = Warnin
     tally.add_many(
         "point light that lies in a surface: it shines on both sides of it",
         count(points_in_surfaces),
+    );
+    tally.add_many(
+        "surface in which the camera lies: it is seen from a little off it, on the side \
+         into which the camera looks",
+        count(surfaces_at_camera),
     );
     tally.into_warnings(file)
 }
