@@ -19,7 +19,8 @@ use crate::results::{How, LengthShare, Results, SceneResults};
 use crate::run::Race;
 use crate::store::{Store, key_of};
 use crate::techniques::technique_pictures;
-use outcome::{finished, shown, told};
+use outcome::{finished, shown, told, told_without};
+use std::path::Path;
 use std::time::Instant;
 use traylib_demos::{Failure, say};
 use traylib_integrators::Control;
@@ -74,8 +75,9 @@ impl<'a> Work<'a> {
     fn prepare(options: &'a Options, how: &How, stop: &'a Control) -> Result<Self, Failure> {
         let asked = options.scenes();
         let rendered = asked.iter().filter(|scene| *scene != ORACLE);
-        let scenes = rendered.map(|scene| prepare(scene, options)).collect::<Result<_, _>>()?;
-        let outside = options.outside.as_deref().map(outside::read).transpose()?;
+        let scenes: Vec<Prepared> =
+            rendered.map(|scene| prepare(scene, options)).collect::<Result<_, _>>()?;
+        let outside = options.outside.as_deref().map(|file| outside(file, &scenes)).transpose()?;
         let store = |folder: std::path::PathBuf| Store::open(folder).map_err(Failure::output);
         Ok(Self {
             options,
@@ -121,6 +123,11 @@ impl<'a> Work<'a> {
     ) -> Result<Option<(SceneResults, ScenePictures, String)>, Failure> {
         plan.begin(&prepared.loaded.name);
         let Some(reference) = self.reference(prepared, plan)? else { return Ok(None) };
+        if let Some(why) = reference.nothing_to_compare() {
+            let pictures = shown(prepared, &reference, &[], Vec::new(), Vec::new());
+            let results = told_without(prepared, reference, &why);
+            return Ok(Some((results, pictures, String::new())));
+        }
         let contestants = self.contestants_on(prepared);
         let field = Field {
             race: Race {
@@ -227,6 +234,16 @@ impl<'a> Work<'a> {
     fn stopped(&self) -> bool {
         self.stop.is_cancelled()
     }
+}
+
+/// The pictures of other programs, all of scenes that exist.
+fn outside(file: &Path, scenes: &[Prepared]) -> Result<Vec<OutsideEntry>, Failure> {
+    let entries = outside::read(file)?;
+    let compared: Vec<&str> = scenes.iter().map(|scene| scene.loaded.name.as_str()).collect();
+    if let Some(warning) = outside::check_scenes(file, &entries, &compared)? {
+        say(format_args!("warning: {warning}"));
+    }
+    Ok(entries)
 }
 
 /// Columns of the pictures of techniques.

@@ -118,6 +118,11 @@ impl Contestant {
         }
     }
 
+    /// Edges of the longest paths that it follows, if its settings limit them.
+    pub fn longest_path(&self) -> Option<u32> {
+        self.limits.max_depth
+    }
+
     /// The light that it cannot produce in such a scene, in words.
     pub fn blind_spots(&self, facts: &SceneFacts) -> Vec<String> {
         self.integrator().blind_spots(facts).iter().map(ToString::to_string).collect()

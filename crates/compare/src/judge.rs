@@ -4,7 +4,7 @@ mod curve;
 mod steadiness;
 mod verdict;
 
-pub use verdict::verdict;
+pub use verdict::{no_verdict, verdict};
 
 use crate::bootstrap::{self, quantile};
 use crate::contestant::Contestant;
@@ -106,6 +106,7 @@ fn method(entry: &Entry, reference: &Reference, facts: SceneFacts) -> MethodResu
         name: entry.contestant.name().to_string(),
         biased,
         blind: entry.contestant.blind_spots(&facts),
+        longest_path: entry.contestant.longest_path(),
         points: powers_of_two(entry, reference),
         budgets: points,
         cost: bootstrap::mean(&entry.costs(reference), LEVEL),

@@ -6,7 +6,7 @@ use crate::results::OutsidePoint;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use traylib_demos::Failure;
-use traylib_io::load_exr;
+use traylib_io::{builtin_names, load_exr};
 use traylib_math::{Grid, Rgb};
 
 /// One picture, as a file of outside points lists it.
@@ -44,6 +44,45 @@ pub fn read(file: &Path) -> Result<Vec<OutsideEntry>, Failure> {
         entry.picture = folder.join(&entry.picture);
     }
     Ok(entries)
+}
+
+/// Refuses pictures of scenes that are not there, which would otherwise never be
+/// looked at. Tells, by their number, of those of built-in scenes that are not `compared`:
+/// one list may serve several comparisons.
+///
+/// # Errors
+/// A scene is neither compared nor built in.
+pub fn check_scenes(
+    file: &Path,
+    entries: &[OutsideEntry],
+    compared: &[&str],
+) -> Result<Option<String>, Failure> {
+    let left: Vec<&OutsideEntry> =
+        entries.iter().filter(|entry| !compared.contains(&entry.scene.as_str())).collect();
+    if let Some(entry) = left.iter().find(|e| !builtin_names().contains(&e.scene.as_str())) {
+        return Err(Failure::usage(format_args!(
+            "--outside {}: `{}` is a picture of `{}`, which is not compared; {}",
+            file.display(),
+            entry.name,
+            entry.scene,
+            wanted(compared)
+        )));
+    }
+    let warning = format!(
+        "{}: {} of {} pictures are of scenes that are not compared",
+        file.display(),
+        left.len(),
+        entries.len()
+    );
+    Ok((!left.is_empty()).then_some(warning))
+}
+
+fn wanted(compared: &[&str]) -> String {
+    if compared.is_empty() {
+        return "no scene is".into();
+    }
+    let quoted: Vec<String> = compared.iter().map(|name| format!("`{name}`")).collect();
+    format!("compared: {}", quoted.join(", "))
 }
 
 /// Measures the pictures of a scene.
@@ -114,6 +153,27 @@ mod tests {
         assert!(error.contains("wanted: [{"), "{error}");
         let slow = r#"[{"scene": "s", "name": "n", "seconds": 0, "picture": "a.exr"}]"#;
         assert!(read_text(slow).unwrap_err().to_string().contains("wanted more"));
+    }
+
+    #[test]
+    fn pictures_of_no_scene_are_refused_and_of_another_told() {
+        let of = |scene: &str| OutsideEntry {
+            scene: scene.into(),
+            name: "mine".into(),
+            seconds: 1.0,
+            picture: PathBuf::new(),
+        };
+        let check = |scenes: &[&str]| {
+            let entries: Vec<OutsideEntry> = scenes.iter().map(|scene| of(scene)).collect();
+            check_scenes(Path::new("l.json"), &entries, &["cornell", "my"])
+        };
+        assert_eq!(check(&["cornell", "my"]).unwrap(), None);
+        let told = check(&["cornell", "pyramid"]).unwrap().unwrap();
+        assert!(told.contains("1 of 2 pictures"), "{told}");
+        let refused = check(&["cornell", "cornel"]).unwrap_err().to_string();
+        let expected = "error: --outside l.json: `mine` is a picture of `cornel`, which is not \
+                        compared; compared: `cornell`, `my`";
+        assert_eq!(refused, expected);
     }
 
     #[test]

@@ -69,6 +69,19 @@ impl Reference {
         self.results.own_error < LARGEST_OWN_SHARE * error
     }
 
+    /// Why no picture can be held against it, if none can: an error that is relative
+    /// to its light has to have light.
+    pub fn nothing_to_compare(&self) -> Option<String> {
+        let origin = &self.results.origin;
+        let values = self.picture.values().as_flattened();
+        if values.iter().any(|value| !value.is_finite()) {
+            return Some(format!("the reference ({origin}) has values that are not finite"));
+        }
+        values.iter().all(|value| *value == 0.0).then(|| {
+            format!("the reference is black ({origin}), and no error is relative to no light")
+        })
+    }
+
     /// Relative variance of the picture's mean, as if pixels were independent, which
     /// they nearly are.
     pub fn relative_variance_of_mean(&self) -> f64 {
@@ -99,6 +112,14 @@ mod tests {
         let off = Grid::filled(4, 3, [2.2, 2.0, 1.8]);
         let expected = (0.04 + 0.04) / 3.0 / 4.04;
         assert!((reference.rel_mse(&off) - expected).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_has_no_light_compares_nothing() {
+        let reason = |radiance| Reference::constant(4, 3, radiance).nothing_to_compare();
+        assert!(reason(0.0).unwrap().starts_with("the reference is black (a closed form"));
+        assert!(reason(f64::NAN).unwrap().contains("not finite"));
+        assert_eq!(reason(1e-30), None);
     }
 
     #[test]

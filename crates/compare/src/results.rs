@@ -69,7 +69,8 @@ pub struct SceneResults {
     pub reference: ReferenceResults,
     /// The answer.
     pub verdict: Verdict,
-    /// Every method, as they were asked for; never empty.
+    /// Every method, as they were asked for; empty where the reference is such that
+    /// nothing can be compared.
     pub methods: Vec<MethodResults>,
     /// Pictures of other programs.
     pub outside: Vec<OutsidePoint>,
@@ -121,8 +122,9 @@ pub struct Estimate {
 /// Which method to use.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
-    /// The method that reaches a given error soonest.
-    pub best: String,
+    /// The method that reaches a given error soonest; `None` where no factor between
+    /// methods means anything, and the sentence says why.
+    pub best: Option<String>,
     /// Those that cannot be told from it, at 5 % for all pairs of the scene.
     pub rivals: Vec<String>,
     /// Both in a sentence, with the factor; and what stands against it.
@@ -139,6 +141,8 @@ pub struct MethodResults {
     pub biased: bool,
     /// The light that it cannot produce in such a scene, in words.
     pub blind: Vec<String>,
+    /// Edges of the longest paths that it follows, where its settings limit them.
+    pub longest_path: Option<u32>,
     /// Error after each power of two of passes that all runs reached.
     pub points: Vec<Point>,
     /// Error at the times of the budgets, then those of averaged runs, each twice as
@@ -147,7 +151,8 @@ pub struct MethodResults {
     /// Error times seconds: what an error of one costs.
     pub cost: Estimate,
     /// Its cost over that of the best method; the intervals of all methods of the
-    /// scene hold together with 95 %. One, exactly, for the best.
+    /// scene hold together with 95 %. One, exactly, for the best. Means nothing where
+    /// the verdict knows no best.
     pub cost_ratio: Estimate,
     /// Error of one pass, were the error its noise alone.
     pub error_per_pass: Estimate,
@@ -164,6 +169,27 @@ pub struct MethodResults {
     /// How steady it is.
     pub stability: Stability,
 }
+
+impl MethodResults {
+    /// A word beside its name if it does not see all light of the scene: `blind` for
+    /// what it is, `biased` for how it is set.
+    pub fn badge(&self) -> Option<&'static str> {
+        if !self.blind.is_empty() {
+            return Some("blind");
+        }
+        self.biased.then_some("biased")
+    }
+
+    /// Its name, with the badge behind it where it has one.
+    pub fn marked_name(&self) -> String {
+        let badge = self.badge().map(|badge| format!(" ({badge})"));
+        format!("{}{}", self.name, badge.unwrap_or_default())
+    }
+}
+
+/// Less than this is no error but the rounding of pictures to single precision:
+/// (2⁻²³)², above the square of half a unit in the last place.
+pub const LEAST_ERROR: f64 = (f32::EPSILON as f64) * (f32::EPSILON as f64);
 
 /// The error after some time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

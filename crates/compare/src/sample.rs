@@ -83,7 +83,7 @@ fn scene(name: &str, kinds: &[Kind]) -> SceneResults {
 
 fn verdict(scene: &str, best: &str) -> Verdict {
     Verdict {
-        best: best.into(),
+        best: Some(best.into()),
         rivals: vec!["bdpt".into()],
         sentence: format!(
             "On {scene}, {best} reaches a given error 1.14 times (0.98–1.3) as fast as bdpt and \

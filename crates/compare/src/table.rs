@@ -1,6 +1,6 @@
 //! The page's main table, for a terminal.
 
-use crate::page::number::short;
+use crate::page::number::{ratio, seconds, short};
 use crate::results::{Estimate, MethodResults, Results, SceneResults, Target};
 use std::fmt::Write;
 
@@ -28,27 +28,27 @@ pub fn table(results: &Results) -> String {
 
 fn of_scene(scene: &SceneResults) -> String {
     let mut text = format!("{}\n  {}\n", scene.name, scene.verdict.sentence);
-    let errors: Vec<String> = scene
-        .methods
-        .first()
-        .map(|method| method.targets.iter().map(|t| format!("to {:.0e}", t.error)).collect())
-        .unwrap_or_default();
-    text += &row("method", &["x time", "s a pass", "error a pass"], &errors, "bias", "tail");
+    let Some(first) = scene.methods.first() else { return text + "\n" };
+    let errors: Vec<String> =
+        first.targets.iter().map(|target| format!("to {:.0e}", target.error)).collect();
+    let names = scene.methods.iter().map(|method| method.marked_name().chars().count());
+    let width = names.max().unwrap_or(0).max(20);
+    let head = row(&["x time", "s a pass", "error a pass"].map(String::from), &errors);
+    let _ = writeln!(text, "  {:<width$}{head}{:>10}{:>7}", "method", "bias", "tail");
     for method in &scene.methods {
-        text += &of_method(method);
+        let _ = writeln!(text, "  {:<width$}{}", method.marked_name(), of_method(method, scene));
     }
     text.push('\n');
     text
 }
 
-fn of_method(method: &MethodResults) -> String {
-    let Estimate { value, low, high } = method.cost_ratio;
-    let ratio = if low == high {
-        String::from("1")
-    } else {
-        format!("{} ({}-{})", short(value), short(low), short(high))
-    };
-    let each = [ratio, short(method.seconds_per_pass.value), short(method.error_per_pass.value)];
+fn of_method(method: &MethodResults, scene: &SceneResults) -> String {
+    let known = scene.verdict.best.is_some();
+    let each = [
+        if known { ratio(method).cell() } else { "-".into() },
+        short(method.seconds_per_pass.value),
+        short(method.error_per_pass.value),
+    ];
     let times: Vec<String> = method.targets.iter().map(time).collect();
     let tail = match (&method.stability.tail, method.stability.alarm) {
         (_, true) => String::from("ALARM"),
@@ -56,19 +56,14 @@ fn of_method(method: &MethodResults) -> String {
         (None, false) => String::from("-"),
     };
     let bias = format!("{:+.2} %", 100.0 * method.metrics.bias);
-    let [ratio, pass, error] = &each;
-    row(&method.name, &[ratio, pass, error], &times, &bias, &tail)
+    format!("{}{bias:>10}{tail:>7}", row(&each, &times))
 }
 
 fn time(target: &Target) -> String {
-    target.seconds.map_or_else(|| "never".into(), |s| format!("{} s", short(s.value)))
+    target.seconds.map_or_else(|| "never".into(), |time| seconds(time.value))
 }
 
-fn row(name: &str, each: &[&str; 3], times: &[String], bias: &str, tail: &str) -> String {
-    let mut text = format!("  {name:<22}{:>20}{:>10}{:>13}", each[0], each[1], each[2]);
-    for time in times {
-        let _ = write!(text, "{time:>12}");
-    }
-    let _ = writeln!(text, "{bias:>10}{tail:>7}");
-    text
+fn row([ratio, pass, error]: &[String; 3], times: &[String]) -> String {
+    let times: Vec<String> = times.iter().map(|time| format!("{time:>12}")).collect();
+    format!("{ratio:>24}{pass:>10}{error:>13}{}", times.concat())
 }

@@ -3,9 +3,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
 
+use traylib_compare::judge::{no_verdict, verdict};
 use traylib_compare::page::page;
 use traylib_compare::results::{Estimate, Point, Results};
 use traylib_compare::sample::sample;
+use traylib_compare::table::table;
 
 fn text(results: &Results) -> String {
     page(results, &sample().1)
@@ -45,6 +47,91 @@ fn every_method_and_every_verdict_is_there() {
     assert!(page.contains("<td class=\"alarm\">no variance</td>"));
     assert!(page.contains(&results.how.command));
     assert_sound(&page);
+}
+
+/// All of the methods' names in tables and figures have their badge, and so have their
+/// bars, which are outlines.
+#[test]
+fn who_does_not_see_all_light_is_marked_everywhere() {
+    let results = sample().0;
+    let page = text(&results);
+    for (name, badge) in [("bdpt:depth=6", "biased"), ("particle", "blind")] {
+        let scene = page.split("<section").nth(1).unwrap();
+        let marked = format!("</svg>{name}</span> <span class=\"tag\">{badge}</span>");
+        assert_eq!(
+            scene.matches(&format!("</svg>{name}</span>")).count(),
+            scene.matches(&marked).count()
+        );
+        assert!(scene.matches(&marked).count() > 5);
+        let bars: Vec<&str> = charts(scene).into_iter().filter(|c| c.contains("<rect")).collect();
+        let marked = format!("{name} ({badge})");
+        assert_eq!(bars.iter().filter(|chart| chart.contains(&marked)).count(), 3, "{name}");
+    }
+    // Of five bars three are filled, in each of three charts.
+    let scene = page.split("<section").nth(1).unwrap();
+    let bars = charts(scene).into_iter().filter(|chart| chart.contains("<rect"));
+    let filled: Vec<usize> = bars.map(|chart| chart.matches("opacity=\"0.8\"").count()).collect();
+    assert_eq!(filled[..3], [3; 3], "{filled:?}");
+    let main = charts(page.split("class=\"main-chart\"").nth(1).unwrap())
+        .into_iter()
+        .find(|chart| chart.contains("relMSE"))
+        .unwrap();
+    assert!(main.contains("\nblind\n") && main.contains("\nbiased\n"));
+}
+
+/// The same words in the sentence of a verdict, in the tables and at the bars.
+#[test]
+fn a_ratio_is_the_same_number_everywhere() {
+    let mut results = sample().0;
+    results.scenes.truncate(1);
+    results.scenes[0].methods[3].cost_ratio = Estimate { value: 1.31, low: 1.29, high: 1.33 };
+    let reference = results.scenes[0].reference.clone();
+    let verdict = verdict(&results.scenes[0].methods, &reference).unwrap();
+    results.scenes[0].verdict = verdict;
+    let sentence = &results.scenes[0].verdict.sentence;
+    assert!(sentence.contains("puremc takes 1.31 times as long (1.29 to 1.33)"), "{sentence}");
+    let page = text(&results);
+    assert!(page.contains("<td>1.31 (1.29 to 1.33)</td>"));
+    assert!(page.contains("puremc  1.31 times as long (1.29 to 1.33)"));
+    let terminal = table(&results);
+    assert!(terminal.contains(" 1.31 (1.29 to 1.33) "), "{terminal}");
+    for name in ["bdpt:depth=6 (biased) ", "particle (blind) "] {
+        assert!(terminal.contains(name), "{terminal}");
+    }
+}
+
+/// As after a black reference: no chart, no factor, the reason twice.
+#[test]
+fn a_scene_without_runs_says_why() {
+    let mut results = sample().0;
+    let why = "the reference is black";
+    for scene in &mut results.scenes {
+        scene.verdict = no_verdict(why, &[], &scene.reference);
+        scene.methods.clear();
+        scene.outside.clear();
+        scene.lengths.clear();
+    }
+    results.oracle = None;
+    let page = page(&results, &[]);
+    assert!(page.matches("Nothing can be compared: the reference is black.").count() == 4);
+    assert!(charts(&page).is_empty());
+    assert!(table(&results).contains(why) && !table(&results).contains("x time"));
+}
+
+#[test]
+fn without_a_best_no_factor_is_drawn() {
+    let mut results = sample().0;
+    for scene in &mut results.scenes {
+        scene.verdict.best = None;
+        scene.verdict.sentence = "No factor can be told.".into();
+    }
+    let page = text(&results);
+    assert_sound(&page);
+    assert!(!page.contains(" times as long") && !page.contains("1/(error × seconds), best = 1"));
+    results.oracle = None;
+    let terminal = table(&results);
+    let line = terminal.lines().find(|line| line.contains("puremc")).unwrap();
+    assert_eq!(line.split_whitespace().nth(1), Some("-"), "{line}");
 }
 
 #[test]

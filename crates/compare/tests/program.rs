@@ -150,19 +150,52 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
     assert_eq!(output.status.code(), Some(3), "{}", err(&output));
 }
 
+/// A lamp behind the camera in empty space.
+const DARK: &str = "(
+    camera: (position: (0, 0, 0), target: (0, 0, -1), fov: 60, resolution: (16, 12)),
+    materials: { \"wall\": Lambert(reflectance: (0.5, 0.5, 0.5)) },
+    objects: [
+        (shape: Sphere(center: (0, 0, 9), radius: 1), material: \"wall\", emission: (1, 1, 1)),
+    ],
+)";
+
+#[test]
+fn without_light_there_is_no_verdict() {
+    let out = Folder::new("dark");
+    let file = out.0.join("dark.ron");
+    std::fs::write(&file, DARK).unwrap();
+    let output = compare(&out.0, &format!("{} {SMALL},bdpt --quick", file.display()));
+    assert!(output.status.success(), "{}", err(&output));
+    let scene = &out.results().scenes[0];
+    assert_eq!((scene.verdict.best.as_ref(), scene.methods.len()), (None, 0));
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    for text in [told, std::fs::read_to_string(out.0.join("index.html")).unwrap()] {
+        assert!(text.contains("Nothing can be compared: the reference is black ("), "{text}");
+        assert!(!text.contains("times as long"), "{text}");
+    }
+}
+
 #[test]
 fn mistakes_are_told_in_a_line() {
     let out = Folder::new("mistakes");
+    let list = out.0.join("list.json");
+    let text = r#"[{"scene": "furnaze", "name": "n", "seconds": 3, "picture": "mine.exr"}]"#;
+    std::fs::write(&list, text).unwrap();
+    let unknown = format!("furnace --outside {}", list.display());
     for (words, code, text) in [
         ("no-such-scene", 3, "no-such-scene"),
         ("furnace --integrators pt", 2, "pt"),
         ("furnace cornell --reference a.exr", 2, "--reference"),
         ("furnace --reference no-such.exr", 3, "no-such.exr"),
         ("furnace --outside no-such.json", 3, "no-such.json"),
+        (&unknown, 2, "`furnaze`, which is not compared; compared: `furnace`"),
     ] {
         let output = compare(&out.0, words);
+
         assert_eq!(output.status.code(), Some(code), "{words}: {}", err(&output));
         assert!(err(&output).contains(text), "{words}: {}", err(&output));
         assert!(!out.0.join("index.html").exists());
+        let lines = err(&output).lines().filter(|line| !line.starts_with("warning: this")).count();
+        assert!(words != unknown || lines == 1, "{}", err(&output));
     }
 }

@@ -1,6 +1,7 @@
 //! Logarithmic axes.
 
 use crate::page::number::{significant, superscript};
+use crate::results::{LEAST_ERROR, Point};
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
 
@@ -53,6 +54,11 @@ impl Decades {
             .filter(|tick| self.holds(*tick))
             .collect()
     }
+}
+
+/// Whether a point has a place on logarithmic axes; an error that is none has not.
+pub(crate) fn visible(point: &Point) -> bool {
+    drawable(point.seconds) && drawable(point.error.value) && point.error.value > LEAST_ERROR
 }
 
 /// Whether a value has a logarithm.

@@ -24,6 +24,8 @@ const BAR_END: f64 = 0.88;
 pub(crate) struct Bar {
     pub(crate) name: String,
     pub(crate) colour: RGBColor,
+    /// An outline alone: the number is not what it seems.
+    pub(crate) hollow: bool,
     pub(crate) estimate: Estimate,
     /// The number in words.
     pub(crate) words: String,
@@ -108,8 +110,16 @@ fn frame<'a, 'b>(
 
 fn bar(chart: &mut Chart<'_, '_>, row: &Bar, top: f64, from: f64) -> Result<(), Failed> {
     let Estimate { value, low, high } = row.estimate;
-    let corners = [(from, top + NAME), (value, top + BAR_END)];
-    chart.plotting_area().draw(&Rectangle::new(corners, row.colour.mix(0.8).filled()))?;
+    let (name, end) = (top + NAME, top + BAR_END);
+    if row.hollow {
+        // An outline of a path has the breadth it is given, one of a rectangle has not.
+        let around = vec![(from, name), (value, name), (value, end), (from, end), (from, name)];
+        let outline = PathElement::new(around, row.colour.stroke_width(5));
+        chart.plotting_area().draw(&outline)?;
+    } else {
+        let corners = [(from, name), (value, end)];
+        chart.plotting_area().draw(&Rectangle::new(corners, row.colour.mix(0.8).filled()))?;
+    }
     if !(drawable(low) && drawable(high) && low < high) {
         return Ok(());
     }

@@ -1,6 +1,6 @@
 //! The main chart: error against time.
 
-use crate::chart::axis::{Decades, drawable};
+use crate::chart::axis::{Decades, drawable, visible};
 use crate::chart::canvas::{BREADTH, Failed, breadth, svg, text};
 use crate::chart::colour::{INK, MUTED};
 use crate::chart::crossings::crossings;
@@ -54,10 +54,6 @@ fn targets_within(scene: &SceneResults, y: &Decades) -> Vec<f64> {
     shown
 }
 
-fn visible(point: &Point) -> bool {
-    drawable(point.seconds) && drawable(point.error.value)
-}
-
 fn own(method: &MethodResults) -> impl Iterator<Item = &Point> {
     method.points.iter().filter(|point| visible(point))
 }
@@ -80,21 +76,30 @@ fn band(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), F
 fn lines(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), Failed> {
     let main: Vec<_> = own(method).map(xy).collect();
     let longer: Vec<_> = main.last().copied().into_iter().chain(averaged(method).map(xy)).collect();
+    let all_seen = method.badge().is_none();
     let stroke = if method.biased { Stroke::Dashed(14) } else { Stroke::Solid };
     plot.line(&main, look.colour(), 4, stroke)?;
     plot.line(&longer, look.colour(), 3, Stroke::Dashed(4))?;
     for point in own(method) {
-        plot.marker(xy(point), look.mark(), BIG, point.solid)?;
+        plot.marker(xy(point), look.mark(), BIG, point.solid && all_seen)?;
     }
     for point in averaged(method) {
-        plot.marker(xy(point), look.mark(), SMALL, point.solid)?;
+        plot.marker(xy(point), look.mark(), SMALL, point.solid && all_seen)?;
     }
-    Ok(())
+    badge(plot, method, look)
+}
+
+/// The method's badge, over the last point of its own.
+fn badge(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), Failed> {
+    let Some((badge, last)) = method.badge().zip(own(method).last()) else { return Ok(()) };
+    let (x, y) = plot.place(xy(last));
+    let at = (x, y - BESIDE);
+    text(plot.area(), badge, at, (HPos::Center, VPos::Bottom), look.colour())
 }
 
 /// Error ∝ 1/time, through the last solid point of the best method.
 fn guide(plot: &Plot<'_, '_>, scene: &SceneResults, x: &Decades) -> Result<(), Failed> {
-    let best = scene.methods.iter().find(|method| method.name == scene.verdict.best);
+    let best = scene.methods.iter().find(|m| Some(&m.name) == scene.verdict.best.as_ref());
     let Some((seconds, error)) = best.and_then(|m| own(m).filter(|p| p.solid).last()).map(xy)
     else {
         return Ok(());

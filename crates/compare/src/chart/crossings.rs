@@ -64,13 +64,18 @@ fn reached(
         let seconds = target.seconds?.value;
         axis.holds(seconds).then(|| Crossing {
             x: plot.place((seconds, error)).0,
-            words: number::seconds(seconds),
+            words: words(seconds, method.badge()),
             look: palette.look(&method.name),
         })
     };
     let mut found: Vec<_> = scene.methods.iter().filter_map(crossing).collect();
     found.sort_by_key(|crossing| crossing.x);
     found
+}
+
+fn words(seconds: f64, badge: Option<&str>) -> String {
+    let badge = badge.map(|badge| format!(" {badge}"));
+    format!("{}{}", number::seconds(seconds), badge.unwrap_or_default())
 }
 
 /// Where a time stands.

@@ -7,6 +7,9 @@ pub(crate) const SHAPES: usize = 5;
 /// The one of other programs.
 pub(crate) const DIAMOND: usize = 3;
 
+/// Radius of the hole in a hollow marker, as a share of the marker's.
+pub(crate) const HOLE: f64 = 0.6;
+
 /// Corners of a marker, clockwise from the top, y down: circle, square, triangle,
 /// diamond, triangle on its tip. All of about the same area.
 pub(crate) fn corners(shape: usize, radius: f64) -> Vec<(f64, f64)> {

@@ -1,6 +1,6 @@
 //! Which settings are worth using: what nothing else beats in both time and error.
 
-use crate::chart::axis::{Decades, drawable};
+use crate::chart::axis::{Decades, visible};
 use crate::chart::canvas::{BREADTH, svg};
 use crate::chart::colour::{INK, PALE};
 use crate::chart::palette::{Look, Palette};
@@ -15,6 +15,7 @@ const SIZE: (u32, u32) = (BREADTH, 720);
 pub(crate) struct Setting {
     at: (f64, f64),
     name: String,
+    /// Whether the number is what it seems.
     solid: bool,
 }
 
@@ -66,11 +67,11 @@ pub(crate) fn front(scene: &SceneResults) -> Front {
 fn settings(scene: &SceneResults) -> impl Iterator<Item = Setting> {
     scene.methods.iter().flat_map(|method| {
         let points = method.points.iter().chain(&method.budgets);
-        let drawn = points.filter(|p| drawable(p.seconds) && drawable(p.error.value));
+        let drawn = points.filter(|point| visible(point));
         drawn.map(|point| Setting {
             at: (point.seconds, point.error.value),
             name: method.name.clone(),
-            solid: point.solid,
+            solid: point.solid && method.badge().is_none(),
         })
     })
 }

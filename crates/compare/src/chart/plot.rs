@@ -3,7 +3,7 @@
 use crate::chart::axis::Decades;
 use crate::chart::canvas::{Area, Failed, Place, axis_text};
 use crate::chart::colour::{GRID, INK, PAPER};
-use crate::chart::marker::corners;
+use crate::chart::marker::{HOLE, corners};
 use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::element::{DashedPathElement, PathElement, Polygon};
@@ -132,7 +132,7 @@ impl<'a, 'b> Plot<'a, 'b> {
         if solid {
             return Ok(());
         }
-        marker(self.area, place, (shape, PAPER), 0.6 * radius)
+        marker(self.area, place, (shape, PAPER), HOLE * radius)
     }
 
     /// A straight line between two places.

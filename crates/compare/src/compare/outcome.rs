@@ -1,12 +1,12 @@
 //! From what was done on a scene to what is told and shown of it.
 
-use crate::judge::{Entry, judge, verdict};
+use crate::judge::{Entry, judge, no_verdict, verdict};
 use crate::pictures::ScenePictures;
 use crate::precision::single;
 use crate::prepare::Prepared;
 use crate::reference::Reference;
-use crate::results::{LengthShare, OutsidePoint, SceneResults};
-use traylib_integrators::Technique;
+use crate::results::{LengthShare, OutsidePoint, SceneResults, Verdict};
+use traylib_integrators::{Bdpt, Integrator, Technique};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Light;
 
@@ -43,9 +43,23 @@ pub(super) fn told(
 ) -> Option<SceneResults> {
     let methods = judge(entries, &reference, prepared.facts);
     let verdict = verdict(&methods, &reference.results)?;
+    Some(SceneResults { methods, outside, lengths, ..told_alone(prepared, reference, verdict) })
+}
+
+/// The same where nothing could be held against the reference.
+pub(super) fn told_without(prepared: &Prepared, reference: Reference, why: &str) -> SceneResults {
+    // Whoever renders a reference sees all that any method does.
+    let rendered = reference.results.agreement.is_some();
+    let unseen = rendered.then(|| Bdpt::default().blind_spots(&prepared.facts));
+    let unseen: Vec<String> = unseen.into_iter().flatten().map(|s| s.to_string()).collect();
+    let verdict = no_verdict(why, &unseen, &reference.results);
+    told_alone(prepared, reference, verdict)
+}
+
+fn told_alone(prepared: &Prepared, reference: Reference, verdict: Verdict) -> SceneResults {
     let scene = &prepared.loaded.scene;
     let points = scene.lights().iter().filter(|light| Light::is_point(light)).count();
-    Some(SceneResults {
+    SceneResults {
         name: prepared.loaded.name.clone(),
         width: scene.camera().width(),
         height: scene.camera().height(),
@@ -57,8 +71,8 @@ pub(super) fn told(
         epsilon: reference.epsilon,
         reference: reference.results,
         verdict,
-        methods,
-        outside,
-        lengths,
-    })
+        methods: Vec::new(),
+        outside: Vec::new(),
+        lengths: Vec::new(),
+    }
 }

@@ -69,7 +69,7 @@ fn the_quiet_one_wins_by_the_ratio_of_variances() {
     let times = [second, third].map(|target| target.seconds.unwrap().value);
     assert!((times[0] - expected / 1e-2).abs() < 0.1 && (times[1] / times[0] - 10.0).abs() < 1e-9);
     let verdict = verdict(&methods, &reference.results).unwrap();
-    assert_eq!((verdict.best.as_str(), verdict.rivals.len()), ("bdpt", 0));
+    assert_eq!((verdict.best.as_deref(), verdict.rivals.len()), (Some("bdpt"), 0));
     assert!(verdict.sentence.starts_with("bdpt reaches a given error soonest: puremc takes"));
 }
 
@@ -92,7 +92,11 @@ fn lost_light_is_told_from_noise() {
     let biased = &methods[0];
     // Less error than the other, and still not the best.
     assert!(biased.cost.value < 1.1 * methods[1].cost.value);
-    assert_eq!(verdict(&methods, &reference.results).unwrap().best, "bdpt");
+    let verdict = verdict(&methods, &reference.results).unwrap();
+    assert_eq!(verdict.best.as_deref(), Some("bdpt"));
+    let loss = "bdpt:depth=3 loses light: all paths of more than 3 edges.";
+    assert!(verdict.sentence.contains(loss), "{}", verdict.sentence);
+    assert_eq!((methods[0].badge(), methods[1].badge()), (Some("biased"), None));
     let noise = 0.0025 / 0.0425;
     assert!((biased.metrics.noise_share - noise).abs() < 0.01, "{:?}", biased.metrics);
     assert!((biased.metrics.bias + 0.2).abs() < 0.01 && biased.metrics.bias_z < -20.0);
@@ -138,4 +142,40 @@ fn a_reference_that_is_not_sure_is_told() {
         judge(std::slice::from_ref(&entry), reference, PLAIN)[0].budgets[0].solid
     };
     assert!(solid(&doubtful(1e-4)) && !solid(&doubtful(1e-3)));
+}
+
+#[test]
+fn where_all_lose_light_nobody_is_best() {
+    let reference = reference();
+    let entries =
+        [entry("particle", -0.2, 0.05, &reference), entry("bdpt:depth=3", -0.1, 0.1, &reference)];
+    let facts = SceneFacts { mirrors: true, ..PLAIN };
+    let verdict = verdict(&judge(&entries, &reference, facts), &reference.results).unwrap();
+    assert_eq!((verdict.best, verdict.rivals.len()), (None, 0));
+    for part in ["No verdict: every method here loses light", "particle loses", "=3 loses"] {
+        assert!(verdict.sentence.contains(part), "{}", verdict.sentence);
+    }
+    assert!(!verdict.sentence.contains("times as long"), "{}", verdict.sentence);
+}
+
+#[test]
+fn without_any_error_there_is_no_factor() {
+    let reference = reference();
+    let entries = [entry("puremc", 0.0, 0.0, &reference), entry("bdpt", 0.0, 0.0, &reference)];
+    let verdict = verdict(&judge(&entries, &reference, PLAIN), &reference.results).unwrap();
+    let expected = "No factor can be told: pictures of puremc and bdpt do not differ from the \
+                    reference at all.";
+    assert_eq!((verdict.best, verdict.sentence.as_str()), (None, expected));
+}
+
+#[test]
+fn what_nobody_sees_is_told_once() {
+    let reference = reference();
+    let facts = SceneFacts { point_lights: true, mirrors: true, ..PLAIN };
+    let entries = [entry("bdpt", 0.0, 0.1, &reference), entry("puremc", 0.0, 0.3, &reference)];
+    let methods = judge(&entries, &reference, facts);
+    let sentence = verdict(&methods, &reference.results).unwrap().sentence;
+    assert_eq!(sentence.matches("No method here sees light of point lamps").count(), 1);
+    assert!(sentence.contains("puremc loses light: "), "{sentence}");
+    assert_eq!(methods[0].badge(), Some("blind"));
 }

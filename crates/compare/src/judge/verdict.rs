@@ -1,30 +1,60 @@
 //! The answer, in a sentence.
 
-use crate::bootstrap::NOTHING_KNOWN;
-use crate::page::number::rounded;
-use crate::results::{Estimate, MethodResults, ReferenceResults, Verdict};
+use crate::page::number::ratio;
+use crate::results::{Estimate, LEAST_ERROR, MethodResults, ReferenceResults, Verdict};
 
 /// Which method to use, from methods that have been judged; `None` without any.
 pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Option<Verdict> {
-    let best = methods.iter().find(|method| is_best(method))?;
-    let rivals: Vec<&str> = methods
-        .iter()
-        .filter(|m| !is_best(m) && !m.biased && m.cost_ratio.low <= 1.0)
-        .map(|m| m.name.as_str())
-        .collect();
-    let mut sentences = vec![lead(best, &rivals, methods)];
+    let first = methods.iter().find(|method| is_best(method))?;
+    let exact = exact(methods, reference);
+    // Without noise, or with light lost by all, no time tells one from the other.
+    let best = (!first.biased && exact.is_empty()).then_some(first);
+    let rivals = best.map_or_else(Vec::new, |_| rivals(methods));
+    let mut sentences = vec![match best {
+        Some(best) => lead(best, &rivals, methods),
+        None => without_best(&exact),
+    }];
     sentences.extend(alarms(methods));
-    sentences.extend(methods.iter().filter_map(blindness));
+    sentences.extend(methods.iter().filter_map(loss));
+    sentences.extend(unseen(methods));
     sentences.extend(doubt(reference));
     Some(Verdict {
-        best: best.name.clone(),
+        best: best.map(|best| best.name.clone()),
         rivals: rivals.into_iter().map(String::from).collect(),
         sentence: sentences.join(" "),
     })
 }
 
+/// That there is no answer, and why; `unseen` is light that no method sees.
+pub fn no_verdict(why: &str, unseen: &[String], reference: &ReferenceResults) -> Verdict {
+    let mut sentences = vec![format!("Nothing can be compared: {why}.")];
+    sentences.extend(nobody_sees(&unseen.iter().map(String::as_str).collect::<Vec<_>>()));
+    sentences.extend(doubt(reference));
+    Verdict { best: None, rivals: Vec::new(), sentence: sentences.join(" ") }
+}
+
 fn is_best(method: &MethodResults) -> bool {
     method.cost_ratio == Estimate { value: 1.0, low: 1.0, high: 1.0 }
+}
+
+fn rivals(methods: &[MethodResults]) -> Vec<&str> {
+    let near = methods.iter().filter(|m| !is_best(m) && !m.biased && m.cost_ratio.low <= 1.0);
+    near.map(|m| m.name.as_str()).collect()
+}
+
+/// Those whose pictures do not differ from the reference by more than its rounding.
+fn exact<'a>(methods: &'a [MethodResults], reference: &ReferenceResults) -> Vec<&'a str> {
+    let exact = |m: &&MethodResults| m.metrics.rel_mse + reference.own_error <= LEAST_ERROR;
+    methods.iter().filter(exact).map(|m| m.name.as_str()).collect()
+}
+
+fn without_best(exact: &[&str]) -> String {
+    match listed(exact) {
+        Some(names) => format!(
+            "No factor can be told: pictures of {names} do not differ from the reference at all."
+        ),
+        None => "No verdict: every method here loses light, so none reaches every error.".into(),
+    }
 }
 
 fn lead(best: &MethodResults, rivals: &[&str], all: &[MethodResults]) -> String {
@@ -33,6 +63,7 @@ fn lead(best: &MethodResults, rivals: &[&str], all: &[MethodResults]) -> String 
     let named = listed(&names).unwrap_or_default();
     let times = times(all, &names).join(", ");
     match (rivals.is_empty(), times.is_empty()) {
+        (true, true) if all.len() == 1 => format!("{named} alone was compared."),
         (true, true) => format!("{named} reaches a given error soonest."),
         (true, false) => format!("{named} reaches a given error soonest: {times}."),
         (false, true) => format!("{named} cannot be told apart."),
@@ -48,17 +79,7 @@ fn times(all: &[MethodResults], told: &[&str]) -> Vec<String> {
         .filter(|m| !told.contains(&m.name.as_str()) && !m.biased && !m.name.contains(':'))
         .collect();
     others.sort_by(|a, b| a.cost_ratio.value.total_cmp(&b.cost_ratio.value));
-    others.into_iter().map(needs).collect()
-}
-
-fn needs(method: &MethodResults) -> String {
-    let Estimate { value, low, high } = method.cost_ratio;
-    let name = &method.name;
-    if method.stability.alarm || high >= NOTHING_KNOWN * value {
-        return format!("{name} takes at least {} times as long", rounded(low));
-    }
-    let [value, low, high] = [value, low, high].map(rounded);
-    format!("{name} takes {value} times as long ({low} to {high})")
+    others.into_iter().map(|m| format!("{} takes {}", m.name, ratio(m).as_long())).collect()
 }
 
 /// Whose values seem to have no variance.
@@ -69,10 +90,27 @@ fn alarms(methods: &[MethodResults]) -> Option<String> {
     Some(format!("No error bar holds for {names}: such values seem to have no variance."))
 }
 
-/// What a method cannot see and others can.
-fn blindness(method: &MethodResults) -> Option<String> {
-    let lost = (method.biased && !method.blind.is_empty()).then(|| method.blind.join(" and "))?;
-    Some(format!("{} loses light: {lost}.", method.name))
+/// What a method does not see and others can.
+fn loss(method: &MethodResults) -> Option<String> {
+    let longer = |edges: u32| format!("all paths of more than {edges} edges");
+    let blind = method.blind.iter().cloned();
+    let lost: Vec<String> = blind.chain(method.longest_path.map(longer)).collect();
+    method.biased.then(|| format!("{} loses light: {}.", method.name, lost.join(" and ")))
+}
+
+/// What those do not see either that lose nothing against the others.
+fn unseen(methods: &[MethodResults]) -> Option<String> {
+    let mut spots: Vec<&str> = Vec::new();
+    for spot in methods.iter().filter(|m| !m.biased).flat_map(|m| &m.blind) {
+        if !spots.contains(&spot.as_str()) {
+            spots.push(spot);
+        }
+    }
+    nobody_sees(&spots)
+}
+
+fn nobody_sees(spots: &[&str]) -> Option<String> {
+    Some(format!("No method here sees {}.", listed(spots)?))
 }
 
 /// What stands against the reference.

@@ -2,25 +2,28 @@
 
 use crate::chart::{Bar, Baseline, Palette, bars};
 use crate::page::legend;
-use crate::page::number::{bytes, interval, percent, prefixed, seconds_interval, short};
+use crate::page::number::{bytes, interval, percent, prefixed, ratio, seconds_interval, short};
 use crate::results::{Estimate, MethodResults, SceneResults};
 use maud::{Markup, html};
 
 const CAPTION: &str = "Above: how much less a given error costs than elsewhere; longer is better, \
     and the intervals of all methods hold together with 95 %. Below, why: a method is slow because \
     a pass is noisy (left) or because a pass takes long (right); bars to the left of one are better \
-    than the best. Noise alone, without the light that a method loses.";
+    than the best. Noise alone, without the light that a method loses. Hollow: the method does not \
+    see all light of the scene, and no bar says how much it is worth.";
 
 /// Bars of efficiency, bars of its two factors, and a table of both.
 pub(crate) fn efficiency(scene: &SceneResults, palette: &Palette) -> Markup {
-    let best = scene.methods.iter().find(|method| method.name == scene.verdict.best);
+    let best = scene.methods.iter().find(|m| Some(&m.name) == scene.verdict.best.as_ref());
     html! {
         h3 { "Efficiency" }
-        figure {
-            div.chart { (whole(scene, palette)) }
-            @if let Some(best) = best { div.pair { (factors(scene, best, palette)) } }
-            figcaption { (CAPTION) }
-        }
+        @if let Some(best) = best {
+            figure {
+                div.chart { (whole(scene, palette)) }
+                div.pair { (factors(scene, best, palette)) }
+                figcaption { (CAPTION) }
+            }
+        } @else { p.note { "Without a best method there are no factors to draw." } }
         (costs(scene, palette))
         (metrics(scene, palette))
     }
@@ -28,7 +31,8 @@ pub(crate) fn efficiency(scene: &SceneResults, palette: &Palette) -> Markup {
 
 fn whole(scene: &SceneResults, palette: &Palette) -> Markup {
     let label = format!("Efficiency on {} relative to the best, logarithmic", scene.name);
-    let rows = rows(scene, palette, |method| inverse(method.cost_ratio));
+    let row = |method: &MethodResults| (inverse(method.cost_ratio), ratio(method).as_long());
+    let rows = rows(scene, palette, row);
     bars(&label, "1/(error × seconds), best = 1", &rows, Baseline::Left)
 }
 
@@ -36,7 +40,11 @@ fn whole(scene: &SceneResults, palette: &Palette) -> Markup {
 fn factors(scene: &SceneResults, best: &MethodResults, palette: &Palette) -> Markup {
     let chart = |what: &str, of: fn(&MethodResults) -> Estimate| {
         let axis = format!("{what} of a pass over that of {}", best.name);
-        let rows = rows(scene, palette, |method| over(of(method), of(best).value));
+        let row = |method: &MethodResults| {
+            let over = over(of(method), of(best).value);
+            (over, short(over.value))
+        };
+        let rows = rows(scene, palette, row);
         html! { div.chart { (bars(&axis, &axis, &rows, Baseline::One)) } }
     };
     html! {
@@ -48,14 +56,23 @@ fn factors(scene: &SceneResults, best: &MethodResults, palette: &Palette) -> Mar
 fn rows(
     scene: &SceneResults,
     palette: &Palette,
-    of: impl Fn(&MethodResults) -> Estimate,
+    of: impl Fn(&MethodResults) -> (Estimate, String),
 ) -> Vec<Bar> {
-    scene.methods.iter().map(|method| bar(method, of(method), palette)).collect()
+    let bar = |method: &MethodResults| {
+        let (estimate, words) = of(method);
+        Bar {
+            name: method.marked_name(),
+            colour: palette.look(&method.name).colour(),
+            hollow: method.badge().is_some(),
+            estimate,
+            words,
+        }
+    };
+    scene.methods.iter().map(bar).collect()
 }
 
-fn bar(method: &MethodResults, estimate: Estimate, palette: &Palette) -> Bar {
-    let colour = palette.look(&method.name).colour();
-    Bar { name: method.name.clone(), colour, estimate, words: short(estimate.value) }
+fn ratio_cell(method: &MethodResults, scene: &SceneResults) -> String {
+    scene.verdict.best.as_ref().map_or_else(|| "–".into(), |_| ratio(method).cell())
 }
 
 fn inverse(Estimate { value, low, high }: Estimate) -> Estimate {
@@ -79,8 +96,8 @@ fn costs(scene: &SceneResults, palette: &Palette) -> Markup {
                     th scope="col" { "peak memory" }
                 } }
                 tbody { @for method in &scene.methods { tr {
-                    th scope="row" { (legend::name(palette, &method.name)) }
-                    td { (interval(method.cost_ratio)) }
+                    th scope="row" { (legend::name(palette, method)) }
+                    td { (ratio_cell(method, scene)) }
                     td { (interval(method.error_per_pass)) }
                     td { (seconds_interval(method.seconds_per_pass)) }
                     td { (prefixed(method.rays.per_second)) }
@@ -106,7 +123,7 @@ fn metrics(scene: &SceneResults, palette: &Palette) -> Markup {
                     th scope="col" { "share of noise in the error" }
                 } }
                 tbody { @for method in &scene.methods { @let m = method.metrics; tr {
-                    th scope="row" { (legend::name(palette, &method.name)) }
+                    th scope="row" { (legend::name(palette, method)) }
                     td { (short(m.rel_mse)) }
                     td { (short(m.trimmed_rel_mse)) }
                     td { (short(m.smape)) }

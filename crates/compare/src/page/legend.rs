@@ -1,25 +1,40 @@
 //! Names of methods with their colour and marker.
 
 use crate::chart::Palette;
-use crate::chart::marker::corners;
-use crate::results::SceneResults;
+use crate::chart::marker::{HOLE, corners};
+use crate::results::{MethodResults, SceneResults};
 use maud::{Markup, html};
 
-/// A method's marker and name.
-pub(crate) fn name(palette: &Palette, name: &str) -> Markup {
+/// A method's marker and name; hollow and with its badge if it does not see all light.
+pub(crate) fn name(palette: &Palette, method: &MethodResults) -> Markup {
+    html! {
+        (swatch_and_name(palette, &method.name, method.badge().is_some()))
+        @if let Some(badge) = method.badge() { " " span.tag { (badge) } }
+    }
+}
+
+/// A marker and a name by themselves.
+pub(crate) fn plain(palette: &Palette, name: &str) -> Markup {
+    swatch_and_name(palette, name, false)
+}
+
+fn swatch_and_name(palette: &Palette, name: &str, hollow: bool) -> Markup {
     let look = palette.look(name);
     html! {
         span.method {
             svg.swatch viewBox="-8 -8 16 16" aria-hidden="true" {
-                polygon points=(points(look.shape)) style={ "fill:var(--m" (look.slot) ")" } {}
+                polygon points=(points(look.shape, 5.5)) style={ "fill:var(--m" (look.slot) ")" } {}
+                @if hollow {
+                    polygon points=(points(look.shape, HOLE * 5.5)) style="fill:var(--paper)" {}
+                }
             }
             (name)
         }
     }
 }
 
-fn points(shape: usize) -> String {
-    let corners = corners(shape, 5.5);
+fn points(shape: usize, radius: f64) -> String {
+    let corners = corners(shape, radius);
     let texts: Vec<String> = corners.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
     texts.join(" ")
 }
@@ -30,9 +45,7 @@ pub(crate) fn legend(scene: &SceneResults, palette: &Palette) -> Markup {
         ul.legend {
             @for method in &scene.methods {
                 li data-method=(palette.look(&method.name).slot) {
-                    (name(palette, &method.name))
-                    @if !method.blind.is_empty() { " " span.tag { "blind" } }
-                    @else if method.biased { " " span.tag { "biased" } }
+                    (name(palette, method))
                 }
             }
         }

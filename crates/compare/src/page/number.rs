@@ -1,6 +1,7 @@
 //! Numbers as people read them.
 
-use crate::results::Estimate;
+use crate::bootstrap::NOTHING_KNOWN;
+use crate::results::{Estimate, MethodResults};
 
 /// What stands where a number does not exist.
 const NONE: &str = "–";
@@ -45,9 +46,70 @@ pub(crate) fn chosen(value: f64) -> String {
     if (1e-4..1e5).contains(&value) { value.to_string() } else { significant(value, 1) }
 }
 
-/// Rounded to two digits that matter: `6.5`, `390`, `67000`.
-pub(crate) fn rounded(value: f64) -> String {
-    significant(format!("{value:.1e}").parse().unwrap_or(value), 2)
+/// Rounded to digits that matter, also before the point: `6.5`, `390`, `67000`.
+fn rounded(value: f64, digits: usize) -> String {
+    let places = digits - 1;
+    significant(format!("{value:.places$e}").parse().unwrap_or(value), digits as u8)
+}
+
+/// How many times as long as the best a method takes, in the same words wherever it is
+/// told.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Ratio {
+    /// It is the best.
+    One,
+    /// Only that it takes longer than this is known.
+    AtLeast(String),
+    /// A number and its interval.
+    Between([String; 3]),
+}
+
+/// The ratio of a method's cost to that of the best.
+pub(crate) fn ratio(method: &MethodResults) -> Ratio {
+    let Estimate { value, low, high } = method.cost_ratio;
+    if low == high {
+        return Ratio::One;
+    }
+    if method.stability.alarm || high >= NOTHING_KNOWN * value {
+        return Ratio::AtLeast(rounded(low, 2));
+    }
+    Ratio::Between(apart([low, value, high]))
+}
+
+/// Two digits, or as many more as it takes that an interval has a width and is seen to
+/// hold one or not to.
+fn apart([low, value, high]: [f64; 3]) -> [String; 3] {
+    let one = |digits| rounded(1.0, digits);
+    let texts = |digits| [value, low, high].map(|number| rounded(number, digits));
+    let told = |digits: usize| {
+        let [middle, from, to] = texts(digits);
+        let differ = from != middle && middle != to;
+        let sided = (low == 1.0 || from != one(digits)) && (high == 1.0 || to != one(digits));
+        differ && sided
+    };
+    texts((2..5).find(|digits| told(*digits)).unwrap_or(5))
+}
+
+impl Ratio {
+    /// `1.3 times as long (1.2 to 1.4)`.
+    pub(crate) fn as_long(&self) -> String {
+        match self {
+            Self::One => "the best".into(),
+            Self::AtLeast(low) => format!("at least {low} times as long"),
+            Self::Between([value, low, high]) => {
+                format!("{value} times as long ({low} to {high})")
+            }
+        }
+    }
+
+    /// `1.3 (1.2 to 1.4)`, for a table.
+    pub(crate) fn cell(&self) -> String {
+        match self {
+            Self::One => "1".into(),
+            Self::AtLeast(low) => format!("at least {low}"),
+            Self::Between([value, low, high]) => format!("{value} ({low} to {high})"),
+        }
+    }
 }
 
 /// Three digits.
@@ -137,7 +199,22 @@ mod tests {
     #[test]
     fn two_digits_are_enough_to_speak_of() {
         for (value, text) in [(6.46, "6.5"), (387.9, "390"), (66_600.0, "67000"), (1.0, "1.0")] {
-            assert_eq!(rounded(value), text);
+            assert_eq!(rounded(value, 2), text);
+        }
+    }
+
+    #[test]
+    fn intervals_keep_a_width_and_their_side_of_one() {
+        let cases = [
+            ([1.2, 1.3, 1.4], ["1.3", "1.2", "1.4"]),
+            ([1.29, 1.31, 1.33], ["1.31", "1.29", "1.33"]),
+            ([1.004, 1.2, 1.4], ["1.200", "1.004", "1.400"]),
+            ([0.98, 1.14, 1.3], ["1.1", "0.98", "1.3"]),
+            ([8.2, 9.0, 9.9], ["9.0", "8.2", "9.9"]),
+            ([66_400.0, 66_600.0, 66_800.0], ["66600", "66400", "66800"]),
+        ];
+        for (numbers, texts) in cases {
+            assert_eq!(apart(numbers), texts);
         }
     }
 

@@ -17,7 +17,7 @@ pub(crate) fn oracle(found: &Oracle, palette: &Palette) -> Markup {
                  is measured rightly."
             }
             ul.legend {
-                @for curve in &found.curves { li { (legend::name(palette, &curve.method)) } }
+                @for curve in &found.curves { li { (legend::plain(palette, &curve.method)) } }
             }
             div.pair {
                 figure {

@@ -57,13 +57,13 @@ pub(crate) fn pictures(
     }
 }
 
-fn names(scene: &SceneResults) -> Vec<&str> {
-    let methods = scene.methods.iter().map(|method| method.name.as_str());
-    let outside = scene.outside.iter().map(|point| point.name.as_str());
-    ["reference"].into_iter().chain(methods).chain(outside).collect()
+fn names(scene: &SceneResults) -> Vec<String> {
+    let methods = scene.methods.iter().map(MethodResults::marked_name);
+    let outside = scene.outside.iter().map(|point| point.name.clone());
+    [String::from("reference")].into_iter().chain(methods).chain(outside).collect()
 }
 
-fn wipe(ids: Ids, names: &[&str]) -> Markup {
+fn wipe(ids: Ids, names: &[String]) -> Markup {
     let options = |chosen: usize| {
         html! {
             @for (i, name) in names.iter().enumerate() {
@@ -106,7 +106,7 @@ fn method_pictures(
             (picture(grid, pictures.exposure, &alt, Some(ids.of(1 + i))))
             @if let Some(errors) = pictures.errors.get(i) { (scale.map(errors, &method.name)) }
             figcaption {
-                (legend::name(palette, &method.name)) ", relMSE " (short(method.metrics.rel_mse))
+                (legend::name(palette, method)) ", relMSE " (short(method.metrics.rel_mse))
             }
         }
     }

@@ -24,15 +24,30 @@ pub(crate) fn scene(
             h2 { (found.name) }
             p.facts { (facts(found)) }
             @if !alone { p.verdict { (found.verdict.sentence) } }
-            (speed::speed(found, palette))
-            (efficiency::efficiency(found, palette))
-            (settings::settings(found, palette))
-            (techniques::techniques(found, pictures))
-            @if let Some(pictures) = pictures {
-                (pictures::pictures(index, found, pictures, palette))
+            @if found.methods.is_empty() {
+                p.note { "No run was made: there is nothing to hold a picture against." }
+            } @else {
+                (compared(index, found, pictures, palette))
             }
-            (stability::stability(found, palette))
         }
+    }
+}
+
+fn compared(
+    index: usize,
+    found: &SceneResults,
+    pictures: Option<&ScenePictures>,
+    palette: &Palette,
+) -> Markup {
+    html! {
+        (speed::speed(found, palette))
+        (efficiency::efficiency(found, palette))
+        (settings::settings(found, palette))
+        (techniques::techniques(found, pictures))
+        @if let Some(pictures) = pictures {
+            (pictures::pictures(index, found, pictures, palette))
+        }
+        (stability::stability(found, palette))
     }
 }
 

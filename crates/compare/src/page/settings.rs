@@ -2,7 +2,7 @@
 
 use crate::chart::{Palette, front, pareto};
 use crate::page::legend;
-use crate::results::SceneResults;
+use crate::results::{MethodResults, SceneResults};
 use maud::{Markup, html};
 
 /// All settings, and the staircase of those that nothing beats.
@@ -14,10 +14,11 @@ pub(crate) fn settings(scene: &SceneResults, palette: &Palette) -> Markup {
             div.chart { (pareto(scene, &front, palette)) }
             figcaption {
                 "Every method after every time, averaged runs included. Grey: something else is \
-                 both faster and more exact. Unbeaten, from the fastest: "
-                @for (i, name) in front.names().iter().enumerate() {
+                 both faster and more exact. Hollow: the reference is too noisy here, or the method \
+                 does not see all light of the scene. Unbeaten, from the fastest: "
+                @for (i, method) in unbeaten(scene, &front.names()).into_iter().enumerate() {
                     @if i > 0 { ", " }
-                    (legend::name(palette, name))
+                    (legend::name(palette, method))
                 }
                 @if front.names().is_empty() { "none" }
                 "."
@@ -27,6 +28,11 @@ pub(crate) fn settings(scene: &SceneResults, palette: &Palette) -> Markup {
             }
         }
     }
+}
+
+fn unbeaten<'a>(scene: &'a SceneResults, names: &[&str]) -> Vec<&'a MethodResults> {
+    let named = |name: &&str| scene.methods.iter().find(|method| method.name == **name);
+    names.iter().filter_map(named).collect()
 }
 
 fn alarmed(scene: &SceneResults, name: &str) -> bool {

@@ -8,8 +8,9 @@ use maud::{Markup, html};
 
 const CAPTION: &str = "relMSE against seconds of rendering, both logarithmic. A marker at each \
     power of two of passes; the band holds nine runs in ten. Dotted, with small markers: runs \
-    averaged, as a longer run would be. Dashed: the method loses some light however long it \
-    renders. Hollow: the reference is too noisy here to tell. The thin straight line falls as \
+    averaged, as a longer run would be. Dashed: the method loses some light that others \
+    find, however long it renders. Hollow: the reference is too noisy here to tell, or, with a \
+    badge, the method does not see all light of the scene. The thin straight line falls as \
     1/time, as noise does, through the last sure point of the best method. Level lines are the \
     errors asked for, with a tick and the time where a method reaches them.";
 
@@ -40,7 +41,7 @@ fn times(scene: &SceneResults, palette: &Palette) -> Markup {
                     @for error in &errors { th scope="col" { "relMSE " (chosen(*error)) } }
                 } }
                 tbody { @for method in &scene.methods { tr {
-                    th scope="row" { (legend::name(palette, &method.name)) }
+                    th scope="row" { (legend::name(palette, method)) }
                     @for &error in &errors { td { (time(method, error)) } }
                 } } }
             }

@@ -35,7 +35,7 @@ pub(crate) fn stability(scene: &SceneResults, palette: &Palette) -> Markup {
 fn blind(method: &MethodResults, palette: &Palette) -> Markup {
     html! {
         div.box.blind role="note" {
-            b { (legend::name(palette, &method.name)) " is blind here." }
+            b { (legend::name(palette, method)) " is blind here." }
             " It cannot produce, however long it renders:"
             ul { @for light in &method.blind { li { (light) } } }
         }
@@ -46,7 +46,7 @@ fn row(method: &MethodResults, palette: &Palette) -> Markup {
     let Stability { tail, alarm, fireflies, worst_over_median, rejected } = method.stability;
     html! {
         tr {
-            th scope="row" { (legend::name(palette, &method.name)) }
+            th scope="row" { (legend::name(palette, method)) }
             td { @match tail { Some(tail) => (interval(tail)), None => "no tail" } }
             td.alarm[alarm] { @if alarm { "no variance" } @else { "none" } }
             td { (fireflies.map_or_else(|| "—".to_string(), short)) }

@@ -30,6 +30,9 @@ fn mean_ratio(a: &Numbers, b: &Numbers) -> Estimate {
     let Some((a, b)) = a.tile(last).zip(b.tile(last)) else {
         return Estimate { value: 1.0, low: 0.0, high: f64::MAX };
     };
+    if a.mean == 0.0 && b.mean == 0.0 {
+        return Estimate { value: 1.0, low: 1.0, high: 1.0 };
+    }
     let value = a.mean / b.mean;
     let relative = a.variance_of_mean / a.mean.powi(2) + b.variance_of_mean / b.mean.powi(2);
     let half_width = QUANTILE * relative.sqrt() * value;
@@ -45,6 +48,12 @@ mod tests {
         let tile = |mean: f64| Some((mean, variance));
         let tiles = tiles.iter().chain([&whole]).map(|mean| tile(*mean)).collect();
         Numbers { method: "m".into(), passes: 1000, seconds: 1.0, tiles }
+    }
+
+    #[test]
+    fn black_pictures_agree() {
+        let found = agreement(&numbers(&[0.0; 4], 0.0), &numbers(&[0.0; 4], 0.0), 0.0);
+        assert_eq!((found.mean_ratio.value, found.refused), (1.0, 0));
     }
 
     #[test]
