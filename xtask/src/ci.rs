@@ -1,7 +1,7 @@
 //! `cargo xtask ci`: everything a change must pass, in the order that finds a
 //! fault soonest.
 
-use crate::{layers, workspace};
+use crate::{layers, package, workspace};
 use anyhow::{Context, Result, ensure};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -17,6 +17,7 @@ pub(crate) fn run() -> Result<()> {
     step("layers", layers::run)?;
     step("test", || cargo(&["test", "--workspace"]))?;
     step("doc", document)?;
+    step("package", package::run)?;
     step("check", || bdpt(&["--check"]))?;
     step("picture", picture)?;
     step("compare", compare)?;

@@ -6,6 +6,7 @@ mod ci;
 mod compare_integrators;
 mod count_instructions;
 mod layers;
+mod package;
 mod planted;
 mod proofs;
 mod prove;
@@ -36,8 +37,9 @@ Usage: cargo xtask TASK [ARGUMENTS]
            which integrator reaches which error in which time; --help for more
   count-instructions [PART…] [OPTIONS]
            instructions a ray and a triangle, by valgrind; --help for more
-  ci       format, clippy, layers, tests, docs and a first picture; stops at
-           the first step that fails
+  package  packs traylib-math and traylib-geometry, and builds the packages
+  ci       format, clippy, layers, tests, docs, packages and a first picture;
+           stops at the first step that fails
 
 Exit status: 0 done, 1 a task failed, 2 the command line was not understood;
 of compare-integrators also 3 a scene or picture makes no sense, 4 nothing can
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
         ["layers"] => layers::run(),
         ["check-data", folder] => check_data::run(folder),
         ["ci"] => ci::run(),
+        ["package"] => package::run(),
         ["prove"] => prove::run(),
         ["planted", ref defects @ ..] => planted::run(defects),
         ["relations", ref arguments @ ..] => relations::run(arguments),

@@ -4,6 +4,7 @@ use std::fmt;
 
 /// Why a shape, a mesh or a hierarchy was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Error {
     /// A coordinate or a length is infinite or not a number.
     NotFinite,

@@ -148,3 +148,8 @@ pub use tree::build::Quality;
 
 #[cfg(test)]
 mod testing;
+
+/// What the package says of itself is run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

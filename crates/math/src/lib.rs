@@ -30,3 +30,8 @@ pub use mis::Heuristic;
 pub use planted::{Defect, planted};
 pub use rgb::Rgb;
 pub use sampler::{Purpose, Sampler, VertexNumbers};
+
+/// What the package says of itself is run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

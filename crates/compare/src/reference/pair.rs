@@ -46,6 +46,7 @@ pub struct Making<'a> {
 
 /// Why there is no reference.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum MakeError {
     /// The system refuses threads.
     Threads(ThreadError),
