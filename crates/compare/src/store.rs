@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use std::fmt::{self, Debug, Write};
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
-use traylib_io::{PictureInfo, load_exr, save_picture};
+use traylib_io::{PictureInfo, load_exr, save_picture, write_file};
 
 /// A folder of finished work.
 #[derive(Clone, Debug)]
@@ -108,11 +108,7 @@ pub fn write_json(path: &Path, numbers: &impl Serialize) -> Result<(), StoreErro
 /// # Errors
 /// The file cannot be written.
 pub fn write_text(path: &Path, text: &str) -> Result<(), StoreError> {
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(".part");
-    std::fs::write(&beside, text)
-        .and_then(|()| std::fs::rename(&beside, path))
-        .map_err(|error| cannot_write(path, &error))
+    write_file(path, text.as_bytes()).map_err(|error| StoreError(error.to_string()))
 }
 
 fn cannot_write(path: &Path, error: &dyn fmt::Display) -> StoreError {

@@ -2,26 +2,44 @@
 
 use crate::messages::say;
 use crate::outcome::Failure;
-use std::sync::Arc;
+use crate::signals::{self, Signal};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::Duration;
 use traylib_integrators::Control;
 
-/// Does this at the first request to stop; the second stops at once, with a line.
+type Answer = Box<dyn Fn(Signal) + Send>;
+
+/// What is done at the first request to stop; nothing before there is work to keep.
+static ANSWER: Mutex<Option<Answer>> = Mutex::new(None);
+
+/// Listens to requests to stop from now on: the second stops at once, with a line, and
+/// so does the first as long as [`on_interrupt`] has not said what else to do.
 ///
-/// Pictures are written beside their target and renamed, so even that leaves no
-/// half of one.
-pub fn on_interrupt(first: impl Fn() + Send + 'static) {
+/// Files are written beside their target and renamed, so even that leaves no half of
+/// one under its name.
+pub(crate) fn listen() {
     let asked = AtomicBool::new(false);
-    // Without a handler the system's own way to stop still works.
-    let _ = ctrlc::set_handler(move || {
-        if asked.swap(true, Ordering::Relaxed) {
-            say("error: interrupted again; stopped at once");
-            std::process::exit(130);
+    signals::listen(move |signal| {
+        let again = asked.swap(true, Ordering::Relaxed);
+        let answer = ANSWER.lock().unwrap_or_else(PoisonError::into_inner);
+        match &*answer {
+            Some(answer) if !again => answer(signal),
+            _ => stop_at_once(signal, again),
         }
-        first();
     });
+}
+
+fn stop_at_once(signal: Signal, again: bool) -> ! {
+    let again = if again { " again" } else { "" };
+    say(format_args!("error: interrupted{again}; stopped at once"));
+    std::process::exit(i32::from(signal.status()))
+}
+
+/// Does this at the first request to stop.
+pub fn on_interrupt(first: impl Fn(Signal) + Send + 'static) {
+    *ANSWER.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(first));
 }
 
 /// A rendering that can be asked to stop, and what asked it.
@@ -29,15 +47,15 @@ pub fn on_interrupt(first: impl Fn() + Send + 'static) {
 pub(crate) struct Stop {
     /// What the rendering listens to.
     pub(crate) control: Control,
-    interrupted: AtomicBool,
+    interrupted: OnceLock<Signal>,
 }
 
 impl Stop {
     /// Stops when the user or the system says so, and does `answer` then.
     pub(crate) fn on_interrupt(self: &Arc<Self>, answer: impl Fn() + Send + 'static) {
         let stop = Arc::clone(self);
-        on_interrupt(move || {
-            stop.interrupted.store(true, Ordering::Relaxed);
+        on_interrupt(move |signal| {
+            stop.interrupted.get_or_init(|| signal);
             stop.control.cancel();
             answer();
         });
@@ -60,8 +78,8 @@ impl Stop {
         })
     }
 
-    /// Whether the user or the system asked, not the clock.
-    pub(crate) fn is_interrupted(&self) -> bool {
-        self.interrupted.load(Ordering::Relaxed)
+    /// By which signal the user or the system asked, if it was not the clock.
+    pub(crate) fn interrupted(&self) -> Option<Signal> {
+        self.interrupted.get().copied()
     }
 }

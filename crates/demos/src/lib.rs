@@ -12,6 +12,7 @@ mod options;
 mod outcome;
 mod progress;
 mod run;
+mod signals;
 mod stats;
 mod technique_pictures;
 
@@ -22,7 +23,8 @@ pub use messages::{print_notes, say, tell};
 pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution};
 pub use outcome::Failure;
 pub use progress::clock;
-pub use run::{Done, Job, run};
+pub use run::{Done, Job, conclude, run};
+pub use signals::Signal;
 pub use technique_pictures::save_techniques;
 
 /// The examples that end a program's long help.

@@ -1,5 +1,6 @@
 //! How a program ends.
 
+use crate::signals::Signal;
 use std::fmt::{self, Display};
 use std::process::ExitCode;
 
@@ -35,9 +36,9 @@ impl Failure {
     /// A bug, which has been told of: status 1.
     pub(crate) const BUG: u8 = 1;
 
-    /// Interrupted: status 130.
-    pub fn interrupted(message: impl Display) -> Self {
-        Self::new(130, message)
+    /// Interrupted: status 130 by Ctrl-C, 143 by the system, 129 by a closed terminal.
+    pub fn interrupted(signal: Signal, message: impl Display) -> Self {
+        Self::new(signal.status(), message)
     }
 
     fn new(status: u8, message: impl Display) -> Self {

@@ -1,11 +1,12 @@
 //! From a command line to a picture.
 
 use crate::bug::report_bugs;
-use crate::interrupt::Stop;
+use crate::interrupt::{self, Stop};
 use crate::messages::{announce, describe, say, suggest, summarise, tell};
 use crate::options::{PathOptions, RenderOptions};
 use crate::outcome::Failure;
 use crate::progress::Line;
+use crate::signals::Signal;
 use crate::stats::stats;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -79,11 +80,10 @@ pub fn run<I: Integrator>(
 }
 
 /// Does the work of a program, prints what went wrong, a panic included, and
-/// returns the exit status.
-pub(crate) fn conclude(
-    program: &'static str,
-    work: impl FnOnce() -> Result<(), Failure>,
-) -> ExitCode {
+/// returns the exit status. Whoever asks for the end meanwhile is heard
+/// ([`on_interrupt`](crate::on_interrupt)).
+pub fn conclude(program: &'static str, work: impl FnOnce() -> Result<(), Failure>) -> ExitCode {
+    interrupt::listen();
     match report_bugs(program, work) {
         Some(Ok(())) => ExitCode::SUCCESS,
         Some(Err(failure)) => {
@@ -126,10 +126,10 @@ fn try_run<I: Integrator>(
         suggest(options);
     }
     match end {
-        End::Interrupt => Err(Failure::interrupted(format_args!(
-            "interrupted; what is written has {} spp",
-            done.rendering.film.passes()
-        ))),
+        End::Interrupt(signal) => Err(Failure::interrupted(
+            signal,
+            format_args!("interrupted; what is written has {} spp", done.rendering.film.passes()),
+        )),
         End::Spp | End::TimeLimit => Ok(()),
     }
 }
@@ -172,7 +172,7 @@ fn check_outputs(outfiles: &[PathBuf], folder: Option<&Path>) -> Result<(), Fail
 enum End {
     Spp,
     TimeLimit,
-    Interrupt,
+    Interrupt(Signal),
 }
 
 impl End {
@@ -180,7 +180,7 @@ impl End {
         match self {
             Self::Spp => "--spp",
             Self::TimeLimit => "--time-limit",
-            Self::Interrupt => "interrupt",
+            Self::Interrupt(_) => "interrupt",
         }
     }
 
@@ -189,7 +189,9 @@ impl End {
         let percent = (100.0 * part) as u32;
         let nothing = format!("the first pass was done to {percent} %; nothing is written");
         match self {
-            Self::Interrupt => Failure::interrupted(format_args!("interrupted while {nothing}")),
+            Self::Interrupt(signal) => {
+                Failure::interrupted(signal, format_args!("interrupted while {nothing}"))
+            }
             Self::Spp | Self::TimeLimit => Failure::output(format_args!(
                 "the time was up while {nothing}; a smaller --resolution or a longer --time-limit may help"
             )),
@@ -221,10 +223,8 @@ fn render_job(
     line.clear();
     let end = if rendering.film.passes() == settings.spp {
         End::Spp
-    } else if stop.is_interrupted() {
-        End::Interrupt
     } else {
-        End::TimeLimit
+        stop.interrupted().map_or(End::TimeLimit, End::Interrupt)
     };
     if rendering.film.passes() == 0 {
         return Err(end.without_picture(stop.control.part_of_pass()));

@@ -4,7 +4,7 @@ use crate::messages::{say, tell};
 use crate::options::RenderOptions;
 use crate::outcome::Failure;
 use std::path::{Path, PathBuf};
-use traylib_io::inventory;
+use traylib_io::{inventory, write_file};
 
 /// Writes the figures of the scene's files to `file`, `-` for standard output.
 pub(crate) fn stats(options: &RenderOptions, file: &Path) -> Result<(), Failure> {
@@ -20,7 +20,5 @@ pub(crate) fn stats(options: &RenderOptions, file: &Path) -> Result<(), Failure>
     if file == Path::new("-") {
         return tell(text);
     }
-    std::fs::write(file, text + "\n").map_err(|error| {
-        Failure::output(format_args!("{}: cannot be written: {error}", file.display()))
-    })
+    Ok(write_file(file, (text + "\n").as_bytes())?)
 }

@@ -1,13 +1,11 @@
 //! Pictures, to and from files.
 //!
-//! A picture is written completely or not at all: to a file beside the target,
-//! which then takes its name.
+//! A picture is written completely or not at all ([`write_file`](crate::write_file)).
 
 mod exr;
 mod hdr;
 mod pcx;
 mod png;
-mod replace;
 mod screen;
 mod tga;
 
@@ -15,7 +13,7 @@ pub use exr::{ExrChannel, ExrFile, ExrLayer, load_exr, open_exr};
 pub(crate) use exr::{ExrPicture, load_exr_within};
 pub use screen::screen_rgb;
 
-use crate::{Error, Warning};
+use crate::{Error, Warning, check_file, write_file};
 use screen::Screen;
 use std::path::Path;
 use traylib_math::{Grid, Rgb};
@@ -114,9 +112,9 @@ pub fn write_picture(
     exposure: f32,
     attributes: &[(String, String)],
 ) -> Result<(), Error> {
-    let encoded = encode(Format::of(path)?, radiance, exposure, attributes);
-    let written = encoded.and_then(|bytes| Ok(replace::replace(path, &bytes)?));
-    written.map_err(|cause| Error::Write { file: path.to_path_buf(), cause })
+    let bytes = encode(Format::of(path)?, radiance, exposure, attributes)
+        .map_err(|cause| Error::Write { file: path.to_path_buf(), cause })?;
+    write_file(path, &bytes)
 }
 
 fn encode(
@@ -170,7 +168,7 @@ pub fn losses(path: &Path, radiance: &Grid<Rgb>) -> Result<Option<Warning>, Erro
 /// [`Error::PictureFormat`] or [`Error::Write`], as `save_picture` would.
 pub fn check_writable(path: &Path) -> Result<(), Error> {
     Format::of(path)?;
-    replace::check(path).map_err(|e| Error::Write { file: path.to_path_buf(), cause: e.into() })
+    check_file(path)
 }
 
 #[cfg(test)]

@@ -58,6 +58,7 @@ pub(super) const LAYERS: &[Layer] = &[
             "ctrlc",
             "indicatif",
             "serde_json",
+            "signal-hook",
         ],
     ),
     layer(

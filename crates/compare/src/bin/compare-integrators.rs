@@ -3,25 +3,19 @@
 use clap::Parser;
 use std::path::Path;
 use std::process::{Command, ExitCode};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use traylib_compare::compare::{Comparison, compare};
 use traylib_compare::how::how;
 use traylib_compare::options::Options;
 use traylib_compare::page::page;
 use traylib_compare::store::{write_json, write_text};
 use traylib_compare::table::table;
-use traylib_demos::{Failure, on_interrupt, say, tell};
+use traylib_demos::{Failure, Signal, conclude, on_interrupt, say, tell};
 use traylib_integrators::Control;
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    match run(&options) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            say(&failure);
-            failure.code()
-        }
-    }
+    conclude("compare-integrators", || run(&options))
 }
 
 fn run(options: &Options) -> Result<(), Failure> {
@@ -30,8 +24,10 @@ fn run(options: &Options) -> Result<(), Failure> {
     }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let stop = Arc::new(Control::default());
-    let raised = Arc::clone(&stop);
-    on_interrupt(move || {
+    let signal = Arc::new(OnceLock::new());
+    let (raised, by) = (Arc::clone(&stop), Arc::clone(&signal));
+    on_interrupt(move |signal| {
+        by.get_or_init(|| signal);
         raised.cancel();
         say("interrupt: what is done will be shown; once more stops at once");
     });
@@ -48,6 +44,7 @@ fn run(options: &Options) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::interrupted(
+        signal.get().copied().unwrap_or(Signal::Interrupt),
         "interrupted; what was done is kept and shown, and the same command goes on from there",
     ))
 }

@@ -34,7 +34,7 @@ fn send(signal: &str, child: &Child) {
 
 #[test]
 fn signals_end_a_run_with_a_whole_picture() {
-    for signal in ["INT", "TERM", "HUP"] {
+    for (signal, status) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
         let folder = Folder::new();
         let mut child = start(&folder);
         // The note on long paths is the last line before the work.
@@ -44,7 +44,7 @@ fn signals_end_a_run_with_a_whole_picture() {
         send(signal, &child);
         let err: Vec<String> = lines.map(Result::unwrap).collect();
         let run = Run::from(child.wait_with_output().unwrap());
-        assert_eq!((run.status, run.out.as_str()), (Some(130), "a.exr\n"), "{signal}: {err:?}");
+        assert_eq!((run.status, run.out.as_str()), (Some(status), "a.exr\n"), "{signal}: {err:?}");
         assert!(err[0].starts_with("interrupt: ending with the passes that are done"), "{err:?}");
         assert!(err.iter().any(|line| line.ends_with("ended by interrupt")), "{err:?}");
         assert!(err.last().unwrap().starts_with("error: interrupted; what is written has "));
@@ -74,7 +74,9 @@ fn what_ends_a_run_is_heard_within_a_pass() {
 fn signals_are_heard_within_a_pass() {
     let folder = Folder::new();
     folder.write("white.ron", WHITE_ROOM);
-    for (signal, program) in [("INT", "bdpt"), ("TERM", "puremc"), ("HUP", "particle")] {
+    for (signal, status, program) in
+        [("INT", 130, "bdpt"), ("TERM", 143, "puremc"), ("HUP", 129, "particle")]
+    {
         let mut command = folder.command(program, "./white.ron --max-depth 100000 -o a.exr");
         let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
@@ -85,7 +87,7 @@ fn signals_are_heard_within_a_pass() {
         let err: Vec<String> = lines.map(Result::unwrap).collect();
         let run = Run::from(child.wait_with_output().unwrap());
         assert!(start.elapsed() < Duration::from_secs(10), "{signal}");
-        assert_eq!((run.status, run.out.as_str()), (Some(130), ""), "{signal}: {err:?}");
+        assert_eq!((run.status, run.out.as_str()), (Some(status), ""), "{signal}: {err:?}");
         assert_eq!(
             err,
             [
@@ -118,6 +120,42 @@ fn a_second_interrupt_stops_at_once() {
     assert_eq!(err, ["error: interrupted again; stopped at once"]);
     assert_eq!(child.wait().unwrap().code(), Some(130));
     drop(reader);
+}
+
+/// Nobody writes the scene into its pipe.
+#[test]
+fn before_the_work_the_first_interrupt_stops_at_once() {
+    let folder = Folder::new();
+    let (pipe, _writer) = std::io::pipe().unwrap();
+    for (signal, status) in [("INT", 130), ("TERM", 143)] {
+        let mut command = folder.command("film", "convert /dev/stdin a.png");
+        command.stdin(pipe.try_clone().unwrap()).stderr(Stdio::piped());
+        let child = command.stdout(Stdio::piped()).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(500));
+        send(signal, &child);
+        let run = Run::from(child.wait_with_output().unwrap());
+        assert_eq!(run.err, "error: interrupted; stopped at once\n");
+        assert_eq!((run.status, folder.names()), (Some(status), Vec::new()));
+    }
+}
+
+/// As under `nohup`.
+#[test]
+#[cfg(target_os = "linux")]
+fn what_is_ignored_from_the_start_stays_so() {
+    let folder = Folder::new();
+    let program = env!("CARGO_BIN_EXE_puremc");
+    let script = format!("trap '' HUP; exec {program} {ENDLESS} --max-depth 5");
+    let mut command = Command::new("sh");
+    command.current_dir(folder.path()).args(["-c", &script]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
+    assert!(lines.any(|line| line.unwrap().starts_with("note: paths")));
+    send("HUP", &child);
+    std::thread::sleep(Duration::from_millis(500));
+    assert_eq!(child.try_wait().unwrap(), None);
+    send("TERM", &child);
+    assert_eq!((lines.count(), child.wait().unwrap().code()).1, Some(143));
 }
 
 #[test]

@@ -9,5 +9,7 @@ mod film;
 #[cfg(unix)]
 mod interrupts;
 mod models;
+#[cfg(unix)]
+mod outputs;
 mod pictures;
 mod stats;

@@ -18,7 +18,7 @@ impl Folder {
         &self.0
     }
 
-    fn files(&self) -> Vec<String> {
+    pub(crate) fn files(&self) -> Vec<String> {
         let name = |entry: io::Result<fs::DirEntry>| entry.unwrap().file_name();
         fs::read_dir(&self.0).unwrap().map(|e| name(e).to_string_lossy().into_owned()).collect()
     }
