@@ -14,7 +14,9 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Duration;
 use traylib_integrators::{Integrator, Limits, Progress, Rendering, Settings, render};
-use traylib_io::{LoadOptions, Loaded, PictureInfo, check_writable, load_scene_with, save_picture};
+use traylib_io::{
+    Headlight, LoadOptions, Loaded, PictureInfo, check_writable, load_scene_with, save_picture,
+};
 use traylib_scene::Scene;
 
 /// What a program was asked to do.
@@ -31,8 +33,9 @@ pub struct Job<'a> {
     pub default_spp: Option<u32>,
     /// Whether a picture is wanted, or only what `finish` makes of it.
     pub wants_picture: bool,
-    /// Whether a model without light is lit from the camera.
-    pub headlight: bool,
+    /// When a model is lit from the camera; of what is only checked, if nothing in it
+    /// emits light.
+    pub headlight: Headlight,
     /// A folder for what `finish` writes.
     pub folder: Option<&'a Path>,
 }
@@ -50,7 +53,7 @@ impl<'a> Job<'a> {
             paths,
             default_spp: None,
             wants_picture: true,
-            headlight: false,
+            headlight: Headlight::Never,
             folder: None,
         }
     }
@@ -137,7 +140,8 @@ fn try_run<I: Integrator>(
 /// The scene as the command line wants it.
 fn load(job: &Job<'_>) -> Result<Loaded, Failure> {
     let options = job.options;
-    let headlight = job.headlight || options.check;
+    let only_checked = options.check && job.headlight == Headlight::Never;
+    let headlight = if only_checked { Headlight::WithoutLight } else { job.headlight };
     let load =
         LoadOptions { resolution: options.resolution, root: options.root.as_deref(), headlight };
     let mut loaded = load_scene_with(&options.scene, load)?;

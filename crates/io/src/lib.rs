@@ -36,7 +36,7 @@ pub use builtin::builtin_names;
 pub use error::{Error, Warning};
 pub use import::MAX_PIXELS;
 pub use inventory::{Inventory, SceneCounts, inventory};
-pub use load::{LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
+pub use load::{Headlight, LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
 pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, losses, open_exr,
     save_picture, write_picture,

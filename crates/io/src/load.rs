@@ -24,9 +24,21 @@ pub struct LoadOptions<'a> {
     /// The folder that files included by scene files and MGF files may not leave;
     /// that of the scene, if none is given.
     pub root: Option<&'a Path>,
-    /// Whether a 3DS or MGF file without any light gets a point light at the
-    /// camera, with a warning. Else it is an error.
-    pub headlight: bool,
+    /// When a 3DS or MGF file gets a point light at the camera, with a warning.
+    pub headlight: Headlight,
+}
+
+/// When a 3DS or MGF file gets a point light at the camera.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Headlight {
+    /// Never: a file without any light is an error.
+    #[default]
+    Never,
+    /// If nothing in it emits light.
+    WithoutLight,
+    /// If it has no point or spot light, for programs that see by these alone: also if
+    /// something in it shines by itself, be it a lamp or no more than an eye.
+    WithoutPointLight,
 }
 
 /// A scene and what came with it.

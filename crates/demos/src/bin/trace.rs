@@ -4,6 +4,7 @@ use clap::Parser;
 use std::process::ExitCode;
 use traylib_demos::{Job, RenderOptions, run};
 use traylib_integrators::Trace;
+use traylib_io::Headlight;
 
 /// One ray a pixel with a shadow ray to each point lamp; no interreflection
 #[derive(Parser)]
@@ -15,8 +16,11 @@ struct Options {
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    let job =
-        Job { default_spp: Some(1), headlight: true, ..Job::new("trace", &options.render, None) };
+    let job = Job {
+        default_spp: Some(1),
+        headlight: Headlight::WithoutPointLight,
+        ..Job::new("trace", &options.render, None)
+    };
     let jitter = options.render.time_limit.is_some() || options.render.spp.unwrap_or(1) > 1;
     run(&job, |_, _| Ok(Trace { jitter }), |_| Ok(()))
 }

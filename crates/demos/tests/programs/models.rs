@@ -3,7 +3,7 @@
 use crate::common::Folder;
 use std::ops::ControlFlow;
 use traylib_integrators::{Control, PureMc, Settings, render};
-use traylib_io::{LoadOptions, load_scene_with};
+use traylib_io::{LoadOptions, TextureLimits, load_scene_with, load_texture};
 
 /// A closed room whose walls, seen from inside alone, reflect half and emit ¼.
 const FURNACE: &str = "m wall =\n sides 1\n rd .5\n ed 140.58628\n\
@@ -47,6 +47,28 @@ fn a_scene_is_found_by_any_name() {
             let run = folder.run("bdpt", &format!("{name} --check {more}"));
             assert_eq!(run.status, Some(0), "{name} {more}: {}", run.err);
         }
+    }
+}
+
+/// A light at the camera shows a surface in its colour: of a half, met from 30° above, a
+/// quarter comes back. Something small that glows does not change that.
+#[test]
+fn a_plate_without_a_lamp_is_seen_in_its_colour() {
+    let folder = Folder::new();
+    let plate = "m grey =\n sides 2\n rd 0.5\nv a =\n p 0 0 0\nv b =\n p 1 0 0\n\
+                 v c =\n p 1 1 0\nv d =\n p 0 1 0\nf a b c d\n";
+    folder.write("plate.mgf", plate);
+    let eye = "m eye =\n ed 100\nv e =\n p 0 0 0\nv f =\n p 0 .01 0\n\
+               v g =\n p .01 0 0\nf e f g\n";
+    folder.write("eyed.mgf", &format!("{plate}{eye}"));
+    for file in ["plate.mgf", "eyed.mgf"] {
+        let run = folder.run("trace", &format!("{file} --resolution 81x61 -o o.png"));
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        let picture = folder.path().join("o.png");
+        let picture = load_texture(&picture, TextureLimits::default()).unwrap().pixels;
+        let middle = picture.values()[81 * 30 + 40].g;
+        // One of 256 steps is 0.004 here.
+        assert!((middle - 0.25).abs() < 0.01, "{file}: {middle}");
     }
 }
 

@@ -9,7 +9,7 @@ use super::one_sided::{self, Described};
 use super::placement::Placement;
 use super::tally::Tally;
 use super::thing::{Thing, ThingMaterial};
-use crate::load::{LoadOptions, SceneSettings};
+use crate::load::{Headlight, LoadOptions, SceneSettings};
 use crate::ron_scene;
 use crate::source::Location;
 use crate::{Error, Warning};
@@ -41,18 +41,21 @@ pub(crate) fn import_whole(
     }
     let (view, mut notes) = view(&file, &things, &bounds, options);
     let mut lights = file.lights(&Placement::NONE, bounds.centre());
-    if lights.is_empty() && things.iter().all(|thing| thing.emission.is_black()) {
-        if !options.headlight {
+    let lack = lack_of_light(&lights, &things, options.headlight);
+    if let Some(lack) = lack {
+        if options.headlight == Headlight::Never {
             return Err(Error::Unlit(name));
         }
-        tally.add("nothing in it emits light, lit by a point light at the camera");
+        tally.add(format!("{lack}, lit by a point light at the camera"));
         lights.push(headlight(&view, bounds.centre()));
     }
     let places = lights.iter().map(|light| light.position).chain([view.position]);
     let one_sided = one_sided(&file, &name, &things, places.collect());
     let camera = Camera::new(view).map_err(failed)?;
     let scene = build(camera, &file, things, lights, &mut tally).map_err(failed)?;
-    let exposure = if file.is_physical() { exposure(&scene, &bounds) } else { 1.0 };
+    // Under the light at the camera surfaces show their colours as they are.
+    let chosen = file.is_physical() && lack.is_none();
+    let exposure = if chosen { exposure(&scene, &bounds) } else { 1.0 };
     if exposure != 1.0 {
         notes.push(format!("exposure of 8-bit pictures: {exposure}"));
     }
@@ -60,6 +63,21 @@ pub(crate) fn import_whole(
     warnings.extend(one_sided);
     warnings.extend(coincidence::warnings(&scene, &name));
     Ok(Imported { scene, settings: SceneSettings { spp: 64, exposure }, warnings, notes })
+}
+
+/// What a file has not that the caller wants a light at the camera for, if so.
+fn lack_of_light(
+    lights: &[PointLight],
+    things: &[Thing],
+    headlight: Headlight,
+) -> Option<&'static str> {
+    let has_points = lights.iter().any(|light| !light.intensity.is_black());
+    let glows = things.iter().any(|thing| !thing.emission.is_black());
+    match (has_points, glows, headlight) {
+        (false, false, _) => Some("nothing in it emits light"),
+        (false, true, Headlight::WithoutPointLight) => Some("it has no point or spot light"),
+        (true, ..) | (false, true, Headlight::Never | Headlight::WithoutLight) => None,
+    }
 }
 
 fn things(file: &ModelFile, tally: &mut Tally) -> Result<Vec<Thing>, traylib_geometry::Error> {

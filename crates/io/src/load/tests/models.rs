@@ -61,11 +61,34 @@ fn a_file_without_a_lamp_is_refused_or_lit_from_the_camera() {
     assert!(matches!(dark, Error::Unlit(_)), "{dark:?}");
     let text = dark.to_string();
     assert!(text.contains("nothing in it emits light") && text.contains("Mesh(file: "), "{text}");
-    let options = LoadOptions { headlight: true, ..LoadOptions::default() };
+    let options = LoadOptions { headlight: Headlight::WithoutLight, ..LoadOptions::default() };
     let lit = load_scene_with(CUBE_FILE, options).unwrap();
     assert!(matches!(lit.scene.lights(), [Light::Point(_)]));
     assert_eq!(lit.warnings.len(), 1);
     assert_eq!(lit.settings.exposure, 1.0);
+}
+
+/// The light at the camera shows surfaces as they are, so that nothing is to be exposed
+/// for; small things that glow do not take its place where lamps with an area do not count.
+#[test]
+fn what_glows_a_little_is_lit_from_the_camera_where_only_points_count() {
+    let dark = "v c =\n p 0 0 1\nm grey =\n rd .5\nsph c 1\n";
+    let eye = format!("{dark}m eye =\n ed 1\nv e =\n p 0 1 1\nsph e .1\n");
+    let exposure = |loaded: &Loaded| loaded.settings.exposure;
+    let points = |loaded: &Loaded| loaded.scene.lights().iter().filter(|l| l.is_point()).count();
+    for (text, headlight, wanted) in [
+        (dark, Headlight::WithoutLight, 1),
+        (dark, Headlight::WithoutPointLight, 1),
+        (&eye, Headlight::Never, 0),
+        (&eye, Headlight::WithoutLight, 0),
+        (&eye, Headlight::WithoutPointLight, 1),
+    ] {
+        let options = LoadOptions { headlight, ..LoadOptions::default() };
+        let loaded = load_mgf("eye", text, options).unwrap();
+        assert_eq!(points(&loaded), wanted, "{headlight:?}");
+        assert_eq!(exposure(&loaded) == 1.0, wanted == 1, "{headlight:?}");
+        assert_eq!(loaded.warnings.len(), wanted, "{:?}", loaded.warnings);
+    }
 }
 
 #[test]
