@@ -1,21 +1,20 @@
 //! A camera for what has none.
 //!
 //! Up is where the light comes from, y or z; both are customary in MGF, and z in
-//! 3DS. Where something is almost all around the middle, the camera stands
-//! inside, far along the way from the middle that is longest and has room to both
-//! sides, and looks back across it. Else it stands outside, above one corner, and sees everything.
+//! 3DS. In a room the camera stands inside, far along the way from the middle that is
+//! longest and has room to both sides, and looks back across it. An object it sees as a
+//! whole from outside, above one corner.
+
+mod surroundings;
 
 use super::model::ModelCamera;
 use super::thing::Thing;
 use std::f32::consts::{PI, TAU};
-use traylib_geometry::{Aabb, Bvh, Primitive, Ray, Shapes, SidedPrimitive, Vec2, Vec3};
+use surroundings::Tree;
+use traylib_geometry::{Aabb, Primitive, Ray, Vec2, Vec3};
 use traylib_math::glam::DVec3;
+use traylib_scene::PointLight;
 
-/// Of all directions from the middle, how many must meet something for it to be
-/// inside.
-const ENCLOSED: f32 = 0.95;
-/// Directions that are tried, evenly over the sphere.
-const DIRECTIONS: u32 = 400;
 /// Horizontal ways that are tried.
 const WAYS: u32 = 16;
 /// Height of the middle, of that of the whole.
@@ -68,24 +67,28 @@ pub(super) fn up(things: &[Thing], bounds: &Aabb) -> Vec3 {
 }
 
 /// The camera, for a picture this much wider than high.
-pub(super) fn camera(things: &[Thing], bounds: &Aabb, up: Vec3, aspect: f32) -> ModelCamera {
-    let primitives: Vec<SidedPrimitive> = things.iter().flat_map(Thing::primitives).collect();
-    let inside = Bvh::of_shapes(primitives).ok().and_then(|shapes| inside(&shapes, bounds, up));
+pub(super) fn camera(
+    things: &[Thing],
+    lights: &[PointLight],
+    bounds: &Aabb,
+    up: Vec3,
+    aspect: f32,
+) -> ModelCamera {
+    let room = surroundings::tree(things)
+        .filter(|tree| surroundings::is_room(tree, things, lights, bounds, up));
+    let inside = room.and_then(|tree| inside(&tree, bounds, up));
     inside.unwrap_or_else(|| outside(bounds, up, aspect))
 }
 
-/// A camera among what is all around; `None` if that is not so.
-fn inside(shapes: &Bvh<Shapes<SidedPrimitive>>, bounds: &Aabb, up: Vec3) -> Option<ModelCamera> {
+/// A camera in a room; `None` if there is no place for one.
+fn inside(tree: &Tree, bounds: &Aabb, up: Vec3) -> Option<ModelCamera> {
     let centre = bounds.centre();
-    let way = |direction| shapes.nearest(&Ray::new(centre, direction)).map(|hit| hit.t);
-    let met = (0..DIRECTIONS).filter(|&index| way(direction(index, up)).is_some()).count();
-    if (met as f32) < ENCLOSED * DIRECTIONS as f32 {
-        return None;
-    }
     let middle = centre + up * ((EYE_HEIGHT - 0.5) * bounds.extent().dot(up));
     let horizontal = |index: u32| horizontal(TAU * index as f32 / WAYS as f32, up);
-    let free =
-        |index: u32| shapes.nearest(&Ray::new(middle, horizontal(index))).map_or(0.0, |hit| hit.t);
+    let free = |index: u32| {
+        let ray = Ray::new(middle, horizontal(index));
+        tree.nearest(&ray).map_or_else(|| way_out(&ray, bounds), |hit| hit.t)
+    };
     let ways: Vec<f32> = (0..WAYS).map(free).collect();
     let at = |index: u32| ways[(index % WAYS) as usize];
     let room = |index: &u32| at(*index).min(at(index + 1)).min(at(index + WAYS - 1));
@@ -95,9 +98,18 @@ fn inside(shapes: &Bvh<Shapes<SidedPrimitive>>, bounds: &Aabb, up: Vec3) -> Opti
     is_view.then_some(ModelCamera { position, target: middle, up, fov_degrees: FOV_INSIDE })
 }
 
-/// One of many directions, on a spiral from pole to pole.
-fn direction(index: u32, up: Vec3) -> Vec3 {
-    let height = 1.0 - (2 * index + 1) as f32 / DIRECTIONS as f32;
+/// How far it is to the sides of the box.
+fn way_out(ray: &Ray, bounds: &Aabb) -> f32 {
+    let ahead = Vec3::select(ray.direction.cmpgt(Vec3::ZERO), bounds.max, bounds.min);
+    // Along a side there is no way out through it.
+    let ways = ((ahead - ray.origin) / ray.direction)
+        .map(|way| if way >= 0.0 { way } else { f32::INFINITY });
+    ways.min_element()
+}
+
+/// One of `count` directions, on a spiral from pole to pole.
+fn direction(index: u32, count: u32, up: Vec3) -> Vec3 {
+    let height = 1.0 - (2 * index + 1) as f32 / count as f32;
     let golden_angle = PI * (3.0 - 5.0_f32.sqrt());
     let around = horizontal(golden_angle * index as f32, up);
     around * (1.0 - height * height).sqrt() + up * height

@@ -39,8 +39,8 @@ pub(crate) fn import_whole(
     if bounds.is_empty() {
         return Err(Error::NothingToSee(name));
     }
-    let (view, mut notes) = view(&file, &things, &bounds, options);
     let mut lights = file.lights(&Placement::NONE, bounds.centre());
+    let (view, mut notes) = view(&file, &things, &lights, &bounds, options);
     let lack = lack_of_light(&lights, &things, options.headlight);
     if let Some(lack) = lack {
         if options.headlight == Headlight::Never {
@@ -106,6 +106,7 @@ fn one_sided(file: &ModelFile, name: &str, things: &[Thing], points: Vec<Vec3>) 
 fn view(
     file: &ModelFile,
     things: &[Thing],
+    lights: &[PointLight],
     bounds: &Aabb,
     options: LoadOptions<'_>,
 ) -> (CameraSettings, Vec<String>) {
@@ -122,7 +123,7 @@ fn view(
         return (settings(view), Vec::new());
     }
     let up = if file.is_physical() { frame::up(things, bounds) } else { Vec3::Z };
-    let view = settings(frame::camera(things, bounds, up, width as f32 / height as f32));
+    let view = settings(frame::camera(things, lights, bounds, up, width as f32 / height as f32));
     let note = format!("no camera in the file, taken: {}", shown(&view));
     (view, vec![note])
 }

@@ -1,7 +1,7 @@
 use super::*;
 use crate::import::model::Half;
 use crate::import::thing::ThingMaterial;
-use traylib_geometry::{Disk, Facing, Mesh, Sides, Sphere};
+use traylib_geometry::{Disk, Facing, Mesh, Quad, Sides, Sphere};
 use traylib_math::Rgb;
 use traylib_scene::ObjectShape;
 
@@ -20,12 +20,14 @@ fn disk(centre: Vec3, normal: Vec3) -> Thing {
 }
 
 fn framed(things: &[Thing]) -> ModelCamera {
-    camera(things, &bounds(things), Vec3::Z, 4.0 / 3.0)
+    camera(things, &[], &bounds(things), Vec3::Z, 4.0 / 3.0)
 }
 
 #[test]
 fn what_is_all_around_is_seen_from_inside() {
-    let camera = framed(&[sphere(Facing::Inward)]);
+    let lights = [point(Vec3::new(10.0, 1.0, 0.0))];
+    let things = [sphere(Facing::Inward)];
+    let camera = camera(&things, &lights, &bounds(&things), Vec3::Z, 4.0 / 3.0);
     let distance = camera.position.distance(Vec3::new(10.0, 0.0, 0.2));
     // Nine tenths of the way from a little above the middle to the wall.
     assert!((distance - 0.9 * (4.0_f32 - 0.04).sqrt()).abs() < 1e-3, "{distance}");
@@ -63,4 +65,77 @@ fn up_is_where_lamps_are_and_shine_down_from() {
     };
     assert_eq!([lamp_up(Vec3::Y), lamp_up(Vec3::Z)], [Vec3::Y, Vec3::Z]);
     assert_eq!(up(&[room], &Aabb { min: -Vec3::ONE, max: Vec3::ONE }), Vec3::Z);
+}
+
+/// A box from -1 to 1, its faces outward or inward.
+fn cube(inward: bool, sides: Sides) -> Thing {
+    let corner = |index: u32| {
+        let at = |bit: u32| if index >> bit & 1 == 0 { -1.0 } else { 1.0 };
+        Vec3::new(at(0), at(1), at(2))
+    };
+    let faces =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let halves = |[a, b, c, d]: [u32; 4]| [[a, b, c], [a, c, d]];
+    let turned = |[a, b, c]: [u32; 3]| if inward { [a, c, b] } else { [a, b, c] };
+    let triangles = faces.into_iter().flat_map(halves).map(turned).collect();
+    let mesh = Mesh::new((0..8).map(corner).collect(), triangles).unwrap();
+    Thing { shape: ObjectShape::Mesh(mesh), sides, ..sphere(Facing::Outward) }
+}
+
+fn point(position: Vec3) -> PointLight {
+    PointLight { position, intensity: Rgb::WHITE, cone: None }
+}
+
+/// Whether these are seen from inside, by a point light there.
+fn is_room(things: &[Thing], light: Option<Vec3>) -> bool {
+    let lights: Vec<PointLight> = light.map(point).into_iter().collect();
+    let bounds = bounds(things);
+    let camera = camera(things, &lights, &bounds, Vec3::Z, 4.0 / 3.0);
+    let is_inside = bounds.contains(camera.position);
+    assert_eq!(camera.fov_degrees, if is_inside { FOV_INSIDE } else { FOV_OUTSIDE });
+    is_inside
+}
+
+#[test]
+fn what_shows_its_backs_to_the_middle_is_an_object() {
+    let (within, beside) = (Some(Vec3::new(0.1, 0.2, 0.3)), Some(Vec3::new(3.0, 2.0, 9.0)));
+    for sides in [Sides::Front, Sides::Both] {
+        assert!(is_room(&[cube(true, sides)], within));
+        assert!(is_room(&[cube(true, sides)], beside));
+        assert!(!is_room(&[cube(true, sides)], None));
+        assert!(!is_room(&[cube(false, sides)], beside));
+    }
+    // Walls that reflect on their backs too, around a lamp, can have been meant for a room.
+    assert!(is_room(&[cube(false, Sides::Both)], within));
+    assert!(!is_room(&[cube(false, Sides::Front)], within));
+}
+
+/// Both sides of a lamp are one surface, whose front is outside.
+#[test]
+fn a_lamp_that_shines_to_both_sides_is_no_room() {
+    let half = |half, inward| Thing { half, emission: Rgb::WHITE, ..cube(inward, Sides::Front) };
+    assert!(!is_room(&[half(Half::Front, false), half(Half::Back, true)], None));
+    assert!(is_room(&[half(Half::Whole, true)], None));
+}
+
+#[test]
+fn a_corridor_with_open_ends_is_seen_from_inside() {
+    let wall = |corner: [f32; 3], edge: [f32; 3]| {
+        let [corner, edge] = [corner, edge].map(Vec3::from);
+        let quad = Quad::new(corner, edge, Vec3::new(3.0, 0.0, 0.0)).unwrap();
+        thing(Primitive::Quad(quad), 0.0)
+    };
+    // Of inward fronts along x, 2 m wide and high.
+    let corridor = [
+        wall([0.0, 0.0, 0.0], [0.0, -2.0, 0.0]),
+        wall([0.0, -2.0, 0.0], [0.0, 0.0, 2.0]),
+        wall([0.0, -2.0, 2.0], [0.0, 2.0, 0.0]),
+        wall([0.0, 0.0, 2.0], [0.0, 0.0, -2.0]),
+    ];
+    assert!(is_room(&corridor, Some(Vec3::new(0.5, -1.0, 1.9))));
+    // The camera stands in an end.
+    let lights = [point(Vec3::new(0.5, -1.0, 1.9))];
+    let camera = camera(&corridor, &lights, &bounds(&corridor), Vec3::Z, 1.0);
+    let off = (camera.position - Vec3::new(1.5, -1.0, 1.1)).abs();
+    assert!((off.x - 1.35).abs() < 1e-4 && off.y < 1e-4 && off.z < 1e-4, "{camera:?}");
 }
