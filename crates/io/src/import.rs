@@ -9,6 +9,7 @@ mod frame;
 mod lights;
 mod material;
 mod mesh;
+mod meter;
 mod model;
 mod object;
 mod one_sided;

@@ -148,6 +148,6 @@ fn placed_lights(
     things: &[Thing],
 ) -> Vec<PointLight> {
     let dimmed = |light: PointLight| PointLight { intensity: light.intensity * factor, ..light };
-    let of = |file: &ModelFile| file.lights(placement, frame::bounds(things).centre());
+    let of = |file: &ModelFile| file.lights(placement, &frame::bounds(things));
     if factor > 0.0 { of(&model.file).into_iter().map(dimmed).collect() } else { Vec::new() }
 }

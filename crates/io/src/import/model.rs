@@ -10,7 +10,7 @@ use crate::{Error, Warning};
 use std::collections::HashMap;
 use std::path::Path;
 use std::rc::Rc;
-use traylib_geometry::{self as geometry, Sides};
+use traylib_geometry::{self as geometry, Aabb, Sides};
 use traylib_materials::Material;
 use traylib_math::{Rgb, Vec3};
 use traylib_scene::{ObjectShape, PointLight};
@@ -112,11 +112,11 @@ impl ModelFile {
         }
     }
 
-    /// Its lights, as bright as 3D Studio shows them around `middle`.
-    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<PointLight> {
+    /// Its lights, as bright as 3D Studio shows them in the middle of what is `around`.
+    pub(super) fn lights(&self, placement: &Placement, around: &Aabb) -> Vec<PointLight> {
         match &self.content {
             Content::Mgf(_) => Vec::new(),
-            Content::ThreeDs(content) => content.lights(placement, middle),
+            Content::ThreeDs(content) => content.lights(placement, around),
         }
     }
 

@@ -4,6 +4,7 @@ use super::Imported;
 use super::coincidence;
 use super::frame;
 use super::lights::add_light;
+use super::meter;
 use super::model::{ModelCamera, ModelFile, ModelPart};
 use super::one_sided::{self, Described};
 use super::placement::Placement;
@@ -39,7 +40,7 @@ pub(crate) fn import_whole(
     if bounds.is_empty() {
         return Err(Error::NothingToSee(name));
     }
-    let mut lights = file.lights(&Placement::NONE, bounds.centre());
+    let mut lights = file.lights(&Placement::NONE, &bounds);
     let (view, mut notes) = view(&file, &things, &lights, &bounds, options);
     let lack = lack_of_light(&lights, &things, options.headlight);
     if let Some(lack) = lack {
@@ -54,10 +55,11 @@ pub(crate) fn import_whole(
     let camera = Camera::new(view).map_err(failed)?;
     let scene = build(camera, &file, things, lights, &mut tally).map_err(failed)?;
     // Under the light at the camera surfaces show their colours as they are.
-    let chosen = file.is_physical() && lack.is_none();
-    let exposure = if chosen { exposure(&scene, &bounds) } else { 1.0 };
-    if exposure != 1.0 {
-        notes.push(format!("exposure of 8-bit pictures: {exposure}"));
+    let exposure = if lack.is_some() { 1.0 } else { exposure(&file, &scene, &bounds) };
+    if lack.is_none() {
+        notes.push(format!(
+            "no exposure in the file, taken: --exposure {exposure}, in a scene file exposure: {exposure}"
+        ));
     }
     warnings.extend(tally.into_warnings(&name));
     warnings.extend(one_sided);
@@ -170,16 +172,22 @@ fn build(
     builder.build()
 }
 
+/// The factor for 8-bit pictures, to two digits.
+fn exposure(file: &ModelFile, scene: &Scene, bounds: &Aabb) -> f32 {
+    let metered = if file.is_physical() { None } else { meter::exposure(scene) };
+    let exposure = metered.unwrap_or_else(|| middle_grey(scene, bounds));
+    let digits = 10_f64.powi(1 - exposure.log10().floor() as i32);
+    let rounded = ((exposure * digits).round() / digits) as f32;
+    if rounded > 0.0 && rounded.is_finite() { rounded } else { 1.0 }
+}
+
 /// The factor that shows a room of this size as middle grey.
 ///
 /// The power Φ of all lamps, spread over the walls of area A, leaves the radiance
 /// Φ/(πA) if these reflect half of what arrives.
-fn exposure(scene: &Scene, bounds: &Aabb) -> f32 {
+fn middle_grey(scene: &Scene, bounds: &Aabb) -> f64 {
     let power: f64 =
         scene.lights().iter().map(Light::power).map(|p| f64::from(p.luminance())).sum();
     let radiance = power / f64::from(PI * bounds.surface_area());
-    let exposure = f64::from(MIDDLE_GREY) / radiance;
-    let digits = 10_f64.powi(1 - exposure.log10().floor() as i32);
-    let rounded = ((exposure * digits).round() / digits) as f32;
-    if rounded > 0.0 && rounded.is_finite() { rounded } else { 1.0 }
+    f64::from(MIDDLE_GREY) / radiance
 }

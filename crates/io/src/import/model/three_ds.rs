@@ -18,7 +18,7 @@ use crate::{Error, Warning};
 use folder::Folder;
 use maps::MapImporter;
 use std::collections::BTreeMap;
-use traylib_geometry as geometry;
+use traylib_geometry::{self as geometry, Aabb};
 use traylib_math::Vec3;
 use traylib_scene::{ObjectShape, PointLight};
 use welder::Welder;
@@ -105,8 +105,8 @@ impl Content {
         looks
     }
 
-    pub(super) fn lights(&self, placement: &Placement, middle: Vec3) -> Vec<PointLight> {
-        self.lights.iter().filter_map(|light| light::light(light, placement, middle)).collect()
+    pub(super) fn lights(&self, placement: &Placement, around: &Aabb) -> Vec<PointLight> {
+        self.lights.iter().filter_map(|light| light::light(light, placement, around)).collect()
     }
 
     pub(super) fn light_count(&self) -> usize {

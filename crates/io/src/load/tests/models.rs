@@ -40,7 +40,7 @@ fn an_mgf_file_is_a_scene_with_a_camera_of_ours() {
     // Of π W/m² on 2 m², over a box of 6 · 6 · 2 + 4 · 6 · 2.25 m²: ¼·126/2 = 15.75.
     assert_eq!(
         (exposure.as_str(), loaded.settings.exposure),
-        ("exposure of 8-bit pictures: 16", 16.0)
+        ("no exposure in the file, taken: --exposure 16, in a scene file exposure: 16", 16.0)
     );
 }
 
@@ -89,6 +89,53 @@ fn what_glows_a_little_is_lit_from_the_camera_where_only_points_count() {
         assert_eq!(exposure(&loaded) == 1.0, wanted == 1, "{headlight:?}");
         assert_eq!(loaded.warnings.len(), wanted, "{:?}", loaded.warnings);
     }
+}
+
+/// A chunk of a 3DS file around some bytes.
+fn chunk(id: u16, body: &[u8]) -> Vec<u8> {
+    let length = u32::try_from(body.len() + 6).unwrap();
+    [&id.to_le_bytes()[..], &length.to_le_bytes(), body].concat()
+}
+
+/// A 3DS file: a square floor of 2 by 2 around the origin, and an omni light above.
+fn lit_floor(height: f32, multiplier: f32) -> Vec<u8> {
+    let floats =
+        |values: &[f32]| values.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<_>>();
+    let words =
+        |values: &[u16]| values.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<_>>();
+    let corners = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0];
+    let vertices = chunk(0x4110, &[words(&[4]), floats(&corners)].concat());
+    let faces = chunk(0x4120, &words(&[2, 0, 1, 2, 7, 0, 2, 3, 7]));
+    let mesh =
+        chunk(0x4000, &[&b"floor\0"[..], &chunk(0x4100, &[vertices, faces].concat())].concat());
+    let omni = [floats(&[0.0, 0.0, height]), chunk(0x465b, &floats(&[multiplier]))].concat();
+    let light = chunk(0x4000, &[&b"omni\0"[..], &chunk(0x4600, &omni)].concat());
+    chunk(0x4d4d, &chunk(0x3d3d, &[mesh, light].concat()))
+}
+
+/// However strong its lights are, a 3DS file is shown the same, and it is said how.
+#[test]
+fn the_exposure_of_a_3ds_file_is_metered() {
+    let load = |height: f32, multiplier: f32| {
+        let path = std::env::temp_dir().join(format!("traylib-{}-lit.3ds", std::process::id()));
+        fs::write(&path, lit_floor(height, multiplier)).unwrap();
+        let loaded = load_scene(&path.to_string_lossy());
+        fs::remove_file(&path).unwrap();
+        loaded.unwrap()
+    };
+    // White shows 1 below the light and less around it, by the third power of the cosine.
+    // Over the floor the mean is ∫∫ h³/(x² + y² + h²)^1.5 dx dy / 4 = 0.81 for h = 2; in the
+    // picture near parts are larger.
+    let [weak, usual, strong] = [1e-3, 1.0, 1e3].map(|multiplier| load(2.0, multiplier));
+    let exposure = usual.settings.exposure;
+    assert!((exposure - 0.5 / 0.81).abs() < 0.03, "{exposure}");
+    assert!((weak.settings.exposure * 1e-3 - exposure).abs() < 1e-5, "{:?}", weak.settings);
+    assert!((strong.settings.exposure * 1e3 - exposure).abs() < 1e-5, "{:?}", strong.settings);
+    let note = format!("no exposure in the file, taken: --exposure {exposure}, in a scene file");
+    assert!(usual.notes.iter().any(|said| said.starts_with(&note)), "{:?}", usual.notes);
+    // Near the floor it is a small spot that is clipped: the rest is shown.
+    let near = load(0.1, 1.0).settings.exposure;
+    assert!(near > 2.0, "{near}");
 }
 
 #[test]

@@ -4,22 +4,28 @@ use super::material::linear;
 use crate::import::placement::Placement;
 use crate::three_ds;
 use std::f32::consts::PI;
-use traylib_math::Vec3;
+use traylib_geometry::Aabb;
 use traylib_scene::{PointLight, SpotCone};
+
+/// The least distance to the middle, of that from there to the corners.
+const LEAST_PART: f32 = 0.25;
 
 /// The light where it goes; `None` if it does not shine.
 ///
 /// 3D Studio's light arrives as colour · multiplier at any distance, and a
 /// diffuse surface shows its own colour times that. An intensity of
 /// π · colour · multiplier · s² does the same at the distance s, that of the
-/// middle of what there is to see.
+/// middle of what there is to see. For one in the middle itself a part of the way to the
+/// corners is taken, or it would not shine.
 pub(super) fn light(
     light: &three_ds::Light,
     placement: &Placement,
-    middle: Vec3,
+    around: &Aabb,
 ) -> Option<PointLight> {
     let position = placement.point(light.position);
-    let strength = PI * light.multiplier * position.distance_squared(middle);
+    let least = LEAST_PART * 0.5 * around.extent().length();
+    let distance = position.distance(around.centre()).max(least);
+    let strength = PI * light.multiplier * distance * distance;
     let intensity = linear(light.colour) * strength;
     let shines = light.on && light.multiplier > 0.0 && !intensity.is_black();
     (shines && position.is_finite() && intensity.is_finite()).then(|| PointLight {

@@ -140,10 +140,15 @@ fn maps_that_cannot_be_shown_are_warned_of() {
 fn lights_are_as_bright_as_if_distance_did_not_count() {
     let light = Light::new(String::new(), Vec3::new(0.0, 0.0, 4.0));
     let intensity = |light: &Light| {
-        light::light(light, &Placement::NONE, Vec3::ZERO).map(|light| light.intensity.g)
+        // Of side 2.
+        let around = Aabb { min: Vec3::NEG_ONE, max: Vec3::ONE };
+        light::light(light, &Placement::NONE, &around).map(|light| light.intensity.g)
     };
     // A diffuse white surface at the middle shows π·16/(4²·π) = 1.
     assert_eq!(intensity(&light), Some(std::f32::consts::PI * 16.0));
+    // In the middle it counts as a quarter of √3 off.
+    let within = intensity(&Light { position: Vec3::ZERO, ..light.clone() }).unwrap();
+    assert!((within / std::f32::consts::PI - 3.0 / 16.0).abs() < 1e-6, "{within}");
     assert_eq!(intensity(&Light { on: false, ..light.clone() }), None);
     assert_eq!(intensity(&Light { multiplier: -1.0, ..light }), None);
 }
