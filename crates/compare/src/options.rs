@@ -4,7 +4,7 @@ use crate::contestant::{Contestant, DEFAULT, QUICK};
 use clap::Parser;
 use std::path::PathBuf;
 use std::time::Duration;
-use traylib_demos::{Failure, parse_duration, parse_resolution};
+use traylib_demos::{Failure, parse_duration, parse_resolution, parse_threads};
 
 /// Which integrator reaches which error in which time: renders each scene by each
 /// of them, many times and by turns, and charts error against time
@@ -52,8 +52,8 @@ pub struct Options {
     #[arg(long, value_name = "WxH", value_parser = parse_resolution)]
     pub resolution: Option<(u32, u32)>,
 
-    /// Threads, 0 for one a processor
-    #[arg(short, long, value_name = "N", default_value_t = 0)]
+    /// Threads, up to 1024, 0 for one a processor
+    #[arg(short, long, value_name = "N", default_value_t = 0, value_parser = parse_threads)]
     pub threads: usize,
 
     /// Pictures of other programs to put on the chart: a JSON list of scene, name,

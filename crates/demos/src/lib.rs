@@ -7,6 +7,7 @@ mod bug;
 mod duration;
 mod film;
 mod interrupt;
+mod memory;
 mod messages;
 mod options;
 mod outcome;
@@ -20,7 +21,9 @@ pub use duration::parse_duration;
 pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions};
 pub use interrupt::on_interrupt;
 pub use messages::{print_notes, say, tell};
-pub use options::{HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution};
+pub use options::{
+    HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution, parse_threads,
+};
 pub use outcome::Failure;
 pub use progress::clock;
 pub use run::{Done, Job, conclude, run};

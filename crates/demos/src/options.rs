@@ -44,8 +44,8 @@ pub struct RenderOptions {
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
 
-    /// Threads, 0 for one a processor; the picture stays the same
-    #[arg(short, long, value_name = "N", default_value_t = 0)]
+    /// Threads, up to 1024, 0 for one a processor; the picture stays the same
+    #[arg(short, long, value_name = "N", default_value_t = 0, value_parser = parse_threads)]
     pub threads: usize,
 
     /// End at this time, as 90s, 5m or 1.5h, with the passes that are done
@@ -169,6 +169,17 @@ pub fn parse_resolution(text: &str) -> Result<(u32, u32), String> {
         })
 }
 
+const MOST_THREADS: usize = 1024;
+
+/// Reads a number of threads.
+///
+/// # Errors
+/// What was wanted instead.
+pub fn parse_threads(text: &str) -> Result<usize, String> {
+    let threads = text.parse().ok().filter(|threads| *threads <= MOST_THREADS);
+    threads.ok_or_else(|| format!("wanted a number from 0, one a processor, to {MOST_THREADS}"))
+}
+
 fn parse_exposure(text: &str) -> Result<f32, &'static str> {
     let positive = |exposure: &f32| *exposure > 0.0 && exposure.is_finite();
     text.parse().ok().filter(positive).ok_or("wanted: a positive number")
@@ -193,6 +204,14 @@ mod tests {
         assert_eq!(parse_resolution("640x480"), Ok((640, 480)));
         for bad in ["640", "640x", "x480", "0x480", "640x-1", "1e3x2", "99999x1", "32768x32768"] {
             assert!(parse_resolution(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn threads_have_an_end() {
+        assert_eq!([parse_threads("0"), parse_threads("1024")], [Ok(0), Ok(1024)]);
+        for bad in ["1025", "1000000", "-1", "99999999999999999999"] {
+            assert!(parse_threads(bad).is_err(), "{bad}");
         }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::bug::report_bugs;
 use crate::interrupt::{self, Stop};
+use crate::memory;
 use crate::messages::{announce, describe, say, suggest, summarise, tell};
 use crate::options::{PathOptions, RenderOptions};
 use crate::outcome::Failure;
@@ -38,6 +39,9 @@ pub struct Job<'a> {
     pub headlight: Headlight,
     /// A folder for what `finish` writes.
     pub folder: Option<&'a Path>,
+    /// Memory that rendering takes for each pixel, to find out beforehand whether there
+    /// is enough. The film has 72 bytes, and 16 for each contribution of a pass.
+    pub bytes_per_pixel: u64,
 }
 
 impl<'a> Job<'a> {
@@ -55,6 +59,7 @@ impl<'a> Job<'a> {
             wants_picture: true,
             headlight: Headlight::Never,
             folder: None,
+            bytes_per_pixel: 88,
         }
     }
 }
@@ -112,6 +117,7 @@ fn try_run<I: Integrator>(
     if !options.quiet {
         announce(job.program, &loaded, &integrator, limits);
     }
+    memory::check(job, &loaded.scene)?;
     if options.check {
         return tell(describe(&loaded.name, &loaded.scene));
     }

@@ -17,6 +17,8 @@ struct Options {
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    let job = Job::new("particle", &options.render, Some(&options.paths));
+    // Measured in closed rooms.
+    let job =
+        Job { bytes_per_pixel: 100, ..Job::new("particle", &options.render, Some(&options.paths)) };
     run(&job, |_, limits| Ok(Particle { limits }), |_| Ok(()))
 }

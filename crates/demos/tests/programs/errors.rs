@@ -1,7 +1,8 @@
 //! Errors: one clear message with its place, the right status, nothing on
 //! standard output, no file left behind.
 
-use crate::common::{Folder, PROGRAMS, SCENE};
+use crate::common::{Folder, PROGRAMS, Run, SCENE};
+use std::process::Command;
 
 /// Runs a program that must fail, and returns what it says.
 #[track_caller]
@@ -105,6 +106,8 @@ fn command_lines_that_make_no_sense() {
         ("-o a.jpg", "a.jpg: pictures are written as .png, .exr,"),
         ("-o a", "a: pictures are written as .png, .exr,"),
         ("--spp 0", "'--spp <N>'"),
+        ("--threads 1000000", "wanted a number from 0, one a processor, to 1024"),
+        ("--resolution 100000x100000", "wanted as 640x480"),
         ("--max-depth 0", "'--max-depth <N>'"),
         ("--resolution 0x5", "wanted as 640x480"),
         ("--resolution 32768x32768", "wanted as 640x480"),
@@ -120,6 +123,29 @@ fn command_lines_that_make_no_sense() {
         let said = fails(&folder, "bdpt", arguments, 2);
         assert!(said.contains(words), "{arguments}: {said}");
     }
+}
+
+/// The first may have half a gigabyte, and no machine has what the last wants.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_picture_that_does_not_fit_into_memory() {
+    let folder = Folder::new();
+    for (program, file) in PROGRAMS {
+        for more in ["", " --check"] {
+            let script = format!(
+                "ulimit -v 500000; exec {file} cornell --resolution 3000x3000 --spp 1 -q{more}"
+            );
+            let mut shell = Command::new("sh");
+            let run =
+                Run::from(shell.current_dir(folder.path()).args(["-c", &script]).output().unwrap());
+            assert_eq!((run.status, run.out.as_str()), (Some(4), ""), "{program}: {}", run.err);
+            let words = "error: 3000x3000 pixels need about ";
+            assert!(run.err.starts_with(words) && run.err.lines().count() == 1, "{}", run.err);
+        }
+    }
+    let all = "cornell --resolution 16384x16384 --techniques t -q";
+    let said = fails(&folder, "bdpt", all, 4);
+    assert!(said.contains("888.52 GB of memory, 3310 bytes each"), "{said}");
 }
 
 #[test]
