@@ -49,6 +49,9 @@ pub(super) fn glowing(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Clai
         // Walks from lamps see these alone as walks from the camera do.
         scene.objects.retain(|object| object.shape.is_solid());
     }
+    if scene.objects.is_empty() {
+        return Ok(Vec::new());
+    }
     scene.objects.iter_mut().for_each(glow);
     let sky = sky(&scene);
     scene.objects.push(sky);
