@@ -56,11 +56,15 @@ pub(super) fn glowing(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Clai
     let sky = sky(&scene);
     scene.objects.push(sky);
     let built = subject.build(&scene)?;
+    // What lets light in through its front alone is not the same from its back.
+    let lets_through =
+        |object: &Object| matches!(object.material.base, Base::Sheet(..) | Base::Pane(..));
+    let alike = scene.fronts_are_alike() && !scene.objects.iter().any(lets_through);
     let programs = Program::ALL.into_iter().filter(|&program| match program {
         Program::PureMc | Program::Combined => true,
         // Light samples alone have no finite variance between lamps that touch.
         Program::Strict => false,
-        Program::BdptPower | Program::BdptBalance | Program::Particle => scene.fronts_are_alike(),
+        Program::BdptPower | Program::BdptBalance | Program::Particle => alike,
     });
     let programs: Vec<Program> = programs.collect();
     let chosen = [Program::PureMc, dice.pick(&programs[1..])];
