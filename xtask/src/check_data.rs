@@ -8,7 +8,7 @@ use agree::differences;
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use traylib_io::inventory;
+use traylib_io::{inventory, printable};
 
 /// Where the lists hold what another reader makes of a file, and ours does otherwise
 /// for a reason: file, key, reason.
@@ -52,7 +52,7 @@ fn pictures(folder: &Path) -> Result<(usize, usize)> {
         for name in files.keys() {
             let complaint = pixels::complaint(&folder, list, name);
             if let Some(complaint) = &complaint {
-                eprintln!("{}: {complaint}", folder.join(name).display());
+                tell(&folder.join(name).display().to_string(), complaint);
             }
             agree += usize::from(complaint.is_none());
             count += 1;
@@ -108,10 +108,15 @@ fn is_meant(name: &str, line: &str) -> bool {
     let meant =
         |(file, key, _): &&(&str, &str, &str)| name.ends_with(file) && line.starts_with(key);
     match OTHERWISE.iter().find(meant) {
-        Some((_, key, reason)) => eprintln!("{name}: {key} otherwise: {reason}"),
-        None => eprintln!("{name}: {line}"),
+        Some((_, key, reason)) => tell(name, &format!("{key} otherwise: {reason}")),
+        None => tell(name, line),
     }
     OTHERWISE.iter().any(|entry| meant(&entry))
+}
+
+/// Says something of a file, in words that may be the file's own.
+fn tell(name: &str, what: &str) {
+    eprintln!("{}", printable(&format!("{name}: {what}")));
 }
 
 /// `place` begins with file and line, as `chair.mgf: 4: Undefined reference`.

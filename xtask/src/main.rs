@@ -77,6 +77,6 @@ fn main() -> ExitCode {
 }
 
 fn failed(error: &anyhow::Error) -> ExitCode {
-    eprintln!("error: {error:#}");
+    eprintln!("error: {}", traylib_io::printable(&format!("{error:#}")));
     ExitCode::FAILURE
 }

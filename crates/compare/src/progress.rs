@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use traylib_demos::{clock, say};
+use traylib_io::printable;
 
 /// Time planned and time gone, over everything.
 #[derive(Debug)]
@@ -36,7 +37,7 @@ impl Plan {
 
     /// Says what begins; a line of its own where nobody watches a moving one.
     pub fn begin(&self, title: &str) {
-        self.bar.set_prefix(title.to_owned());
+        self.bar.set_prefix(printable(title).into_owned());
         if self.bar.is_hidden() {
             say(format_args!("{title}  {} left", clock(whole_seconds(self.left()))));
         }
@@ -44,7 +45,7 @@ impl Plan {
 
     /// Says what it is about.
     pub fn detail(&self, text: &str) {
-        self.bar.set_message(text.to_owned());
+        self.bar.set_message(printable(text).into_owned());
     }
 
     /// So many of the planned seconds are done, by work or because they were found

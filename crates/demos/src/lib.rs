@@ -4,6 +4,7 @@
 //! compares them ([`FilmCommand`]).
 
 mod bug;
+mod command_line;
 mod duration;
 mod film;
 mod interrupt;
@@ -17,10 +18,11 @@ mod signals;
 mod stats;
 mod technique_pictures;
 
+pub use command_line::parse;
 pub use duration::parse_duration;
 pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions};
 pub use interrupt::on_interrupt;
-pub use messages::{print_notes, say, tell};
+pub use messages::{print_notes, say, tell, tell_name};
 pub use options::{
     HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution, parse_threads,
 };

@@ -4,23 +4,51 @@
 use crate::options::RenderOptions;
 use crate::outcome::Failure;
 use std::fmt::Display;
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
+use std::path::Path;
 use std::time::Duration;
 use traylib_integrators::{Integrator, Limits, Rendering, SceneFacts};
-use traylib_io::Loaded;
+use traylib_io::{Loaded, printable, printable_json};
 use traylib_scene::Scene;
 
-/// Prints one line about the work.
-pub fn say(line: impl Display) {
-    let _ = writeln!(std::io::stderr(), "{line}");
+/// Prints something about the work, as text that does nothing to a terminal.
+pub fn say(text: impl Display) {
+    let _ = writeln!(std::io::stderr(), "{}", printable(&text.to_string()));
 }
 
-/// Prints one line of the program's result.
+/// Prints a warning or a note, which is one line whatever a file has put into it.
+pub(crate) fn say_line(kind: &str, text: impl Display) {
+    say(format_args!("{kind}: {}", text.to_string().replace('\n', "\\n")));
+}
+
+/// Prints one line of the program's result, as text that does nothing to a terminal.
 ///
 /// # Errors
 /// Standard output takes no more.
 pub fn tell(line: impl Display) -> Result<(), Failure> {
-    match writeln!(std::io::stdout(), "{line}") {
+    print(&printable(&line.to_string()))
+}
+
+/// [`tell`] for JSON.
+///
+/// # Errors
+/// As `tell`.
+pub(crate) fn tell_json(json: &str) -> Result<(), Failure> {
+    print(&printable_json(json))
+}
+
+/// Prints the name of a file that was written: as it is for whoever reads it to find the
+/// file, as [`tell`] for people.
+///
+/// # Errors
+/// As `tell`.
+pub fn tell_name(file: &Path) -> Result<(), Failure> {
+    let name = file.display();
+    if std::io::stdout().is_terminal() { tell(name) } else { print(&name.to_string()) }
+}
+
+fn print(text: &str) -> Result<(), Failure> {
+    match writeln!(std::io::stdout(), "{text}") {
         // A reader that has seen enough closes the pipe.
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Failure::output(format_args!("standard output: cannot be written: {error}")))
@@ -45,10 +73,10 @@ pub(crate) fn announce(
     limits: Limits,
 ) {
     for warning in &loaded.warnings {
-        say(format_args!("warning: {warning}"));
+        say_line("warning", warning);
     }
     for note in &loaded.notes {
-        say(format_args!("note: {note}"));
+        say_line("note", note);
     }
     if cfg!(debug_assertions) {
         say("warning: this is a debug build, many times slower; use cargo run --release");

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use traylib_integrators::Progress;
+use traylib_io::printable;
 
 /// A line on a terminal, cut to its width; nothing elsewhere.
 pub(crate) struct Line {
@@ -57,7 +58,7 @@ impl Line {
             };
             bar.set_style(style.with_key("gone", gone).with_key("pass", pass));
         }
-        bar.set_prefix(title.to_owned());
+        bar.set_prefix(printable(title).into_owned());
         if !bar.is_hidden() {
             // The clock runs on while a pass takes long.
             bar.enable_steady_tick(BETWEEN_UPDATES);

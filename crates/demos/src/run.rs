@@ -3,7 +3,7 @@
 use crate::bug::report_bugs;
 use crate::interrupt::{self, Stop};
 use crate::memory;
-use crate::messages::{announce, describe, say, suggest, summarise, tell};
+use crate::messages::{announce, describe, say, suggest, summarise, tell, tell_name};
 use crate::options::{PathOptions, RenderOptions};
 use crate::outcome::Failure;
 use crate::progress::Line;
@@ -127,7 +127,7 @@ fn try_run<I: Integrator>(
     let done = Done { loaded, rendering, seconds: elapsed.as_secs_f64() };
     for file in &outfiles {
         save_picture(file, &done.rendering.film.develop(), &done.info(job))?;
-        tell(file.display())?;
+        tell_name(file)?;
     }
     finish(&done)?;
     if !options.quiet {

@@ -1,6 +1,6 @@
 //! What is in a file, as JSON.
 
-use crate::messages::{say, tell};
+use crate::messages::{say_line, tell_json};
 use crate::options::RenderOptions;
 use crate::outcome::Failure;
 use std::path::{Path, PathBuf};
@@ -13,12 +13,12 @@ pub(crate) fn stats(options: &RenderOptions, file: &Path) -> Result<(), Failure>
     let (found, warnings) = inventory(&files, options.root.as_deref())?;
     if !options.quiet {
         for warning in &warnings {
-            say(format_args!("warning: {warning}"));
+            say_line("warning", warning);
         }
     }
-    let text = serde_json::to_string_pretty(&found).map_err(Failure::output)?;
+    let json = serde_json::to_string_pretty(&found).map_err(Failure::output)?;
     if file == Path::new("-") {
-        return tell(text);
+        return tell_json(&json);
     }
-    Ok(write_file(file, (text + "\n").as_bytes())?)
+    Ok(write_file(file, format!("{json}\n").as_bytes())?)
 }

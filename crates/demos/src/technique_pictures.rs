@@ -1,6 +1,6 @@
 //! A picture of each bidirectional technique.
 
-use crate::messages::tell;
+use crate::messages::tell_name;
 use crate::outcome::Failure;
 use crate::run::{Done, Job};
 use std::path::Path;
@@ -19,7 +19,7 @@ pub fn save_techniques(folder: &Path, job: &Job<'_>, done: &Done) -> Result<(), 
         let kind = if weighted { "weighted" } else { "raw" };
         let file = folder.join(format!("s{s}-t{t}-{kind}.png"));
         save_picture(&file, &image.mean_over(passes), &done.info(job))?;
-        tell(file.display())?;
+        tell_name(&file)?;
     }
     Ok(())
 }

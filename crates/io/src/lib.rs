@@ -23,6 +23,7 @@ mod inventory;
 mod load;
 pub mod mgf;
 pub mod picture;
+mod printable;
 mod replace;
 pub mod report;
 pub mod ron_scene;
@@ -41,5 +42,6 @@ pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, losses, open_exr,
     save_picture, write_picture,
 };
+pub use printable::{printable, printable_json};
 pub use replace::{check_file, write_file};
 pub use texture::{Coding, Texture, TextureError, TextureLimits, load_texture, texture_from_bytes};

@@ -1,6 +1,5 @@
 //! `cargo xtask compare-integrators`.
 
-use clap::Parser;
 use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::sync::{Arc, OnceLock};
@@ -10,11 +9,11 @@ use traylib_compare::options::Options;
 use traylib_compare::page::page;
 use traylib_compare::store::{write_json, write_text};
 use traylib_compare::table::table;
-use traylib_demos::{Failure, Signal, conclude, on_interrupt, say, tell};
+use traylib_demos::{Failure, Signal, conclude, on_interrupt, parse, say, tell, tell_name};
 use traylib_integrators::Control;
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options: Options = parse();
     conclude("compare-integrators", || run(&options))
 }
 
@@ -36,7 +35,7 @@ fn run(options: &Options) -> Result<(), Failure> {
     write(&folder, &comparison).map_err(Failure::output)?;
     tell(table(&comparison.results).trim_end())?;
     let index = folder.join("index.html");
-    tell(index.display())?;
+    tell_name(&index)?;
     if options.open {
         open(&index);
     }

@@ -4,7 +4,7 @@ use clap::Parser;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use traylib_demos::{
-    Failure, HeuristicName, Job, PathOptions, PixelName, RenderOptions, print_notes, run,
+    Failure, HeuristicName, Job, PathOptions, PixelName, RenderOptions, parse, print_notes, run,
     save_techniques,
 };
 use traylib_integrators::{Bdpt, Report, Weighting};
@@ -45,7 +45,7 @@ impl Options {
 }
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options: Options = parse();
     let job = Job {
         wants_picture: options.pixel.is_none(),
         folder: options.techniques.as_deref(),

@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use std::process::ExitCode;
-use traylib_demos::{HeuristicName, Job, PathOptions, RenderOptions, run};
+use traylib_demos::{HeuristicName, Job, PathOptions, RenderOptions, parse, run};
 use traylib_integrators::DirectLight;
 
 /// Path tracing that aims at a lamp from every vertex
@@ -26,7 +26,7 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options: Options = parse();
     let job = Job::new("directlight", &options.render, Some(&options.paths));
     let combine = options.combine.then_some(options.heuristic.into());
     run(&job, |_, limits| Ok(DirectLight { limits, combine }), |_| Ok(()))

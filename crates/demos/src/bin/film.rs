@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use std::process::ExitCode;
-use traylib_demos::FilmCommand;
+use traylib_demos::{FilmCommand, parse};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -30,5 +30,5 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    Options::parse().command.run()
+    parse::<Options>().command.run()
 }

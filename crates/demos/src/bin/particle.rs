@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use std::process::ExitCode;
-use traylib_demos::{Job, PathOptions, RenderOptions, run};
+use traylib_demos::{Job, PathOptions, RenderOptions, parse, run};
 use traylib_integrators::Particle;
 
 /// Particle tracing: walks from the lamps, splatted where the camera sees them
@@ -16,7 +16,7 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options: Options = parse();
     // Measured in closed rooms.
     let job =
         Job { bytes_per_pixel: 100, ..Job::new("particle", &options.render, Some(&options.paths)) };

@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use std::process::ExitCode;
-use traylib_demos::{Job, PathOptions, RenderOptions, run};
+use traylib_demos::{Job, PathOptions, RenderOptions, parse, run};
 use traylib_integrators::PureMc;
 
 /// Pure Monte Carlo path tracing: walks from the camera until a lamp is hit
@@ -16,7 +16,7 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options: Options = parse();
     let job = Job::new("puremc", &options.render, Some(&options.paths));
     run(&job, |_, limits| Ok(PureMc { limits }), |_| Ok(()))
 }

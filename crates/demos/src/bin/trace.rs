@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use std::process::ExitCode;
-use traylib_demos::{Job, RenderOptions, run};
+use traylib_demos::{Job, RenderOptions, parse, run};
 use traylib_integrators::Trace;
 use traylib_io::Headlight;
 
@@ -15,7 +15,7 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options: Options = parse();
     let job = Job {
         default_spp: Some(1),
         headlight: Headlight::WithoutPointLight,

@@ -1,6 +1,6 @@
 //! `film convert`.
 
-use crate::messages::{say, tell};
+use crate::messages::{say, say_line, tell_name};
 use crate::outcome::Failure;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -39,16 +39,16 @@ pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
     check_writable(output)?;
     let picture = load_texture(input, LIMITS)?;
     for warning in &picture.warnings {
-        say(format_args!("warning: {warning}"));
+        say_line("warning", warning);
     }
     if picture.alpha.is_some() && !picture.alpha_is_undefined {
         say(format_args!("warning: {}: opacity left out, no format has it here", input.display()));
     }
     if let Some(warning) = losses(output, &picture.pixels)? {
-        say(format_args!("warning: {warning}"));
+        say_line("warning", warning);
     }
     write_picture(output, &picture.pixels, *exposure, &attributes(input))?;
-    tell(output.display())
+    tell_name(output)
 }
 
 /// How an EXR file says it was made; of any other picture only who converts it.

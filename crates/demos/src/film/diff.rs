@@ -2,7 +2,7 @@
 
 use super::bias::SIDE;
 use super::comparison::{Comparison, LeftOut, Worst};
-use crate::messages::tell;
+use crate::messages::{tell, tell_json};
 use crate::outcome::Failure;
 use clap::Args;
 use serde_json::{Value, json};
@@ -43,7 +43,7 @@ fn parse_positive(text: &str) -> Result<f64, &'static str> {
 pub(super) fn diff(options: &DiffOptions) -> Result<(), Failure> {
     let comparison = compare(options)?;
     if options.json {
-        tell(format_args!("{:#}", to_json(options, &comparison)))?;
+        tell_json(&format!("{:#}", to_json(options, &comparison)))?;
     } else {
         lines(options, &comparison).iter().try_for_each(tell)?;
     }

@@ -1,6 +1,6 @@
 //! `film info`.
 
-use crate::messages::tell;
+use crate::messages::{tell, tell_json};
 use crate::outcome::Failure;
 use clap::Args;
 use serde_json::{Map, Value, json};
@@ -23,7 +23,7 @@ pub(super) fn info(options: &InfoOptions) -> Result<(), Failure> {
     if options.json {
         let files: Result<Vec<Value>, Failure> =
             options.files.iter().map(|path| Ok(to_json(path, &open_exr(path)?))).collect();
-        return tell(format_args!("{:#}", Value::from(files?)));
+        return tell_json(&format!("{:#}", Value::from(files?)));
     }
     options.files.iter().try_for_each(|path| {
         let file = open_exr(path)?;
@@ -45,7 +45,7 @@ fn lines(layer: &ExrLayer) -> Vec<String> {
 
 /// Text of a file, which is to stay on its line.
 fn plain(text: &str) -> String {
-    text.replace(char::is_control, " ")
+    text.replace(['\n', '\t'], " ")
 }
 
 fn channel_line(channel: &ExrChannel) -> String {

@@ -12,4 +12,5 @@ mod models;
 #[cfg(unix)]
 mod outputs;
 mod pictures;
+mod printing;
 mod stats;
