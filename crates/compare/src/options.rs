@@ -15,7 +15,7 @@ use traylib_demos::{Failure, parse_duration, parse_resolution, parse_threads};
 #[command(
     name = "cargo xtask compare-integrators",
     bin_name = "cargo xtask compare-integrators",
-    version,
+    version = traylib_demos::VERSION,
     max_term_width = 80,
     after_long_help = EXAMPLES
 )]

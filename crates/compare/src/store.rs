@@ -86,6 +86,7 @@ fn nameless() -> PictureInfo {
         exposure: 1.0,
         program: concat!("TrayLib ", env!("CARGO_PKG_VERSION")).into(),
         integrator: String::new(),
+        command: String::new(),
         scene: String::new(),
         seed: 0,
         spp: 0,

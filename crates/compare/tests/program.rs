@@ -126,6 +126,7 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
         exposure: 1.0,
         program: String::new(),
         integrator: String::new(),
+        command: String::new(),
         scene: String::new(),
         seed: 0,
         spp: 1,

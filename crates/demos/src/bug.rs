@@ -19,7 +19,7 @@ pub(crate) fn report_bugs<R>(program: &'static str, work: impl FnOnce() -> R) ->
 fn tell_of(program: &str, panic: &PanicHookInfo<'_>) {
     let reason = panic.payload_as_str().unwrap_or("no reason given").replace('\n', " ");
     let place = panic.location().map_or_else(String::new, |place| format!(" at {place}"));
-    let version = env!("CARGO_PKG_VERSION");
+    let version = crate::VERSION;
     say(format_args!(
         "error: this is a bug in {program} {version}{place}: {reason}; please report this line, the command and the scene to the authors of TrayLib"
     ));

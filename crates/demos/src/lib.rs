@@ -13,6 +13,7 @@ mod messages;
 mod options;
 mod outcome;
 mod progress;
+mod recipe;
 mod run;
 mod signals;
 mod stats;
@@ -32,6 +33,10 @@ pub use run::{Done, Job, conclude, run};
 pub use signals::Signal;
 pub use technique_pictures::save_techniques;
 
+/// The version of the programs, with the commit if they were built in a checkout:
+/// `0.1.0 (ec3c1fe01234)`.
+pub const VERSION: &str = env!("TRAYLIB_VERSION");
+
 /// The examples that end a program's long help.
 #[macro_export]
 macro_rules! examples {
@@ -46,7 +51,20 @@ macro_rules! examples {
             " pyramid --spp 256 -o out.exr     a built-in scene, linear radiance\n",
             "  ",
             $program,
-            " my.ron --time-limit 5m           a file, for five minutes",
+            " my.ron --time-limit 5m           a file, for five minutes\n",
+            "\n",
+            "The estimated error, `err` while it renders, is the root of the mean variance of\n",
+            "a pixel, as far as its passes tell, over the mean radiance. Light that no path\n",
+            "finds is not in it.\n",
+            "\n",
+            "Pictures in .png and .exr say how they were made, as a command; `film info`\n",
+            "prints it.\n",
+            "\n",
+            "Ends with 0, 2 if the command line was not understood, 3 if a scene cannot be\n",
+            "read or makes no sense, 4 if the picture cannot be written, does not fit into\n",
+            "memory or the time was up in the first pass, 130 after Ctrl-C, 143 if it was\n",
+            "told to terminate, 129 if the terminal was closed. The second time Ctrl-C ends\n",
+            "at once.",
         )
     };
 }

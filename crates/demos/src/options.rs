@@ -3,6 +3,7 @@
 use crate::duration::parse_duration;
 use crate::outcome::Failure;
 use clap::{Args, ValueEnum};
+use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
@@ -57,7 +58,7 @@ pub struct RenderOptions {
     #[arg(short, long)]
     pub quiet: bool,
 
-    /// Read and check the scene, render nothing
+    /// Find out whether the picture could be made and written, without making it
     #[arg(long)]
     pub check: bool,
 
@@ -108,6 +109,15 @@ pub enum HeuristicName {
     /// In proportion to their squares
     #[default]
     Power,
+}
+
+impl fmt::Display for HeuristicName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Balance => "balance",
+            Self::Power => "power",
+        })
+    }
 }
 
 impl From<HeuristicName> for Heuristic {

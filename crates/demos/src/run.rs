@@ -1,5 +1,6 @@
 //! From a command line to a picture.
 
+use crate::VERSION;
 use crate::bug::report_bugs;
 use crate::interrupt::{self, Stop};
 use crate::memory;
@@ -7,6 +8,7 @@ use crate::messages::{announce, describe, say, suggest, summarise, tell, tell_na
 use crate::options::{PathOptions, RenderOptions};
 use crate::outcome::Failure;
 use crate::progress::Line;
+use crate::recipe;
 use crate::signals::Signal;
 use crate::stats::stats;
 use std::ops::ControlFlow;
@@ -16,9 +18,10 @@ use std::sync::Arc;
 use std::time::Duration;
 use traylib_integrators::{Integrator, Limits, Progress, Rendering, Settings, render};
 use traylib_io::{
-    Headlight, LoadOptions, Loaded, PictureInfo, check_writable, load_scene_with, save_picture,
+    Headlight, LoadOptions, Loaded, PictureInfo, check_file, check_picture, load_scene_with,
+    save_picture,
 };
-use traylib_scene::Scene;
+use traylib_scene::{Camera, Scene};
 
 /// What a program was asked to do.
 #[derive(Debug)]
@@ -42,6 +45,8 @@ pub struct Job<'a> {
     /// Memory that rendering takes for each pixel, to find out beforehand whether there
     /// is enough. The film has 72 bytes, and 16 for each contribution of a pass.
     pub bytes_per_pixel: u64,
+    /// The program's own options that change the picture, as words of a command line.
+    pub own_options: String,
 }
 
 impl<'a> Job<'a> {
@@ -60,6 +65,7 @@ impl<'a> Job<'a> {
             headlight: Headlight::Never,
             folder: None,
             bytes_per_pixel: 88,
+            own_options: String::new(),
         }
     }
 }
@@ -118,11 +124,12 @@ fn try_run<I: Integrator>(
         announce(job.program, &loaded, &integrator, limits);
     }
     memory::check(job, &loaded.scene)?;
+    let outfiles = outfiles(job);
+    check_outputs(&outfiles, job.folder, loaded.scene.camera())?;
     if options.check {
         return tell(describe(&loaded.name, &loaded.scene));
     }
-    let outfiles = outfiles(job);
-    check_outputs(&outfiles, job.folder)?;
+    make_folder(job.folder)?;
     let (rendering, elapsed, end) = render_job(job, &loaded, &integrator)?;
     let done = Done { loaded, rendering, seconds: elapsed.as_secs_f64() };
     for file in &outfiles {
@@ -146,10 +153,11 @@ fn try_run<I: Integrator>(
 /// The scene as the command line wants it.
 fn load(job: &Job<'_>) -> Result<Loaded, Failure> {
     let options = job.options;
-    let only_checked = options.check && job.headlight == Headlight::Never;
-    let headlight = if only_checked { Headlight::WithoutLight } else { job.headlight };
-    let load =
-        LoadOptions { resolution: options.resolution, root: options.root.as_deref(), headlight };
+    let load = LoadOptions {
+        resolution: options.resolution,
+        root: options.root.as_deref(),
+        headlight: job.headlight,
+    };
     let mut loaded = load_scene_with(&options.scene, load)?;
     loaded.settings.exposure = options.exposure.unwrap_or(loaded.settings.exposure);
     Ok(loaded)
@@ -166,15 +174,31 @@ fn outfiles(job: &Job<'_>) -> Vec<PathBuf> {
 }
 
 /// Finds out before the work whether its result can be kept.
-fn check_outputs(outfiles: &[PathBuf], folder: Option<&Path>) -> Result<(), Failure> {
+fn check_outputs(
+    outfiles: &[PathBuf],
+    folder: Option<&Path>,
+    camera: &Camera,
+) -> Result<(), Failure> {
     for file in outfiles {
-        check_writable(file)?;
+        check_picture(file, camera.width(), camera.height())?;
     }
+    let Some(folder) = folder else { return Ok(()) };
+    // What is not there yet will be made, where the first folder above it is.
+    let above = folder.ancestors().find(|above| above.exists()).unwrap_or(Path::new(""));
+    check_file(&above.join(".any")).map_err(|_| {
+        Failure::output(format_args!(
+            "{}: cannot be written to: {} takes no files",
+            folder.display(),
+            if above == Path::new("") { Path::new(".") } else { above }.display(),
+        ))
+    })
+}
+
+fn make_folder(folder: Option<&Path>) -> Result<(), Failure> {
     let Some(folder) = folder else { return Ok(()) };
     std::fs::create_dir_all(folder).map_err(|error| {
         Failure::output(format_args!("{}: cannot be made: {error}", folder.display()))
-    })?;
-    Ok(check_writable(&folder.join("any.png"))?)
+    })
 }
 
 /// What ended a rendering.
@@ -247,8 +271,9 @@ impl Done {
     pub fn info(&self, job: &Job<'_>) -> PictureInfo {
         PictureInfo {
             exposure: self.loaded.settings.exposure,
-            program: concat!("TrayLib ", env!("CARGO_PKG_VERSION")).into(),
+            program: format!("TrayLib {VERSION}"),
             integrator: job.program.into(),
+            command: recipe::command(job, &self.loaded, self.rendering.film.passes()),
             scene: self.loaded.name.clone(),
             seed: job.options.seed,
             spp: u64::from(self.rendering.film.passes()),

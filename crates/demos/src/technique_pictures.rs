@@ -5,7 +5,7 @@ use crate::outcome::Failure;
 use crate::run::{Done, Job};
 use std::path::Path;
 use traylib_integrators::Technique;
-use traylib_io::save_picture;
+use traylib_io::{PictureInfo, save_picture};
 
 /// Writes the pictures of all techniques into a folder that exists, as
 /// `s2-t3-weighted.png` and `s2-t3-raw.png`, and prints their names.
@@ -18,7 +18,9 @@ pub fn save_techniques(folder: &Path, job: &Job<'_>, done: &Done) -> Result<(), 
         let Technique { s, t, weighted } = Technique::of_layer(layer);
         let kind = if weighted { "weighted" } else { "raw" };
         let file = folder.join(format!("s{s}-t{t}-{kind}.png"));
-        save_picture(&file, &image.mean_over(passes), &done.info(job))?;
+        let integrator = format!("{} s={s} t={t} {kind}", job.program);
+        let info = PictureInfo { integrator, ..done.info(job) };
+        save_picture(&file, &image.mean_over(passes), &info)?;
         tell_name(&file)?;
     }
     Ok(())

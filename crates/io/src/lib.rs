@@ -39,8 +39,8 @@ pub use import::MAX_PIXELS;
 pub use inventory::{Inventory, SceneCounts, inventory};
 pub use load::{Headlight, LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
 pub use picture::{
-    ExrChannel, ExrFile, ExrLayer, PictureInfo, check_writable, load_exr, losses, open_exr,
-    save_picture, write_picture,
+    ExrChannel, ExrFile, ExrLayer, PictureInfo, check_picture, check_writable, load_exr, losses,
+    open_exr, save_picture, write_picture,
 };
 pub use printable::{printable, printable_json};
 pub use replace::{check_file, write_file};

@@ -22,8 +22,8 @@ type Cause = Box<dyn std::error::Error + Send + Sync>;
 
 /// What a picture says of itself in its file.
 ///
-/// All but the exposure goes into EXR and PNG files, by the names of
-/// [`attributes`](Self::attributes). The other formats have no place for it.
+/// It goes into EXR and PNG files, by the names of [`attributes`](Self::attributes).
+/// The other formats have no place for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureInfo {
     /// Factor on radiance in 8-bit pictures.
@@ -32,6 +32,8 @@ pub struct PictureInfo {
     pub program: String,
     /// The integrator that made it.
     pub integrator: String,
+    /// The command that makes it again.
+    pub command: String,
     /// The scene's name.
     pub scene: String,
     /// Seed of the random numbers.
@@ -45,15 +47,17 @@ pub struct PictureInfo {
 }
 
 impl PictureInfo {
-    /// Names and texts for [`write_picture`]: `software`, `integrator`, `scene`,
-    /// `seed`, `spp`, `seconds`, `rejectedSamples`.
+    /// Names and texts for [`write_picture`]: `software`, `integrator`, `command`,
+    /// `scene`, `seed`, `spp`, `exposure`, `seconds`, `rejectedSamples`.
     pub fn attributes(&self) -> Vec<(String, String)> {
         let texts = [
             ("software", self.program.clone()),
             ("integrator", self.integrator.clone()),
+            ("command", self.command.clone()),
             ("scene", self.scene.clone()),
             ("seed", self.seed.to_string()),
             ("spp", self.spp.to_string()),
+            ("exposure", self.exposure.to_string()),
             ("seconds", self.seconds.to_string()),
             ("rejectedSamples", self.rejected_samples.to_string()),
         ];
@@ -80,6 +84,18 @@ impl Format {
             "tga" => Ok(Self::Tga),
             "pcx" => Ok(Self::Pcx),
             _ => Err(Error::PictureFormat(path.to_path_buf())),
+        }
+    }
+
+    /// The most columns and rows that are written.
+    fn largest_size(self) -> (u32, u32) {
+        match self {
+            Self::Png | Self::Exr => (i32::MAX as u32, i32::MAX as u32),
+            // Longer rows are not told from those of an older kind.
+            Self::Hdr => (32_767, i32::MAX as u32),
+            Self::Tga => (65_535, 65_535),
+            // A row has an even number of bytes, which 16 bits count.
+            Self::Pcx => (65_534, 65_535),
         }
     }
 }
@@ -169,6 +185,19 @@ pub fn losses(path: &Path, radiance: &Grid<Rgb>) -> Result<Option<Warning>, Erro
 pub fn check_writable(path: &Path) -> Result<(), Error> {
     Format::of(path)?;
     check_file(path)
+}
+
+/// [`check_writable`] for a picture of this size, for which a format may have no place.
+///
+/// # Errors
+/// As `save_picture` would.
+pub fn check_picture(path: &Path, width: u32, height: u32) -> Result<(), Error> {
+    let (columns, rows) = Format::of(path)?.largest_size();
+    if width > columns || height > rows {
+        let cause = format!("its format has at most {columns} columns and {rows} rows").into();
+        return Err(Error::Write { file: path.to_path_buf(), cause });
+    }
+    check_writable(path)
 }
 
 #[cfg(test)]

@@ -106,6 +106,7 @@ pub fn save_pictures(folder: &Path, row: &Row) -> Result<(), traylib_io::Error> 
             exposure,
             program: "stability".into(),
             integrator: what.into(),
+            command: String::new(),
             scene: cell.scene.clone(),
             seed: 1,
             spp: u64::from(spp),

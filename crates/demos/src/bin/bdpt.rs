@@ -11,7 +11,12 @@ use traylib_integrators::{Bdpt, Report, Weighting};
 
 /// Bidirectional path tracing: all ways to join walks from both ends, weighted
 #[derive(Parser)]
-#[command(version, max_term_width = 80, after_long_help = traylib_demos::examples!("bdpt"))]
+#[command(
+    name = "bdpt",
+    version = traylib_demos::VERSION,
+    max_term_width = 80,
+    after_long_help = traylib_demos::examples!("bdpt")
+)]
 struct Options {
     #[command(flatten)]
     render: RenderOptions,
@@ -29,6 +34,14 @@ struct Options {
     techniques: Option<PathBuf>,
     /// Print the paths that add to a pixel, counted from 0,0 at the top left,
     /// with densities and weights; writes no picture
+    ///
+    /// A path of s vertices from the lamp and t from the camera begins with its
+    /// `value`, the red, green and blue radiance that its technique alone would add to
+    /// the pixel, and the `weight` that this is multiplied by. Then come its vertices
+    /// from the lamp to the camera: `F` is the density, per area of the scene, of
+    /// finding the vertex by a walk from the lamp, `B` by one from the camera, 0 where
+    /// no walk can; `weight of s=i` is that of the technique with i vertices from the
+    /// lamp, and all of a path add up to 1.
     #[arg(long, value_name = "X,Y", conflicts_with_all = ["techniques", "outfile"])]
     pixel: Option<PixelName>,
 }
@@ -42,6 +55,11 @@ impl Options {
         let pictures = longest * (longest + 3);
         190 + if self.techniques.is_some() { 24 * pictures } else { 0 }
     }
+
+    fn own_words(&self) -> String {
+        let direct_sum = if self.direct_sum { " --direct-sum" } else { "" };
+        format!("--heuristic {}{direct_sum}", self.heuristic)
+    }
 }
 
 fn main() -> ExitCode {
@@ -50,6 +68,7 @@ fn main() -> ExitCode {
         wants_picture: options.pixel.is_none(),
         folder: options.techniques.as_deref(),
         bytes_per_pixel: options.bytes_per_pixel(),
+        own_options: options.own_words(),
         ..Job::new("bdpt", &options.render, Some(&options.paths))
     };
     let weighting = if options.direct_sum { Weighting::DirectSum } else { Weighting::Recursive };

@@ -11,7 +11,12 @@ use traylib_integrators::DirectLight;
 /// aimed at: seen directly, or after a perfect mirror. With --combine both count
 /// everywhere, weighted.
 #[derive(Parser)]
-#[command(version, max_term_width = 80, after_long_help = traylib_demos::examples!("directlight"))]
+#[command(
+    name = "directlight",
+    version = traylib_demos::VERSION,
+    max_term_width = 80,
+    after_long_help = traylib_demos::examples!("directlight")
+)]
 struct Options {
     #[command(flatten)]
     render: RenderOptions,
@@ -27,7 +32,12 @@ struct Options {
 
 fn main() -> ExitCode {
     let options: Options = parse();
-    let job = Job::new("directlight", &options.render, Some(&options.paths));
+    let own_options = if options.combine {
+        format!("--combine --heuristic {}", options.heuristic)
+    } else {
+        String::new()
+    };
+    let job = Job { own_options, ..Job::new("directlight", &options.render, Some(&options.paths)) };
     let combine = options.combine.then_some(options.heuristic.into());
     run(&job, |_, limits| Ok(DirectLight { limits, combine }), |_| Ok(()))
 }

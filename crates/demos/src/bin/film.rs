@@ -23,7 +23,12 @@ more than --max-relmse.";
 
 /// Looks into pictures (.exr) of any renderer, compares and converts them
 #[derive(Parser)]
-#[command(version, max_term_width = 80, after_long_help = EXAMPLES)]
+#[command(
+    name = "film",
+    version = traylib_demos::VERSION,
+    max_term_width = 80,
+    after_long_help = EXAMPLES
+)]
 struct Options {
     #[command(subcommand)]
     command: FilmCommand,

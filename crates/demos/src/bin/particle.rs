@@ -7,7 +7,12 @@ use traylib_integrators::Particle;
 
 /// Particle tracing: walks from the lamps, splatted where the camera sees them
 #[derive(Parser)]
-#[command(version, max_term_width = 80, after_long_help = traylib_demos::examples!("particle"))]
+#[command(
+    name = "particle",
+    version = traylib_demos::VERSION,
+    max_term_width = 80,
+    after_long_help = traylib_demos::examples!("particle")
+)]
 struct Options {
     #[command(flatten)]
     render: RenderOptions,

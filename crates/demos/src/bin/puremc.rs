@@ -7,7 +7,12 @@ use traylib_integrators::PureMc;
 
 /// Pure Monte Carlo path tracing: walks from the camera until a lamp is hit
 #[derive(Parser)]
-#[command(version, max_term_width = 80, after_long_help = traylib_demos::examples!("puremc"))]
+#[command(
+    name = "puremc",
+    version = traylib_demos::VERSION,
+    max_term_width = 80,
+    after_long_help = traylib_demos::examples!("puremc")
+)]
 struct Options {
     #[command(flatten)]
     render: RenderOptions,

@@ -8,7 +8,12 @@ use traylib_io::Headlight;
 
 /// One ray a pixel with a shadow ray to each point lamp; no interreflection
 #[derive(Parser)]
-#[command(version, max_term_width = 80, after_long_help = traylib_demos::examples!("trace"))]
+#[command(
+    name = "trace",
+    version = traylib_demos::VERSION,
+    max_term_width = 80,
+    after_long_help = traylib_demos::examples!("trace")
+)]
 struct Options {
     #[command(flatten)]
     render: RenderOptions,

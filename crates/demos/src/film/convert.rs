@@ -1,5 +1,6 @@
 //! `film convert`.
 
+use crate::VERSION;
 use crate::messages::{say, say_line, tell_name};
 use crate::outcome::Failure;
 use clap::Args;
@@ -53,8 +54,7 @@ pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
 
 /// How an EXR file says it was made; of any other picture only who converts it.
 fn attributes(input: &Path) -> Vec<(String, String)> {
-    let software = concat!("film ", env!("CARGO_PKG_VERSION"));
-    let own = || vec![("software".to_string(), software.to_string())];
+    let own = || vec![("software".to_string(), format!("film {VERSION}"))];
     let layers = open_exr(input).map(|file| file.layers.into_iter());
     layers.ok().and_then(|mut layers| layers.next()).map_or_else(own, |layer| layer.attributes)
 }

@@ -82,6 +82,32 @@ fn a_scene_that_is_no_text() {
     assert!(said.contains("bad.ron: cannot be read: it is not UTF-8 text"), "{said}");
 }
 
+/// `--check` finds what would end a rendering, and makes nothing.
+#[test]
+fn a_check_fails_where_the_rendering_would() {
+    let folder = Folder::new();
+    folder.write("file", "");
+    folder.write("ball.mgf", "v c =\n\tp 0 0 1\nm grey =\n\trd .5\nsph c .5\n");
+    for (arguments, status, words) in [
+        ("cornell -o no/such/a.exr", 4, "no/such/a.exr: cannot be written: "),
+        ("cornell -o a.png -o file/b.png", 4, "file/b.png: cannot be written: "),
+        ("cornell -o a.gif", 2, "a.gif: pictures are written as "),
+        ("cornell -o a.hdr --resolution 32768x1", 4, "at most 32767 columns and "),
+        ("cornell --techniques file/t", 4, "file/t: cannot be written to: file takes no files"),
+        ("cornell --roulette off", 2, "wants a --max-depth"),
+        ("cornell --pixel 400,3", 2, "outside the 400x300 picture"),
+        ("ball.mgf", 3, "nothing in it emits light"),
+    ] {
+        for arguments in [format!("{arguments} --check"), format!("{arguments} --time-limit 1h")] {
+            let said = fails(&folder, "bdpt", &arguments, status);
+            assert!(said.contains(words), "{arguments}: {said}");
+        }
+    }
+    let before = folder.names();
+    let run = folder.run("bdpt", "cornell --check --techniques a/b -o a.exr");
+    assert_eq!((run.status, folder.names()), (Some(0), before), "{}", run.err);
+}
+
 /// Below a plain file there is no folder, whoever asks.
 #[test]
 fn outputs_that_cannot_be_written_are_found_before_the_work() {
@@ -93,7 +119,7 @@ fn outputs_that_cannot_be_written_are_found_before_the_work() {
         assert!(said.contains(".png: cannot be written") || said.contains("a.exr: "), "{said}");
     }
     let said = fails(&folder, "bdpt", &format!("{hour} --techniques file/techniques"), 4);
-    assert!(said.contains("techniques: cannot be made"), "{said}");
+    assert!(said.contains("techniques: cannot be written to: file takes no files"), "{said}");
     std::fs::create_dir(folder.path().join("a.png")).unwrap();
     let said = fails(&folder, "bdpt", &format!("{hour} -o a.png"), 4);
     assert!(said.contains("a.png: cannot be written: it is a folder"), "{said}");

@@ -10,6 +10,7 @@ fn save(folder: &Folder, name: &str, picture: &Grid<Rgb>) {
         exposure: 1.0,
         program: "tests 1.0".into(),
         integrator: "bdpt".into(),
+        command: "bdpt ball.ron".into(),
         scene: "a\nball".into(),
         seed: 7,
         spp: 16,

@@ -1,6 +1,7 @@
 //! The programs' pictures, and what they say about them.
 
 use crate::common::{Folder, PROGRAMS, SCENE};
+use std::process::Command;
 use traylib_io::load_exr;
 
 const TINY: &str = "--resolution 32x24 --spp 2";
@@ -76,6 +77,77 @@ fn the_end_of_a_run_says_what_ended_it() {
     assert!(both.err.contains("; ended by --spp\n"), "{}", both.err);
 }
 
+/// What a picture says of itself makes it again, bit for bit, whatever else was asked
+/// for, and no folder's name is in it.
+#[test]
+fn a_picture_says_how_to_make_it_again() {
+    let folder = Folder::new();
+    folder.write("my room.ron", SCENE);
+    let tiny = "--resolution 16x12 --seed 5 --exposure 0.3";
+    for (program, options) in [
+        ("trace", "--spp 3"),
+        ("trace", ""),
+        ("puremc", "--max-depth 4 --time-limit 0.1s --roulette off"),
+        ("particle", "--spp 2 --roulette 2"),
+        ("directlight", "--spp 2"),
+        ("directlight", "--spp 2 --combine --heuristic balance"),
+        ("bdpt", "--spp 2 --heuristic balance --direct-sum --max-depth 7"),
+        ("bdpt", "--time-limit 0.1s"),
+    ] {
+        let room = folder.path().join("my room.ron");
+        let mut command =
+            folder.command(program, &format!("{options} {tiny} -q -o a.exr -o a.png"));
+        assert!(command.arg(&room).output().unwrap().status.success());
+        let told = folder.run("film", "info a.exr").out;
+        let again = told.lines().find_map(|line| line.trim().strip_prefix("command = ")).unwrap();
+        assert!(
+            again.starts_with(&format!("{program} 'my room.ron' --resolution 16x12 ")),
+            "{again}"
+        );
+        let words = again.strip_prefix(&format!("{program} 'my room.ron' ")).unwrap();
+        let mut command = folder.command(program, &format!("{words} -q -o b.exr -o b.png"));
+        let run = command.arg("my room.ron").output().unwrap();
+        assert!(run.status.success(), "{again}: {run:?}");
+        let bits = |name: &str| {
+            let picture = load_exr(&folder.path().join(name)).unwrap();
+            picture
+                .values()
+                .iter()
+                .map(|light| light.to_array().map(f32::to_bits))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(bits("a.exr"), bits("b.exr"), "{again}");
+        let read = |name: &str| image_bytes(&std::fs::read(folder.path().join(name)).unwrap());
+        assert_eq!(read("a.png"), read("b.png"), "{again}");
+    }
+}
+
+/// The chunks that are the picture itself.
+fn image_bytes(png: &[u8]) -> Vec<u8> {
+    let start = png.windows(4).position(|name| name == b"IDAT").unwrap();
+    png[start..].to_vec()
+}
+
+#[test]
+fn programs_say_their_version_and_revision() {
+    let folder = Folder::new();
+    let git = Command::new("git").args(["rev-parse", "--short=12", "HEAD"]).output();
+    let revision = git.ok().filter(|output| output.status.success());
+    for program in PROGRAMS.map(|(name, _)| name).into_iter().chain(["film"]) {
+        let said = folder.run(program, "--version").out;
+        assert!(said.starts_with(&format!("{program} {}", env!("CARGO_PKG_VERSION"))), "{said}");
+        if let Some(revision) = &revision {
+            let revision = String::from_utf8_lossy(&revision.stdout);
+            assert!(said.ends_with(&format!(" ({})\n", revision.trim())), "{said}");
+        }
+    }
+    let run = folder.run("bdpt", "cornell --resolution 8x6 --spp 1 -q -o a.exr");
+    assert_eq!(run.status, Some(0), "{}", run.err);
+    let version = folder.run("bdpt", "--version").out.replace("bdpt", "TrayLib");
+    let told = folder.run("film", "info a.exr").out;
+    assert!(told.contains(&format!("    software = {version}")), "{told}");
+}
+
 #[test]
 fn being_quiet_leaves_the_result_alone() {
     let folder = Folder::new();
@@ -129,6 +201,10 @@ fn help_fits_a_terminal_and_ends_with_examples() {
             assert!(line.chars().count() <= 80, "{program}: {line}");
         }
         let (_, examples) = long.out.split_once("Examples:\n").unwrap();
+        let (examples, words) = examples.split_once("\n\n").unwrap();
+        for defined in ["The estimated error, `err`", "made, as a command", "143 if it was"] {
+            assert!(words.contains(defined), "{program}: {words}");
+        }
         assert_eq!(examples.lines().count(), 3, "{program}");
         assert!(examples.lines().all(|line| line.trim_start().starts_with(program)));
     }

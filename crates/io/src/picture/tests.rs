@@ -38,6 +38,7 @@ fn info() -> PictureInfo {
         exposure: 0.5,
         program: "tests 1.0".to_string(),
         integrator: "none".to_string(),
+        command: "none snow.ron --spp 16".to_string(),
         scene: "snow ☃".to_string(),
         seed: u64::MAX,
         spp: 16,
@@ -64,7 +65,7 @@ fn exr_keeps_every_bit() {
     assert_eq!(folder.files().len(), 2);
 }
 
-/// An order that is left to chance would show: seven attributes have 5040.
+/// An order that is left to chance would show: nine attributes have 362,880.
 #[test]
 fn equal_pictures_have_equal_bytes() {
     let folder = Folder::new("equal");
@@ -171,6 +172,11 @@ fn a_failure_leaves_what_was_there() {
 fn pictures_too_wide_for_a_format_are_refused() {
     let folder = Folder::new("wide");
     for (format, width) in [("pcx", 65_535), ("tga", 65_536), ("hdr", 32_768)] {
+        let path = folder.0.join(format!("a.{format}"));
+        let checked = [width - 1, width].map(|width| check_picture(&path, width as u32, 1));
+        assert!(matches!(checked, [Ok(()), Err(Error::Write { .. })]), "{format}: {checked:?}");
+        save_picture(&path, &Grid::filled(width - 1, 1, Rgb::WHITE), &info()).unwrap();
+        fs::remove_file(&path).unwrap();
         let refused = folder.0.join(format!("a.{format}"));
         let refused = save_picture(&refused, &Grid::filled(width, 1, Rgb::WHITE), &info());
         assert!(matches!(refused, Err(Error::Write { .. })), "{format}: {refused:?}");

@@ -1,0 +1,61 @@
+//! How to make a picture again.
+
+use crate::options::PathOptions;
+use crate::run::Job;
+use std::path::Path;
+use traylib_integrators::Roulette;
+use traylib_io::Loaded;
+
+/// The command that makes a picture of so many passes again, from the same scene: every
+/// option that changes the picture, also those that were not given. Of the scene's file
+/// only the name, as folders tell of people.
+pub(crate) fn command(job: &Job<'_>, loaded: &Loaded, passes: u32) -> String {
+    let options = job.options;
+    let scene = Path::new(&options.scene).file_name().map(|name| name.to_string_lossy());
+    let camera = loaded.scene.camera();
+    let mut command = format!(
+        "{} {} --resolution {}x{} --spp {passes} --seed {} --exposure {}",
+        job.program,
+        quoted(&scene.unwrap_or_default()),
+        camera.width(),
+        camera.height(),
+        options.seed,
+        loaded.settings.exposure,
+    );
+    let own = job.paths.map(path_words).into_iter().chain([job.own_options.clone()]);
+    for words in own.filter(|words| !words.is_empty()) {
+        command.push(' ');
+        command.push_str(&words);
+    }
+    command
+}
+
+fn path_words(paths: &PathOptions) -> String {
+    let longest = paths.max_depth.map_or_else(String::new, |n| format!("--max-depth {n} "));
+    match paths.roulette {
+        Roulette::OFF => format!("{longest}--roulette off"),
+        Roulette { from_edge } => format!("{longest}--roulette {from_edge}"),
+    }
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./+=,:@%".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shell_takes_names_as_they_are() {
+        assert_eq!(quoted("a-b.ron"), "a-b.ron");
+        assert_eq!(quoted("my room.ron"), "'my room.ron'");
+        assert_eq!(quoted("it's"), r"'it'\''s'");
+    }
+}
