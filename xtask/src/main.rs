@@ -43,7 +43,7 @@ Usage: cargo xtask TASK [ARGUMENTS]
 
 Exit status: 0 done, 1 a task failed, 2 the command line was not understood;
 of compare-integrators also 3 a scene or picture makes no sense, 4 nothing can
-be written, 130 interrupted.";
+be written, 130 interrupted, 143 told to terminate.";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

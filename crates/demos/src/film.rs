@@ -1,6 +1,7 @@
 //! The program `film`: what picture files hold, how far two are apart, and one
 //! format made another.
 
+mod any;
 mod bias;
 mod comparison;
 mod convert;

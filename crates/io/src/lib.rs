@@ -40,7 +40,7 @@ pub use inventory::{Inventory, SceneCounts, inventory};
 pub use load::{Headlight, LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
 pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_picture, check_writable, load_exr, losses,
-    open_exr, save_picture, write_picture,
+    open_exr, png_texts, save_picture, write_picture,
 };
 pub use printable::{printable, printable_json};
 pub use replace::{check_file, write_file};

@@ -11,6 +11,7 @@ mod tga;
 
 pub use exr::{ExrChannel, ExrFile, ExrLayer, load_exr, open_exr};
 pub(crate) use exr::{ExrPicture, load_exr_within};
+pub use png::png_texts;
 pub use screen::screen_rgb;
 
 use crate::{Error, Warning, check_file, write_file};

@@ -1,17 +1,12 @@
 //! `film convert`.
 
+use super::any::load_texture_aloud;
 use crate::VERSION;
 use crate::messages::{say, say_line, tell_name};
 use crate::outcome::Failure;
 use clap::Args;
 use std::path::{Path, PathBuf};
-use traylib_io::{
-    MAX_PIXELS, TextureLimits, check_writable, load_texture, losses, open_exr, write_picture,
-};
-
-/// Larger than for a texture that a scene brings along: this picture somebody wants
-/// as it is.
-const LIMITS: TextureLimits = TextureLimits { pixels: MAX_PIXELS, file_bytes: 1 << 32 };
+use traylib_io::{check_writable, losses, open_exr, write_picture};
 
 /// A picture to write anew.
 #[derive(Args, Clone, Debug)]
@@ -38,10 +33,7 @@ fn parse_exposure(text: &str) -> Result<f32, &'static str> {
 pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
     let ConvertOptions { input, output, exposure } = options;
     check_writable(output)?;
-    let picture = load_texture(input, LIMITS)?;
-    for warning in &picture.warnings {
-        say_line("warning", warning);
-    }
+    let picture = load_texture_aloud(input)?;
     if picture.alpha.is_some() && !picture.alpha_is_undefined {
         say(format_args!("warning: {}: opacity left out, no format has it here", input.display()));
     }

@@ -1,5 +1,6 @@
 //! `film diff`.
 
+use super::any;
 use super::bias::SIDE;
 use super::comparison::{Comparison, LeftOut, Worst};
 use crate::messages::{tell, tell_json};
@@ -7,17 +8,16 @@ use crate::outcome::Failure;
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use traylib_io::load_exr;
 
 /// Two pictures to compare.
 #[derive(Args, Clone, Debug)]
 pub struct DiffOptions {
-    /// Picture, .exr
-    #[arg(value_name = "A.exr")]
+    /// Picture of any format that `film convert` reads
+    #[arg(value_name = "A")]
     pub picture: PathBuf,
 
     /// Reference of the same size: what the picture should be
-    #[arg(value_name = "B.exr")]
+    #[arg(value_name = "B")]
     pub reference: PathBuf,
 
     /// Fail with status 7 if relMSE is more than this, or if a pixel of either
@@ -52,7 +52,7 @@ pub(super) fn diff(options: &DiffOptions) -> Result<(), Failure> {
 
 fn compare(options: &DiffOptions) -> Result<Comparison, Failure> {
     let [a, b] = [&options.picture, &options.reference];
-    let (x, r) = (load_exr(a)?, load_exr(b)?);
+    let (x, r) = (any::load(a)?, any::load(b)?);
     let (a, b) = (a.display(), b.display());
     if (x.width(), x.height()) != (r.width(), r.height()) {
         return Err(Failure::scene(format_args!(

@@ -1,16 +1,17 @@
 //! `film info`.
 
+use super::any;
 use crate::messages::{tell, tell_json};
 use crate::outcome::Failure;
 use clap::Args;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
-use traylib_io::{ExrChannel, ExrFile, ExrLayer, open_exr};
+use traylib_io::{ExrChannel, ExrFile, ExrLayer};
 
 /// Files to look into.
 #[derive(Args, Clone, Debug)]
 pub struct InfoOptions {
-    /// Pictures, .exr
+    /// Pictures of any format that `film convert` reads
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
 
@@ -22,11 +23,11 @@ pub struct InfoOptions {
 pub(super) fn info(options: &InfoOptions) -> Result<(), Failure> {
     if options.json {
         let files: Result<Vec<Value>, Failure> =
-            options.files.iter().map(|path| Ok(to_json(path, &open_exr(path)?))).collect();
+            options.files.iter().map(|path| Ok(to_json(path, &any::open(path)?))).collect();
         return tell_json(&format!("{:#}", Value::from(files?)));
     }
     options.files.iter().try_for_each(|path| {
-        let file = open_exr(path)?;
+        let file = any::open(path)?;
         tell(format_args!("{}: {}x{} pixels", path.display(), file.width, file.height))?;
         file.layers.iter().flat_map(lines).try_for_each(tell)
     })
