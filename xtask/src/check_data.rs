@@ -8,7 +8,7 @@ use agree::differences;
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use traylib_io::{inventory, printable};
+use traylib_io::{LoadOptions, inventory, printable};
 
 /// Where the lists hold what another reader makes of a file, and ours does otherwise
 /// for a reason: file, key, reason.
@@ -90,7 +90,9 @@ fn scenes<'a>(folder: &Path, list: &'a Value) -> Result<Vec<Expected<'a>>> {
 fn holds(expected: &Expected<'_>, folder: &Path) -> bool {
     let name = expected.files.last().map_or_else(String::new, |file| file.display().to_string());
     // Some scenes include from the folder beside their own.
-    let found = inventory(&expected.files, Some(&folder.join("mgf")));
+    let root = folder.join("mgf");
+    let options = LoadOptions { root: Some(&root), ..LoadOptions::default() };
+    let found = inventory(&expected.files, options);
     let complaint = match (found, expected.found) {
         (Ok((found, _)), Ok(expected)) => match serde_json::to_value(found) {
             Ok(found) => differences(expected, &found),

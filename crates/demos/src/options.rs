@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
 use traylib_integrators::{Limits, Roulette};
-use traylib_io::MAX_PIXELS;
+use traylib_io::{Limit, LoadOptions, MAX_PIXELS, ReadLimits};
 use traylib_math::Heuristic;
 use traylib_scene::Camera;
 
@@ -71,6 +71,22 @@ pub struct RenderOptions {
     /// [default: that of the first file]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
+
+    /// Allow more of what files may ask for, as a message names it: bytes, memory,
+    /// work, surfaces, corners, cutting, line, depth, transforms, items or pixels, as
+    /// surfaces=2M; may be repeated
+    #[arg(long, value_name = "NAME=N", value_parser = parse_limit)]
+    pub limit: Vec<(Limit, u64)>,
+}
+
+impl RenderOptions {
+    /// What is to be read otherwise than files say.
+    pub(crate) fn load_options(&self) -> LoadOptions<'_> {
+        let mut limits = ReadLimits::default();
+        self.limit.iter().for_each(|&(limit, value)| limits.set(limit, value));
+        let (resolution, root) = (self.resolution, self.root.as_deref());
+        LoadOptions { resolution, root, limits, ..LoadOptions::default() }
+    }
 }
 
 /// How long paths get.
@@ -195,6 +211,22 @@ fn parse_exposure(text: &str) -> Result<f32, &'static str> {
     text.parse().ok().filter(positive).ok_or("wanted: a positive number")
 }
 
+/// Reads `surfaces=2000000` or `surfaces=2M`.
+fn parse_limit(text: &str) -> Result<(Limit, u64), String> {
+    let names = || Limit::ALL.map(Limit::name).join(", ");
+    let wanted = || format!("wanted as surfaces=2M, with k, M, G or none; names: {}", names());
+    let (name, number) = text.split_once('=').ok_or_else(wanted)?;
+    let limit = Limit::of_name(name).ok_or_else(wanted)?;
+    let (digits, unit) = match number.strip_suffix(['k', 'M', 'G']) {
+        Some(digits) if number.ends_with('k') => (digits, 1000),
+        Some(digits) if number.ends_with('M') => (digits, 1_000_000),
+        Some(digits) => (digits, 1_000_000_000),
+        None => (number, 1),
+    };
+    let value = digits.parse::<u64>().ok().and_then(|value| value.checked_mul(unit));
+    value.map(|value| (limit, value)).ok_or_else(wanted)
+}
+
 fn parse_roulette(text: &str) -> Result<Roulette, String> {
     match text {
         "off" => Ok(Roulette::OFF),
@@ -230,6 +262,16 @@ mod tests {
         assert_eq!(parse_exposure("0.25"), Ok(0.25));
         for bad in ["0", "-1", "inf", "NaN", "x"] {
             assert!(parse_exposure(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn limits_have_names_and_units() {
+        assert_eq!(parse_limit("surfaces=2000000"), Ok((Limit::Surfaces, 2_000_000)));
+        assert_eq!(parse_limit("memory=2G"), Ok((Limit::Memory, 2_000_000_000)));
+        assert_eq!(parse_limit("pixels=300k"), Ok((Limit::Pixels, 300_000)));
+        for bad in ["surfaces", "faces=3", "bytes=", "bytes=-1", "bytes=1T", "bytes=99999999999G"] {
+            assert!(parse_limit(bad).unwrap_err().contains("names: bytes, memory,"), "{bad}");
         }
     }
 

@@ -153,11 +153,7 @@ fn try_run<I: Integrator>(
 /// The scene as the command line wants it.
 fn load(job: &Job<'_>) -> Result<Loaded, Failure> {
     let options = job.options;
-    let load = LoadOptions {
-        resolution: options.resolution,
-        root: options.root.as_deref(),
-        headlight: job.headlight,
-    };
+    let load = LoadOptions { headlight: job.headlight, ..options.load_options() };
     let mut loaded = load_scene_with(&options.scene, load)?;
     loaded.settings.exposure = options.exposure.unwrap_or(loaded.settings.exposure);
     Ok(loaded)

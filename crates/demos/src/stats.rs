@@ -10,7 +10,7 @@ use traylib_io::{inventory, write_file};
 pub(crate) fn stats(options: &RenderOptions, file: &Path) -> Result<(), Failure> {
     let files: Vec<PathBuf> =
         [&options.scene].into_iter().chain(&options.more).map(PathBuf::from).collect();
-    let (found, warnings) = inventory(&files, options.root.as_deref())?;
+    let (found, warnings) = inventory(&files, options.load_options())?;
     if !options.quiet {
         for warning in &warnings {
             say_line("warning", warning);

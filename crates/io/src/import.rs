@@ -62,8 +62,8 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
     let Some(root) = files.last() else { return Err(problems.into_error()) };
     let camera = camera(root, options, &mut problems);
     let settings = settings(root, &mut problems);
-    let materials = Materials::collect(files, &mut problems);
-    let mut models = ModelFiles::new(options.root);
+    let materials = Materials::collect(files, options.limits, &mut problems);
+    let mut models = ModelFiles::new(options);
     let parts = object::collect(files, &materials, &mut models, &mut problems);
     let mut points = lights::collect(files, &mut problems);
     points.extend(models.take_lights());

@@ -37,20 +37,20 @@ pub struct SceneCounts {
 }
 
 /// Reads files and counts what is in them; beside it, what was skipped or repaired. A
-/// missing camera or lamp is no error in a 3DS or MGF file. Several files are one scene, which only MGF knows. `root` is the folder that
-/// includes may not leave; `None` for that of the first file.
+/// missing camera or lamp is no error in a 3DS or MGF file. Several files are one scene, which only MGF knows. Of the options
+/// root, that of the first file where none is named, and limits count.
 ///
 /// # Errors
 /// A file cannot be read or makes no sense; several files of another format.
 pub fn inventory(
     files: &[PathBuf],
-    root: Option<&Path>,
+    options: LoadOptions<'_>,
 ) -> Result<(Inventory, Vec<String>), Error> {
     match files {
         [] => Err(Error::NoFile),
-        files if files.iter().all(|file| has_ending(file, "mgf")) => of_mgf(files, root),
-        [file] if is_three_ds(file) => of_three_ds(file),
-        [file] => of_scene(file, root),
+        files if files.iter().all(|file| has_ending(file, "mgf")) => of_mgf(files, options),
+        [file] if is_three_ds(file) => of_three_ds(file, options),
+        [file] => of_scene(file, options),
         [_, other, ..] => Err(Error::SeveralFiles(other.clone())),
     }
 }
@@ -65,18 +65,17 @@ fn is_three_ds(file: &Path) -> bool {
     has_ending(file, "3ds") || (file.extension().is_none() && starts())
 }
 
-fn of_mgf(files: &[PathBuf], root: Option<&Path>) -> Result<(Inventory, Vec<String>), Error> {
-    let options = mgf::Options { root: root.map(PathBuf::from), ..mgf::Options::default() };
-    let document = mgf::decode(files, &options)?;
+fn of_mgf(files: &[PathBuf], options: LoadOptions<'_>) -> Result<(Inventory, Vec<String>), Error> {
+    let document = mgf::decode(files, &options.limits.mgf(options.root))?;
     let warnings = document.warnings.iter().map(ToString::to_string).collect();
     Ok((Inventory::Mgf(Box::new(document.counts)), warnings))
 }
 
-fn of_three_ds(file: &Path) -> Result<(Inventory, Vec<String>), Error> {
+fn of_three_ds(file: &Path, options: LoadOptions<'_>) -> Result<(Inventory, Vec<String>), Error> {
     let name = file.display().to_string();
     let bytes = std::fs::read(file).map_err(|cause| Error::Read { file: name.clone(), cause })?;
-    let document =
-        three_ds::decode(&bytes).map_err(|cause| Error::Mesh { file: name.clone(), cause })?;
+    let document = three_ds::decode_within(&bytes, options.limits.three_ds())
+        .map_err(|cause| Error::Mesh { file: name.clone(), cause })?;
     let warnings = document.warnings.iter().map(|(kind, count)| {
         let what = kind.to_string();
         Warning { file: name.clone(), what, count }.to_string()
@@ -85,8 +84,7 @@ fn of_three_ds(file: &Path) -> Result<(Inventory, Vec<String>), Error> {
     Ok((Inventory::ThreeDs(Box::new(three_ds::Counts::of(&document))), warnings))
 }
 
-fn of_scene(file: &Path, root: Option<&Path>) -> Result<(Inventory, Vec<String>), Error> {
-    let options = LoadOptions { root, ..LoadOptions::default() };
+fn of_scene(file: &Path, options: LoadOptions<'_>) -> Result<(Inventory, Vec<String>), Error> {
     let loaded = load_scene_with(&file.to_string_lossy(), options)?;
     let lights = loaded.scene.lights();
     let point_lights = lights.iter().filter(|light| Light::is_point(light)).count();
@@ -108,7 +106,7 @@ mod tests {
 
     #[test]
     fn a_scene_is_counted() {
-        let (found, warnings) = inventory(&["cornell".into()], None).unwrap();
+        let (found, warnings) = inventory(&["cornell".into()], LoadOptions::default()).unwrap();
         assert!(warnings.is_empty());
         let Inventory::Scene(counts) = found else { panic!("{found:?}") };
         assert_eq!((counts.primitives, counts.area_lights, counts.width), (15, 1, 400));
@@ -117,7 +115,7 @@ mod tests {
     #[test]
     fn a_mesh_is_counted() {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/models/cube.3ds");
-        let (found, _) = inventory(&[file.into()], None).unwrap();
+        let (found, _) = inventory(&[file.into()], LoadOptions::default()).unwrap();
         let Inventory::ThreeDs(counts) = found else { panic!("{found:?}") };
         assert_eq!((counts.meshes, counts.faces), (1, 12));
     }
@@ -125,7 +123,7 @@ mod tests {
     #[test]
     fn only_mgf_files_go_together() {
         let files = ["cornell", "furnace"].map(PathBuf::from);
-        assert!(matches!(inventory(&files, None), Err(Error::SeveralFiles(_))));
-        assert!(matches!(inventory(&[], None), Err(Error::NoFile)));
+        assert!(matches!(inventory(&files, LoadOptions::default()), Err(Error::SeveralFiles(_))));
+        assert!(matches!(inventory(&[], LoadOptions::default()), Err(Error::NoFile)));
     }
 }

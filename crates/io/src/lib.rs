@@ -20,6 +20,7 @@ mod chromaticities;
 mod error;
 mod import;
 mod inventory;
+mod limit;
 mod load;
 pub mod mgf;
 pub mod picture;
@@ -37,6 +38,7 @@ pub use builtin::builtin_names;
 pub use error::{Error, Warning};
 pub use import::MAX_PIXELS;
 pub use inventory::{Inventory, SceneCounts, inventory};
+pub use limit::{Limit, ReadLimits};
 pub use load::{Headlight, LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
 pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_picture, check_writable, load_exr, losses,
@@ -44,4 +46,6 @@ pub use picture::{
 };
 pub use printable::{printable, printable_json};
 pub use replace::{check_file, write_file};
-pub use texture::{Coding, Texture, TextureError, TextureLimits, load_texture, texture_from_bytes};
+pub use texture::{
+    Coding, Fault, Texture, TextureError, TextureLimits, load_texture, texture_from_bytes,
+};

@@ -3,7 +3,7 @@
 use crate::builtin::builtin_names;
 use crate::import;
 use crate::source::Location;
-use crate::{Error, Warning};
+use crate::{Error, ReadLimits, Warning};
 use std::path::{Path, PathBuf};
 use traylib_scene::Scene;
 
@@ -26,6 +26,8 @@ pub struct LoadOptions<'a> {
     pub root: Option<&'a Path>,
     /// When a 3DS or MGF file gets a point light at the camera, with a warning.
     pub headlight: Headlight,
+    /// What files may ask for.
+    pub limits: ReadLimits,
 }
 
 /// When a 3DS or MGF file gets a point light at the camera.

@@ -91,6 +91,33 @@ pub struct Texture {
     pub warnings: Vec<Warning>,
 }
 
+/// Why a decoder gives up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// The data end too early.
+    #[error("is cut off")]
+    CutOff,
+    /// Sound, but not supported.
+    #[error("is of a kind that is not read")]
+    Unsupported,
+    /// The data contradict the format or themselves.
+    #[error("is damaged")]
+    Damaged,
+}
+
+impl Fault {
+    /// Cut off, if that is what an error ends in; else damage.
+    pub(crate) fn of(error: &(dyn std::error::Error + 'static)) -> Self {
+        let causes = std::iter::successors(Some(error), |error| error.source());
+        let is_end = |error: &(dyn std::error::Error + 'static)| {
+            let io = error.downcast_ref::<io::Error>();
+            io.is_some_and(|io| io.kind() == io::ErrorKind::UnexpectedEof)
+        };
+        if causes.into_iter().any(is_end) { Self::CutOff } else { Self::Damaged }
+    }
+}
+
 /// Why bytes are not a picture, as the cause in [`Error::ReadPicture`].
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -120,13 +147,18 @@ pub enum TextureError {
         /// [`TextureLimits::pixels`].
         most: u64,
     },
+    /// All channels and layers of an EXR file together have more values than this.
+    #[error("its channels and layers have more than {0} values")]
+    TooManyLayers(u64),
     /// A decoder gave up.
-    #[error("{format}: {cause}")]
+    #[error("the {format} picture {fault}")]
     Decoder {
         /// The format.
         format: &'static str,
-        /// The decoder's reason.
-        cause: Box<dyn std::error::Error + Send + Sync>,
+        /// Why.
+        fault: Fault,
+        /// In the decoder's own words, which speak of its inside.
+        source: Box<dyn std::error::Error + Send + Sync>,
     },
     /// Something in a Radiance file is not as it must be.
     #[error("Radiance: at byte {at}: {what}")]

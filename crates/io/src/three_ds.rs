@@ -83,7 +83,7 @@ pub enum Error {
     #[error("ends after {0} bytes, a 3DS file has at least 6")]
     TooShort(usize),
     /// Longer than [`Limits::bytes`].
-    #[error("has more than {0} bytes")]
+    #[error("has more than {0} bytes; {more}", more = crate::Limit::Bytes.remedy(*.0 as u64))]
     TooLong(usize),
     /// The first chunk is not one a 3DS file begins with.
     #[error("it is no 3DS file: it begins with chunk {0:#06x}, not with 0x4d4d, 0x3daa or 0xc23d")]

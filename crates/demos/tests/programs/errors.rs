@@ -140,6 +140,7 @@ fn command_lines_that_make_no_sense() {
         ("--time-limit 5", "with its unit"),
         ("--roulette 1", "an edge from 2 on"),
         ("--roulette off", "wants a --max-depth"),
+        ("--limit faces=3", "names: bytes, memory,"),
         ("--pixel 400,3", "outside the 400x300 picture"),
         ("--pixel 3", "wanted as X,Y"),
         ("--pixel 1,1 --techniques d", "cannot be used with"),

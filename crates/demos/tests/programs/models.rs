@@ -73,6 +73,27 @@ fn a_plate_without_a_lamp_is_seen_in_its_colour() {
 }
 
 #[test]
+fn a_limit_that_a_message_names_can_be_raised() {
+    let folder = Folder::new();
+    folder.write("room.mgf", FURNACE);
+    let camera = "camera: (position: (1, 1, 1), target: (1, 2, 2), fov: 40, resolution: (8, 6))";
+    folder.write("scene.ron", &format!("({camera}, objects: [(shape: Mesh(file: \"room.mgf\"))])"));
+    for file in ["room.mgf", "scene.ron"] {
+        for more in ["", "--stats -"] {
+            let few = format!("{file} --check --limit memory=1k {more}");
+            let refused = folder.run("bdpt", &few);
+            // Of a scene file the figures are those of the scene itself.
+            assert_eq!(refused.status, Some(3), "{few}: {}", refused.err);
+            let remedy =
+                "than is left of 1000 bytes; if that is meant, `--limit memory=2000` allows more";
+            assert!(refused.err.contains(remedy), "{}", refused.err);
+            let enough = folder.run("bdpt", &format!("{file} --check --limit memory=1M {more}"));
+            assert_eq!(enough.status, Some(0), "{}", enough.err);
+        }
+    }
+}
+
+#[test]
 fn only_trace_does_without_a_lamp() {
     let folder = Folder::new();
     folder.write("ball.mgf", "v c =\n\tp 0 0 1\nm grey =\n\trd .5\nsph c .5\n");

@@ -5,12 +5,12 @@ mod make;
 use super::files::SceneFile;
 use super::place::Place;
 use super::textures::Textures;
-use crate::Warning;
 use crate::report::{Problem, Problems};
 use crate::ron_scene::Material;
 use crate::ron_scene::locate::{Path, Step};
 use crate::source::Location;
 use crate::suggest::{nearest, quoted_list, shown};
+use crate::{ReadLimits, Warning};
 use make::Maker;
 use std::collections::HashMap;
 
@@ -28,8 +28,12 @@ pub(super) struct Materials {
 }
 
 impl Materials {
-    pub(super) fn collect(files: &[SceneFile], problems: &mut Problems) -> Self {
-        let mut materials = Self::default();
+    pub(super) fn collect(
+        files: &[SceneFile],
+        limits: ReadLimits,
+        problems: &mut Problems,
+    ) -> Self {
+        let mut materials = Self { textures: Textures::new(limits), ..Self::default() };
         for file in files {
             for (index, (name, material)) in file.document.materials.0.iter().enumerate() {
                 let path = Path::of("materials");

@@ -5,6 +5,7 @@ mod three_ds;
 
 use super::placement::Placement;
 use super::tally::Tally;
+use crate::load::LoadOptions;
 use crate::source::{Location, why};
 use crate::{Error, Warning};
 use std::collections::HashMap;
@@ -83,18 +84,20 @@ fn has_ending(path: &Path, wanted: &str) -> bool {
 
 impl ModelFile {
     /// Reads a file, MGF by its name, else 3DS; with what there is to warn of.
-    /// Included files of MGF may not leave the folder `root`.
+    /// Of the options root and limits count.
     ///
     /// # Errors
     /// It cannot be read or makes no sense.
     pub(super) fn read(
         location: &Location,
-        root: Option<&Path>,
+        options: LoadOptions<'_>,
     ) -> Result<(Self, Vec<Warning>), Error> {
         let mut tally = Tally::default();
         let (file, mut warnings) = match location {
-            Location::Disk(path) if is_mgf(path) => mgf::read(path, root, &mut tally)?,
-            Location::Disk(_) | Location::BuiltIn(_) => three_ds::read(location, &mut tally)?,
+            Location::Disk(path) if is_mgf(path) => mgf::read(path, options, &mut tally)?,
+            Location::Disk(_) | Location::BuiltIn(_) => {
+                three_ds::read(location, options.limits, &mut tally)?
+            }
         };
         warnings.extend(tally.into_warnings(&location.to_string()));
         Ok((file, warnings))
@@ -146,8 +149,9 @@ impl ModelFile {
 
 /// The files read so far: each is read, and warned about, once.
 pub(super) struct ModelFiles<'a> {
-    /// Where included files may come from, if the caller says.
-    root: Option<&'a Path>,
+    /// Where included files may come from, if the caller says, and how much there may
+    /// be of what.
+    options: LoadOptions<'a>,
     files: HashMap<Location, Result<Rc<NumberedFile>, String>>,
     materials: Vec<Material>,
     /// Of the materials.
@@ -164,9 +168,9 @@ pub(super) struct NumberedFile {
 }
 
 impl<'a> ModelFiles<'a> {
-    pub(super) fn new(root: Option<&'a Path>) -> Self {
+    pub(super) fn new(options: LoadOptions<'a>) -> Self {
         Self {
-            root,
+            options,
             files: HashMap::new(),
             materials: Vec::new(),
             names: Vec::new(),
@@ -192,8 +196,9 @@ impl<'a> ModelFiles<'a> {
 
     #[expect(clippy::wildcard_enum_match_arm, reason = "other errors say themselves what they are")]
     fn read(&mut self, location: &Location, scene: &Location) -> Result<Rc<NumberedFile>, String> {
-        let root = self.root.or_else(|| scene.folder());
-        let (file, warnings) = ModelFile::read(location, root).map_err(|error| {
+        let root = self.options.root.or_else(|| scene.folder());
+        let options = LoadOptions { root, ..self.options };
+        let (file, warnings) = ModelFile::read(location, options).map_err(|error| {
             let cause = match error {
                 Error::Read { cause, .. } => why(&cause),
                 Error::Mesh { cause, .. } => cause.to_string(),

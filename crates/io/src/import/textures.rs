@@ -2,7 +2,7 @@
 
 use crate::source::Location;
 use crate::texture::{self, Coding, TextureLimits, load_texture, texture_from_bytes};
-use crate::{Warning, srgb};
+use crate::{Error, Limit, ReadLimits, TextureError, Warning, srgb};
 use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -57,19 +57,37 @@ fn sound(mut pixels: Grid<Rgb>) -> (Grid<Rgb>, u32) {
 /// One, but for the rounding of the curve for screens, there and back.
 const FULL: f32 = 1.0 - 1e-6;
 
+/// Why a picture cannot be used, and which limit would let it in.
+fn described(error: &Error) -> String {
+    let Error::ReadPicture { cause, .. } = error else { return error.to_string() };
+    match cause.downcast_ref() {
+        Some(TextureError::TooLarge { most, .. }) => {
+            format!("{error}; {}", Limit::Pixels.remedy(*most))
+        }
+        Some(TextureError::TooLong(most)) => format!("{error}; {}", Limit::Bytes.remedy(*most)),
+        _ => error.to_string(),
+    }
+}
+
 type Key = (Location, Meaning, bool, u32);
 
 /// The pictures read so far.
 #[derive(Default)]
 pub(super) struct Textures {
     known: HashMap<Key, Result<Arc<Texture>, String>>,
+    /// Of all so far.
     pixels: u64,
+    limits: TextureLimits,
     /// Those with no band of any pixel below one.
     full: Vec<Arc<Texture>>,
     warnings: Vec<Warning>,
 }
 
 impl Textures {
+    pub(super) fn new(limits: ReadLimits) -> Self {
+        Self { limits: limits.texture(), ..Self::default() }
+    }
+
     /// A picture; why it cannot be used, else.
     pub(super) fn load(&mut self, file: &Location, usage: Usage) -> Result<Arc<Texture>, String> {
         let Usage { meaning, negative, factor } = usage;
@@ -83,8 +101,9 @@ impl Textures {
     }
 
     fn read(&mut self, file: &Location, usage: Usage) -> Result<Arc<Texture>, String> {
-        let usual = TextureLimits::default();
-        let limits = TextureLimits { pixels: usual.pixels.min(MOST_PIXELS - self.pixels), ..usual };
+        let most = MOST_PIXELS.max(self.limits.pixels);
+        let left = self.limits.pixels.min(most - self.pixels);
+        let limits = TextureLimits { pixels: left, ..self.limits };
         let picture = match file {
             Location::Disk(path) => load_texture(path, limits),
             Location::BuiltIn(name) => {
@@ -92,8 +111,8 @@ impl Textures {
                 texture_from_bytes(&bytes, Path::new(name), limits)
             }
         };
-        let picture = picture.map_err(|error| error.to_string())?;
-        self.pixels = MOST_PIXELS.min(self.pixels + picture.pixels.values().len() as u64);
+        let picture = picture.map_err(|error| described(&error))?;
+        self.pixels = most.min(self.pixels + picture.pixels.values().len() as u64);
         let (pixels, none) = sound(pixels(&picture, usage));
         let repaired = (none > 0).then(|| Warning {
             file: file.to_string(),

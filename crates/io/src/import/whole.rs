@@ -31,7 +31,7 @@ pub(crate) fn import_whole(
     location: &Location,
     options: LoadOptions<'_>,
 ) -> Result<Imported, Error> {
-    let (file, mut warnings) = ModelFile::read(location, options.root)?;
+    let (file, mut warnings) = ModelFile::read(location, options)?;
     let name = location.to_string();
     let mut tally = Tally::default();
     let failed = |cause| Error::Model { file: name.clone(), cause };

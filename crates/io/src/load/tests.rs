@@ -3,13 +3,22 @@ use std::fs;
 
 /// Loads a scene text as a file in a folder of its own, beside other files.
 fn load_text(test: &str, text: &str, others: &[(&str, &[u8])]) -> Result<Loaded, Error> {
+    load_text_with(test, text, others, LoadOptions::default())
+}
+
+fn load_text_with(
+    test: &str,
+    text: &str,
+    others: &[(&str, &[u8])],
+    options: LoadOptions<'_>,
+) -> Result<Loaded, Error> {
     let folder = std::env::temp_dir().join(format!("traylib-{}-{test}", std::process::id()));
     fs::create_dir_all(&folder).unwrap();
     fs::write(folder.join("scene.ron"), text).unwrap();
     for (name, bytes) in others {
         fs::write(folder.join(name), bytes).unwrap();
     }
-    let loaded = load_scene(&folder.join("scene.ron").to_string_lossy());
+    let loaded = load_scene_with(&folder.join("scene.ron").to_string_lossy(), options);
     fs::remove_dir_all(&folder).unwrap();
     loaded
 }

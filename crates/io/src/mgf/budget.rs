@@ -1,13 +1,14 @@
 //! Bounds that are checked before anything is done.
 
 use super::Cause;
+use crate::Limit;
 
 /// Nothing, if a number is within its bound.
 pub(super) fn limit(
     what: &'static str,
     value: u64,
     limit: u64,
-    option: &'static str,
+    option: Limit,
 ) -> Result<(), Cause> {
     if value <= limit { Ok(()) } else { Err(Cause::Limit { what, limit, option }) }
 }
@@ -17,11 +18,11 @@ pub(super) struct Budget {
     what: &'static str,
     limit: u64,
     left: u64,
-    option: &'static str,
+    option: Limit,
 }
 
 impl Budget {
-    pub(super) fn new(what: &'static str, limit: u64, option: &'static str) -> Self {
+    pub(super) fn new(what: &'static str, limit: u64, option: Limit) -> Self {
         Self { what, limit, left: limit, option }
     }
 

@@ -7,6 +7,7 @@ use super::shape::newell;
 use super::transform::Transform;
 use super::words::{exactly, number, within};
 use super::{Cause, Shape, Vertex};
+use crate::Limit;
 use traylib_math::glam::DVec3;
 
 /// What a shape is made with.
@@ -62,7 +63,12 @@ impl Builder<'_> {
         if words.len() < 3 {
             return Err(Cause::Arguments { expected: "3 vertices or more", found: words.len() });
         }
-        limit("vertices in a polygon", words.len() as u64, self.max_corners as u64, "max_corners")?;
+        limit(
+            "vertices in a polygon",
+            words.len() as u64,
+            self.max_corners as u64,
+            Limit::Corners,
+        )?;
         let mut outline: Vec<Vertex> =
             words.iter().map(|name| self.vertex(name)).collect::<Result<_, _>>()?;
         if self.transform.mirrored {
@@ -80,7 +86,7 @@ impl Builder<'_> {
     fn face_with_holes(&self, words: &[&str]) -> Result<Option<Shape>, Cause> {
         // Seams count twice, so this bounds the polygon that is cut up.
         let corners = words.len() as u64 + words.iter().filter(|&&word| word == "-").count() as u64;
-        limit("vertices in a polygon", corners, self.max_corners as u64, "max_corners")?;
+        limit("vertices in a polygon", corners, self.max_corners as u64, Limit::Corners)?;
         let mut loops = words.split(|&word| word == "-");
         let outline = self.outline(loops.next().unwrap_or_default())?;
         let holes = loops.map(|hole| self.outline(hole)).collect::<Result<_, _>>()?;

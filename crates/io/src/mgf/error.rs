@@ -1,6 +1,7 @@
 //! Why files are not a scene.
 
 use super::Place;
+use crate::Limit;
 use std::path::PathBuf;
 
 /// Files that cannot be read or make no sense.
@@ -38,13 +39,13 @@ pub enum FileFault {
     #[error("is not a file")]
     NotAFile,
     /// All files together are too long.
-    #[error("all files together have more than {0} bytes (Options::max_bytes)")]
+    #[error("all files together have more than {0} bytes; {more}", more = Limit::Bytes.remedy(*.0))]
     TooManyBytes(u64),
     /// All that is kept takes too much memory.
-    #[error("takes more memory than is left of {0} bytes (Options::max_memory)")]
+    #[error("takes more memory than is left of {0} bytes; {more}", more = Limit::Memory.remedy(*.0))]
     TooMuchMemory(u64),
     /// A line is too long.
-    #[error("line {line} has more than {limit} bytes (Options::max_line)")]
+    #[error("line {line} has more than {limit} bytes; {}", Limit::Line.remedy(*.limit as u64))]
     LineTooLong {
         /// Where it begins.
         line: u32,
@@ -105,7 +106,7 @@ pub enum Cause {
     #[error("`{0}` is an absolute name; included files are named relative to the including one")]
     Absolute(String),
     /// An included file outside of the root folder.
-    #[error("`{name}` is outside of {}, which includes may not leave (Options::root, of programs `--root`)", .root.display())]
+    #[error("`{name}` is outside of {}, which includes may not leave; `--root` names another folder", .root.display())]
     Outside {
         /// Its name.
         name: String,
@@ -124,14 +125,14 @@ pub enum Cause {
         fault: FileFault,
     },
     /// A bound is exceeded.
-    #[error("more than {limit} {what}; if that is meant, raise Options::{option}")]
+    #[error("more than {limit} {what}; {}", .option.remedy(*.limit))]
     Limit {
         /// Of what there is too much.
         what: &'static str,
         /// The bound.
         limit: u64,
-        /// The option that sets it.
-        option: &'static str,
+        /// Its name.
+        option: Limit,
     },
 }
 

@@ -4,6 +4,7 @@ use super::array::Copies;
 use super::budget::limit;
 use super::transform::Transform;
 use super::{Cause, Options};
+use crate::Limit;
 
 /// The stack of transforms.
 pub(super) struct Frames {
@@ -50,8 +51,8 @@ impl Frames {
         let copies = Copies::parse(words)?;
         let outer = self.open.last().map_or(1, |frame| frame.multiplicity);
         let multiplicity = outer.saturating_mul(copies.count());
-        limit("copies", multiplicity, self.most_copies, "max_surfaces")?;
-        limit("open transforms", self.depth() as u64 + 1, self.most as u64, "max_transforms")?;
+        limit("copies", multiplicity, self.most_copies, Limit::Surfaces)?;
+        limit("open transforms", self.depth() as u64 + 1, self.most as u64, Limit::Transforms)?;
         let total = copies.transform(0).then(&self.total());
         self.open.push(Frame { copies, index: 0, multiplicity, total, start });
         Ok(())

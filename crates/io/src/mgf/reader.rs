@@ -13,6 +13,7 @@ use super::source::Source;
 use super::{
     Cause, Counts, Document, Error, Options, Place, Shape, Surface, Vertex, WarningKind, Warnings,
 };
+use crate::Limit;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -79,9 +80,9 @@ impl<'a> Reader<'a> {
             frames: Frames::new(options),
             palette: Palette::default(),
             surfaces: Vec::new(),
-            work: Budget::new("bytes of text and other work", options.max_work, "max_work"),
-            memory: Budget::new("bytes of memory", options.max_memory, "max_memory"),
-            cutting: Budget::new("squares of vertices", options.max_cutting, "max_cutting"),
+            work: Budget::new("bytes of text and other work", options.max_work, Limit::Work),
+            memory: Budget::new("bytes of memory", options.max_memory, Limit::Memory),
+            cutting: Budget::new("squares of vertices", options.max_cutting, Limit::Cutting),
             entities: [0; Keyword::COUNT],
             counts: Counts::default(),
             warnings: Warnings::default(),
@@ -211,7 +212,7 @@ impl<'a> Reader<'a> {
 
     fn surface(&mut self, keyword: Keyword, words: &[&str]) -> Result<(), Cause> {
         let (made, most) = (self.surfaces.len() as u64 + 1, self.options.max_surfaces);
-        limit("surfaces", made, most, "max_surfaces")?;
+        limit("surfaces", made, most, Limit::Surfaces)?;
         self.work.take(SURFACE_COST + words.len() as u64 * NAME_COST)?;
         let transform = self.frames.total();
         let max_corners = self.options.max_corners;

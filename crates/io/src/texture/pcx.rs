@@ -1,7 +1,7 @@
 //! PCX, of any version.
 
 use super::raster::from_rgba8;
-use super::{Decoded, TextureError, TextureLimits};
+use super::{Decoded, Fault, TextureError, TextureLimits};
 use pcx::Reader;
 use std::io::{self, Cursor};
 
@@ -36,8 +36,8 @@ pub(super) fn decode(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Tex
     Ok(Decoded { repairs, ..decoded })
 }
 
-fn failed(cause: io::Error) -> TextureError {
-    TextureError::Decoder { format: "PCX", cause: cause.into() }
+fn failed(error: io::Error) -> TextureError {
+    TextureError::Decoder { format: "PCX", fault: Fault::of(&error), source: error.into() }
 }
 
 /// The colours, and the file without them where they are at its end. Greys where

@@ -1,7 +1,7 @@
 //! Formats of 8 or 16 bits a channel: to linear light.
 
 use super::gif::with_screen;
-use super::{Coding, Decoded, TextureError, TextureLimits};
+use super::{Coding, Decoded, Fault, TextureError, TextureLimits};
 use crate::srgb;
 use image::codecs::bmp::BmpDecoder;
 use image::codecs::gif::GifDecoder;
@@ -46,8 +46,8 @@ pub(super) fn jpeg(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Textu
 pub(super) fn tga(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, TextureError> {
     const TYPES: [u8; 6] = [1, 2, 3, 9, 10, 11];
     if bytes.get(2).is_some_and(|kind| !TYPES.contains(kind)) {
-        let cause = "the image type is none of 1, 2, 3, 9, 10 and 11".into();
-        return Err(TextureError::Decoder { format: "TGA", cause });
+        let source = "the image type is none of 1, 2, 3, 9, 10 and 11".into();
+        return Err(TextureError::Decoder { format: "TGA", fault: Fault::Unsupported, source });
     }
     let mut decoded = picture("TGA", TgaDecoder::new(Cursor::new(bytes)), limits).map(linear)?;
     let alpha_bits = bytes.get(17).map_or(0, |descriptor| descriptor & 0x0f);
@@ -81,7 +81,18 @@ fn picture<D: ImageDecoder>(
     decoder: Result<D, ImageError>,
     limits: TextureLimits,
 ) -> Result<DynamicImage, TextureError> {
-    let failed = |cause: ImageError| TextureError::Decoder { format, cause: cause.into() };
+    let failed = |error: ImageError| TextureError::Decoder {
+        format,
+        fault: match &error {
+            ImageError::Unsupported(_) => Fault::Unsupported,
+            ImageError::Decoding(_)
+            | ImageError::Encoding(_)
+            | ImageError::Parameter(_)
+            | ImageError::Limits(_)
+            | ImageError::IoError(_) => Fault::of(&error),
+        },
+        source: error.into(),
+    };
     let mut decoder = decoder.map_err(failed)?;
     let (width, height) = decoder.dimensions();
     limits.check(width, height)?;

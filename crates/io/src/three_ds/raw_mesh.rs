@@ -4,6 +4,7 @@ use super::affine::Affine;
 use super::chunk::Reader;
 use super::mesh::fault;
 use super::{Face, Mesh, ObjectFlags, WarningKind, Warnings};
+use std::collections::BTreeSet;
 use traylib_math::{Vec2, Vec3};
 
 /// A mesh with nothing checked across chunks.
@@ -94,23 +95,27 @@ impl RawMesh {
         warnings: &mut Warnings,
     ) -> Vec<Option<usize>> {
         let mut materials = vec![None; self.faces.len()];
+        let mut changed = vec![false; self.faces.len()];
+        let mut beyond = BTreeSet::new();
         for (name, members) in &self.groups {
             let material = find(name);
             if material.is_none() {
                 warnings.add(WarningKind::UnknownMaterial);
             }
             for &member in members {
-                match materials.get_mut(usize::from(member)) {
+                let member = usize::from(member);
+                match materials.get_mut(member) {
                     Some(slot) => {
-                        if slot.is_some() {
-                            warnings.add(WarningKind::FaceInTwoGroups);
-                        }
+                        changed[member] |= slot.is_some() && *slot != material;
                         *slot = material;
                     }
-                    None => warnings.add(WarningKind::GroupBeyondFaces),
+                    None => _ = beyond.insert(member),
                 }
             }
         }
+        let changed = changed.into_iter().filter(|&is| is).count();
+        warnings.add_many(WarningKind::FaceInTwoGroups, changed);
+        warnings.add_many(WarningKind::GroupBeyondFaces, beyond.len());
         materials
     }
 }

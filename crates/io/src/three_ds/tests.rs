@@ -66,6 +66,22 @@ fn the_last_group_of_a_face_and_the_first_material_of_a_name_win() {
     assert_eq!(count(WarningKind::UnknownMaterial), 1);
 }
 
+/// What is counted are faces, not how often they are named.
+#[test]
+fn a_face_in_three_groups_is_one_face() {
+    let groups = [group(b"a", &[0, 9]), group(b"b", &[0, 9]), group(b"a", &[0, 0, 9])];
+    let corners = faces(&[[0, 1, 2]], &[&groups.concat()]);
+    let materials = [material(b"a"), material(b"b")].concat();
+    let document = decode(&file(&[&vertices(&SQUARE), &corners], &[&materials])).unwrap();
+    let count = |kind| document.warnings.count(kind);
+    assert_eq!(count(WarningKind::FaceInTwoGroups), 1);
+    assert_eq!(count(WarningKind::GroupBeyondFaces), 1);
+    // The same material twice is no contradiction.
+    let corners = faces(&[[0, 1, 2]], &[&[group(b"a", &[0]), group(b"a", &[0])].concat()]);
+    let document = decode(&file(&[&vertices(&SQUARE), &corners], &[&material(b"a")])).unwrap();
+    assert_eq!(document.warnings, Warnings::default());
+}
+
 #[test]
 fn faces_that_cannot_be_drawn_are_counted_and_the_rest_keeps_its_masks() {
     let mut positions = SQUARE.to_vec();

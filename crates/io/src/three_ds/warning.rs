@@ -63,7 +63,8 @@ impl fmt::Display for WarningKind {
             Self::RecordCut => "chunk shorter than what it should hold, not used",
             Self::NumberNotFinite => "number infinite or not a number, not used",
             Self::TooManyItems => {
-                "meshes, materials, lights, cameras or nodes beyond the limit, skipped"
+                "mesh, material, light, camera, node or map beyond their greatest number, skipped \
+                 (`--limit items=N` allows more)"
             }
             Self::FaceWithoutVertex => "face dropped: it names a vertex that does not exist",
             Self::FaceNotFinite => "face dropped: a vertex is infinite or not a number",

@@ -7,9 +7,10 @@ mod triangles;
 use super::{Content, Half, Look, ModelFile, ModelPart};
 use crate::import::placement::Placement;
 use crate::import::tally::Tally;
-use crate::mgf::{self, Options, Shape, Surface};
+use crate::load::LoadOptions;
+use crate::mgf::{self, Shape, Surface};
 use crate::{Error, Warning};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use traylib_geometry::{self as geometry, Cone, Disk, Facing, Primitive, Sides, Sphere};
 use traylib_math::Vec3;
 use traylib_math::glam::DVec3;
@@ -18,11 +19,11 @@ use triangles::Triangles;
 
 pub(super) fn read(
     path: &Path,
-    root: Option<&Path>,
+    options: LoadOptions<'_>,
     tally: &mut Tally,
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
-    let options = Options { root: root.map(PathBuf::from), ..Options::default() };
-    let document = mgf::decode(&[path.to_path_buf()], &options)?;
+    let bounds = options.limits.mgf(options.root);
+    let document = mgf::decode(&[path.to_path_buf()], &bounds)?;
     let look = |material| material::look(material, tally);
     let looks = document.materials.iter().map(look).collect::<Result<_, _>>();
     let looks =

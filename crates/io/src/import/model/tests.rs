@@ -7,7 +7,7 @@ use traylib_geometry::{Facing, Primitive};
 fn parts_of(test: &str, text: &str) -> (Vec<ModelPart>, Vec<Look>, usize) {
     let path = std::env::temp_dir().join(format!("traylib-{}-{test}.mgf", std::process::id()));
     fs::write(&path, text).unwrap();
-    let read = ModelFile::read(&Location::Disk(path.clone()), None);
+    let read = ModelFile::read(&Location::Disk(path.clone()), LoadOptions::default());
     fs::remove_file(&path).unwrap();
     let (file, warnings) = read.unwrap();
     assert_eq!(warnings, []);

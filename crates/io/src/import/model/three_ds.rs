@@ -14,7 +14,7 @@ use crate::import::textures::Textures;
 use crate::source::Location;
 use crate::three_ds::smoothing::corner_normals;
 use crate::three_ds::{self, Document, Mesh, pose};
-use crate::{Error, Warning};
+use crate::{Error, ReadLimits, Warning};
 use folder::Folder;
 use maps::MapImporter;
 use std::collections::BTreeMap;
@@ -37,17 +37,18 @@ pub(super) struct Content {
 /// Beside the file, what was repaired in its pictures.
 pub(super) fn read(
     location: &Location,
+    limits: ReadLimits,
     tally: &mut Tally,
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
     let file = location.to_string();
     let bytes =
         location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?.into_owned();
-    let document =
-        three_ds::decode(&bytes).map_err(|cause| Error::Mesh { file: file.clone(), cause })?;
+    let document = three_ds::decode_within(&bytes, limits.three_ds())
+        .map_err(|cause| Error::Mesh { file: file.clone(), cause })?;
     if document.meshes.iter().all(|mesh| mesh.faces.is_empty()) {
         return Err(Error::NothingToSee(file));
     }
-    let mut textures = Textures::default();
+    let mut textures = Textures::new(limits);
     let folder = Folder::of(location);
     let mut importer = MapImporter { folder, textures: &mut textures, tally };
     let model = model(document, &mut importer).map_err(|cause| Error::Material { file, cause })?;

@@ -1,6 +1,7 @@
 //! 3DS and MGF files as scenes, and in scenes.
 
 use super::*;
+use crate::Limit;
 use traylib_math::Rgb;
 use traylib_scene::Light;
 
@@ -151,6 +152,39 @@ fn files_that_make_no_scene_say_why() {
     let error = load_scene(&path.to_string_lossy()).unwrap_err();
     fs::remove_file(&path).unwrap();
     assert!(matches!(error, Error::Mesh { .. }), "{error:?}");
+}
+
+/// A limit that a file exceeds is named as programs know it, and can be raised, also where
+/// a scene file brings the file in.
+#[test]
+fn limits_can_be_raised_by_the_names_that_messages_tell() {
+    let limits = |limit, value| {
+        let mut limits = ReadLimits::default();
+        limits.set(limit, value);
+        LoadOptions { limits, ..LoadOptions::default() }
+    };
+    // A lamp, a ball and a ring.
+    let error = load_mgf("few", ROOM, limits(Limit::Surfaces, 2)).unwrap_err().to_string();
+    let remedy = "more than 2 surfaces; if that is meant, `--limit surfaces=4` allows more";
+    assert!(error.contains(remedy), "{error}");
+    assert!(load_mgf("enough", ROOM, limits(Limit::Surfaces, 4)).is_ok());
+
+    let picture = include_bytes!("../../../../../scenes/textures/waves.png");
+    let others: [(&str, &[u8]); 2] = [("room.mgf", ROOM.as_bytes()), ("p.png", picture)];
+    let text = lit(
+        r#"materials: { "a": Textured(base: Lambert(reflectance: (0, 0, 0)), diffuse: "p.png") },
+           objects: [(shape: Mesh(file: "room.mgf")), (shape: Mesh(file: "room.mgf"), material: "a")],"#,
+    );
+    let load = |limit, value| load_text_with("limits", &text, &others, limits(limit, value));
+    for (limit, few, more) in [
+        (Limit::Surfaces, 2, "surfaces=4"),
+        (Limit::Bytes, 20, "bytes=40"),
+        (Limit::Pixels, 10, "pixels=20"),
+    ] {
+        let error = load(limit, few).unwrap_err().to_string();
+        assert!(error.contains(&format!("`--limit {more}` allows more")), "{error}");
+        assert!(load(limit, 1 << 40).is_ok(), "{limit:?}");
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Which line is read next: objects, transforms and includes.
 
 use super::Reader;
+use crate::Limit;
 use crate::mgf::budget::limit;
 use crate::mgf::error::shown;
 use crate::mgf::keyword::Keyword;
@@ -63,7 +64,7 @@ impl Reader<'_> {
         };
         self.work.take(INCLUDE_COST + cost(arguments))?;
         let depth = self.calls.len() as u64;
-        limit("files inside each other", depth, self.options.max_depth as u64, "max_depth")?;
+        limit("files inside each other", depth, self.options.max_depth as u64, Limit::Depth)?;
         let Some(call) = self.calls.last() else { return Ok(()) };
         let Self { files, work, memory, .. } = self;
         let source = files.included((&call.source, name), work, memory)?;

@@ -49,7 +49,8 @@ fn an_array_left_open_still_makes_its_copies() {
 
 #[test]
 fn explosions_are_refused_before_they_begin() {
-    let limit = "more than 1000000 copies; if that is meant, raise Options::max_surfaces";
+    let limit = "more than 1000000 copies; if that is meant, `--limit surfaces=2000000` allows \
+                 more";
     for (text, line) in [
         ("xf -a 1000000 -t 1 0 0 -a 1000000 -t 0 1 0\nsph a 1\nxf", 12),
         ("xf -a 18446744073709551615 -mx -a 3 -my\nxf", 12),
@@ -88,14 +89,16 @@ fn surfaces_polygons_work_and_transforms_are_bounded() {
     }
     let options = Options { max_line: 50, ..Options::default() };
     let long = format!("# short\n# {}\\\n{}", "x".repeat(40), "y".repeat(40));
-    let expected = "a.mgf: line 2 has more than 50 bytes (Options::max_line)";
+    let expected =
+        "a.mgf: line 2 has more than 50 bytes; if that is meant, `--limit line=100` allows more";
     assert_eq!(refused_with(&long, &options), expected);
     let options = Options { max_memory: 10_000, ..Options::default() };
     assert!(refused_with(&array, &options).contains("f: more than 10000 bytes of memory"));
     let names = (0..99).fold(String::new(), |text, i| text + &format!("v {i} =\n"));
     assert!(refused_with(&names, &options).contains("v: more than 10000 bytes of memory"));
     let comment = "#\n".repeat(1000);
-    let expected = "a.mgf: takes more memory than is left of 10000 bytes (Options::max_memory)";
+    let expected = "a.mgf: takes more memory than is left of 10000 bytes; if that is meant, \
+                    `--limit memory=20000` allows more";
     assert_eq!(refused_with(&comment, &options), expected);
     let options = Options { max_bytes: 10, ..Options::default() };
     assert!(refused_with(SQUARE, &options).contains("more than 10 bytes"));

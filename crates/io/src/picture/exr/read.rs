@@ -1,6 +1,6 @@
 //! All that an EXR file holds.
 
-use crate::{Error, MAX_PIXELS};
+use crate::{Error, Fault, MAX_PIXELS, TextureError};
 use exr::block;
 use exr::meta::attribute::Chromaticities;
 use exr::meta::header::Header;
@@ -11,8 +11,6 @@ use exr::prelude::{
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
-
-type Cause = Box<dyn std::error::Error + Send + Sync>;
 
 /// Samples that a file may hold, of all channels and layers: 16 GiB of floats.
 /// More is taken for damage.
@@ -73,32 +71,47 @@ pub fn open_exr(path: &Path) -> Result<ExrFile, Error> {
 /// [`open_exr`] with other bounds on the pixels of a layer and on all samples.
 pub(super) fn open_within(path: &Path, pixels: u64, samples: u64) -> Result<ExrFile, Error> {
     decode(path, pixels, samples)
-        .map_err(|cause| Error::ReadPicture { file: path.to_path_buf(), cause })
+        .map_err(|cause| Error::ReadPicture { file: path.to_path_buf(), cause: cause.into() })
 }
 
-fn decode(path: &Path, pixels: u64, samples: u64) -> Result<ExrFile, Cause> {
-    let chunks = block::read(BufReader::new(File::open(path)?), false)?;
+fn decode(path: &Path, pixels: u64, samples: u64) -> Result<ExrFile, TextureError> {
+    let chunks = block::read(BufReader::new(File::open(path)?), false).map_err(failed)?;
     check_sizes(chunks.headers(), pixels, samples)?;
     let reader = read().no_deep_data().largest_resolution_level().all_channels();
-    Ok(file(reader.all_layers().all_attributes().from_chunks(chunks)?))
+    Ok(file(reader.all_layers().all_attributes().from_chunks(chunks).map_err(failed)?))
+}
+
+fn failed(error: exr::error::Error) -> TextureError {
+    use exr::error::Error::{Aborted, Invalid, Io, NotSupported};
+    let fault = match &error {
+        NotSupported(_) => Fault::Unsupported,
+        Io(error) => Fault::of(error),
+        Invalid(_) | Aborted => Fault::Damaged,
+    };
+    TextureError::Decoder { format: "EXR", fault, source: error.into() }
 }
 
 /// Before memory is taken for what a header claims.
-fn check_sizes(headers: &[Header], most_pixels: u64, most_samples: u64) -> Result<(), Cause> {
+fn check_sizes(
+    headers: &[Header],
+    most_pixels: u64,
+    most_samples: u64,
+) -> Result<(), TextureError> {
     let area = |width: usize, height: usize| (width as u64).saturating_mul(height as u64);
     let mut samples = 0_u64;
     for header in headers {
         let (data, shown) = (header.layer_size, header.shared_attributes.display_window.size);
         for size in [data, shown] {
             if area(size.width(), size.height()) > most_pixels {
-                let (width, height) = (size.width(), size.height());
-                return Err(format!("{width}x{height} pixels are too many").into());
+                let [width, height] = [size.width(), size.height()]
+                    .map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+                return Err(TextureError::TooLarge { width, height, most: most_pixels });
             }
         }
         let channels = header.channels.list.len() as u64;
         samples = samples.saturating_add(area(data.width(), data.height()) * channels);
     }
-    if samples > most_samples { Err("its layers are too many".into()) } else { Ok(()) }
+    if samples > most_samples { Err(TextureError::TooManyLayers(most_samples)) } else { Ok(()) }
 }
 
 type FlatImage = Image<Layers<AnyChannels<FlatSamples>>>;

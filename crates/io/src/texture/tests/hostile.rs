@@ -34,6 +34,26 @@ fn every_beginning_of_a_file() {
     }
 }
 
+/// What is said is for who has the file, not for who knows the decoder.
+#[test]
+fn damage_is_told_in_plain_words() {
+    let known = ["is cut off", "is damaged", "is of a kind that is not read"];
+    for (format, bytes) in made::all(9, 7) {
+        for length in 0..bytes.len() {
+            let Err(error) = texture_from_bytes(&bytes[..length], Path::new("a.tga"), LIMITS)
+            else {
+                continue;
+            };
+            let Error::ReadPicture { cause, .. } = error else { panic!("{error}") };
+            let said = cause.to_string();
+            let fault = said.strip_prefix("the ").and_then(|said| said.split_once(" picture "));
+            let is_fault = fault.is_some_and(|(_, fault)| known.contains(&fault));
+            let is_own = said.starts_with("Radiance: at byte ") || said.starts_with("it ");
+            assert!(is_fault || is_own, "{format}: {said}");
+        }
+    }
+}
+
 #[test]
 fn random_bytes_in_a_file() {
     let mut sampler = Sampler::new(5, Purpose::Test, 0, 0);

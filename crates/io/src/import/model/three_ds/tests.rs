@@ -11,7 +11,7 @@ fn placement() -> Placement {
 
 /// A document's file, as if in a folder without pictures, and its warnings.
 fn file(document: Document) -> (ModelFile, Vec<String>) {
-    let (mut textures, mut tally) = (Textures::default(), Tally::default());
+    let (mut textures, mut tally) = (Textures::new(ReadLimits::default()), Tally::default());
     let folder = Folder::of(&Location::BuiltIn(String::new()));
     let mut importer = MapImporter { folder, textures: &mut textures, tally: &mut tally };
     let file = model(document, &mut importer).unwrap();
