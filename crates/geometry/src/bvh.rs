@@ -21,7 +21,8 @@ use contents::{Each, Leaves};
 ///
 /// A ray passes boxes that it misses, or that begin beyond the nearest hit so far.
 /// Boxes are a little wider than the shapes and box tests err towards a hit, by
-/// more than intersections round, so the tree loses no hit. The same shapes give the
+/// more than intersections round, so the tree loses no hit at the
+/// [distances](crate#how-far-answers-hold) it is made for. The same shapes give the
 /// same tree on any number of threads, and the answers depend on the shapes alone:
 /// of several hits at the same t, the one with the lowest number is the nearest.
 #[derive(Clone, Debug)]
@@ -74,8 +75,9 @@ impl<C: Contents> Bvh<C> {
         query.found
     }
 
-    /// All hits with 0 < t < `ray.t_max`, the nearest first. Where two triangles
-    /// share an edge that the ray meets there may be one for each.
+    /// All hits with 0 < t < `ray.t_max`, the nearest first, of which [`nearest`](Self::nearest)
+    /// is one: of each shape the first. Where two triangles share an edge that the ray meets
+    /// there may be one for each.
     pub fn all_hits(&self, ray: &Ray) -> Vec<Hit> {
         let mut query = All { limit: ray.t_max, found: Vec::new() };
         self.ask(ray, &mut query);

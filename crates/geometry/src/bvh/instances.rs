@@ -14,9 +14,12 @@ use crate::tree::visitor::Visitors;
 use crate::{Aabb, Error, Hit, Ray, Vec3};
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use traylib_math::glam::Affine3A;
+use traylib_math::glam::{Affine3A, DAffine3};
 
 /// A tree somewhere else, turned and stretched.
+///
+/// Rays are moved into it in single precision: see
+/// [how far answers hold](crate#how-far-answers-hold) for axes that are nearly parallel.
 #[derive(Clone, Debug)]
 pub struct Instance<C = super::Triangles> {
     tree: Arc<Bvh<C>>,
@@ -30,13 +33,20 @@ impl<C: Contents> Instance<C> {
     /// # Errors
     /// [`Error::NotFinite`] when the placement is not finite or cannot be undone.
     pub fn new(tree: Arc<Bvh<C>>, placement: Affine3A) -> Result<Self, Error> {
-        let to_tree = placement.inverse();
+        let to_tree = undone(&placement);
         if !placement.is_finite() || !to_tree.is_finite() {
             return Err(Error::NotFinite);
         }
         let bounds = placed(&tree.bounds, &placement);
         Ok(Self { tree, to_tree, bounds })
     }
+}
+
+/// The inverse, rounded once: in single precision the digits that nearly parallel axes
+/// differ in would be lost twice.
+fn undone(placement: &Affine3A) -> Affine3A {
+    let columns = placement.to_cols_array().map(f64::from);
+    DAffine3::from_cols_array(&columns).inverse().as_affine3a()
 }
 
 /// The box around the corners of a box, moved.
@@ -104,6 +114,35 @@ struct Within<'a, Q> {
     query: &'a mut Q,
     first: u32,
     done: bool,
+    /// The ray outside of it.
+    ray: &'a Ray,
+    bounds: &'a Aabb,
+}
+
+impl<Q> Within<'_, Q> {
+    /// No hit lies before its box. Where axes are nearly parallel, moving the ray rounds by
+    /// much, and a hit before its box would be found or not, as the box is opened or left out
+    /// for another hit.
+    #[inline]
+    fn not_before_box(&self, t: f32) -> f32 {
+        t.max(enters(self.ray, self.bounds) * NOT_BEFORE)
+    }
+}
+
+/// A little before a box, by what t rounds; yet after where trees have it begin.
+const NOT_BEFORE: f32 = 1.0 - 8.0 * f32::EPSILON;
+
+/// The least t in a box, as trees compute it, whether or not the ray meets the box.
+#[inline]
+fn enters(ray: &Ray, bounds: &Aabb) -> f32 {
+    let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
+    let planes = [bounds.min.to_array(), bounds.max.to_array()];
+    let enter = |axis: usize| {
+        let slope = direction[axis].recip();
+        (planes[usize::from(slope < 0.0)][axis] - origin[axis]) * slope
+    };
+    // A ray within a plane is not before it: 0 · ∞ is no number, and loses.
+    enter(0).max(enter(1)).max(enter(2))
 }
 
 impl<Q: Query> Query for Within<'_, Q> {
@@ -116,7 +155,11 @@ impl<Q: Query> Query for Within<'_, Q> {
 
     #[inline]
     fn offer(&mut self, hit: Hit) -> ControlFlow<()> {
-        let asked = self.query.offer(Hit { primitive: self.first + hit.primitive, ..hit });
+        let t = self.not_before_box(hit.t);
+        if t >= self.query.limit() {
+            return ControlFlow::Continue(());
+        }
+        let asked = self.query.offer(Hit { t, primitive: self.first + hit.primitive, ..hit });
         self.done = asked.is_break();
         asked
     }
@@ -152,14 +195,15 @@ impl<C: Contents> Holds for Instances<C> {
 
     #[inline]
     fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()> {
-        let Instance { tree, to_tree, .. } = &self.instances[number as usize];
+        let Instance { tree, to_tree, bounds } = &self.instances[number as usize];
         // Its direction is not made unit: t is the same within and without.
         let inner = Ray {
             origin: to_tree.transform_point3(ray.origin),
             direction: to_tree.transform_vector3(ray.direction),
             t_max: ray.t_max,
         };
-        let mut within = Within { query, first: self.first[number as usize], done: false };
+        let first = self.first[number as usize];
+        let mut within = Within { query, first, done: false, ray, bounds };
         tree.ask(&inner, &mut within);
         if within.done { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

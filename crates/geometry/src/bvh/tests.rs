@@ -201,6 +201,7 @@ fn scaling_by_powers_of_two_is_exact() {
     }
 }
 
+mod agreement;
 mod instances;
 mod kernels;
 mod meshes;

@@ -2,7 +2,7 @@
 
 use super::Cone;
 use crate::Ray;
-use crate::precise::difference;
+use crate::precise::{DVec3, difference};
 
 /// By how much of its axis a cone counts as longer at each end: a few roundings of what
 /// it meets.
@@ -42,8 +42,12 @@ impl Crossing {
 #[inline]
 pub(super) fn crossings(cone: &Cone, ray: &Ray) -> Option<[Crossing; 2]> {
     let axis = cone.axis();
-    let (start, direction) = (difference(ray.origin, cone.ends[0]), ray.direction.as_dvec3());
-    let per_length = axis * axis.length_squared().recip();
+    let direction = ray.direction.as_dvec3();
+    let square = axis.length_squared();
+    let from_end = difference(ray.origin, cone.ends[0]);
+    let is_far = from_end.length_squared() > FAR * FAR * square;
+    let (ahead, start) = if is_far { nearer(cone, ray, from_end) } else { (0.0, from_end) };
+    let per_length = axis * square.recip();
     let (height, climb) = (start.dot(per_length), direction.dot(per_length));
     let (p, q) = (start - height * axis, direction - climb * axis);
     let r = f64::from(cone.radii[0]) + height * cone.widening();
@@ -60,6 +64,31 @@ pub(super) fn crossings(cone: &Cone, ray: &Ray) -> Option<[Crossing; 2]> {
     let other = (p.length_squared() - r * r) / sum;
     // The derivative of the left side is ∓2·root there: in, where it falls.
     let out = root.signum() as f32;
-    let crossing = |t: f64, cosine_sign| Crossing { t, height: height + t * climb, cosine_sign };
+    let crossing = |t: f64, cosine_sign| {
+        let height = height + t * climb;
+        Crossing { t: ahead + t, height, cosine_sign }
+    };
     Some([crossing(one, -out), crossing(other, out)])
+}
+
+/// From so many lengths of its axis a cone is looked at from nearer.
+const FAR: f64 = (1 << 22) as f64;
+
+/// How far along a ray to start instead, and where that is from the first end.
+///
+/// Far away digits are lost that tell the line from its neighbours. Where it comes
+/// nearest they are there again: the way there is rounded to single precision, so that it
+/// times the direction is exact, and what then is left of the origin is exact, too, but
+/// for the rounding of what is left.
+#[cold]
+#[inline(never)]
+fn nearer(cone: &Cone, ray: &Ray, from_end: DVec3) -> (f64, DVec3) {
+    let direction = ray.direction.as_dvec3();
+    let nearest = -from_end.dot(direction) / direction.length_squared();
+    let ahead = f64::from(nearest as f32);
+    if !ahead.is_finite() {
+        return (0.0, from_end);
+    }
+    let there = ray.origin.as_dvec3() + ahead * direction;
+    (ahead, there - cone.ends[0].as_dvec3())
 }
