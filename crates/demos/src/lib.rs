@@ -3,6 +3,7 @@
 //! options, and nothing more. `film` renders nothing: it looks into pictures and
 //! compares them ([`FilmCommand`]).
 
+mod black;
 mod bug;
 mod command_line;
 mod duration;

@@ -1,6 +1,7 @@
 //! From a command line to a picture.
 
 use crate::VERSION;
+use crate::black::{self, Picture};
 use crate::bug::report_bugs;
 use crate::interrupt::{self, Stop};
 use crate::memory;
@@ -21,6 +22,7 @@ use traylib_io::{
     Headlight, LoadOptions, Loaded, PictureInfo, check_file, check_picture, load_scene_with,
     save_picture,
 };
+use traylib_math::{Grid, Rgb};
 use traylib_scene::{Camera, Scene};
 
 /// What a program was asked to do.
@@ -132,12 +134,14 @@ fn try_run<I: Integrator>(
     make_folder(job.folder)?;
     let (rendering, elapsed, end) = render_job(job, &loaded, &integrator)?;
     let done = Done { loaded, rendering, seconds: elapsed.as_secs_f64() };
+    let picture = done.rendering.film.develop();
     for file in &outfiles {
-        save_picture(file, &done.rendering.film.develop(), &done.info(job))?;
+        save_picture(file, &picture, &done.info(job))?;
         tell_name(file)?;
     }
     finish(&done)?;
     if !options.quiet {
+        warn_if_black(job, &done, &integrator, limits, &picture);
         summarise(job.program, &done.loaded.name, &done.rendering, elapsed, end.words());
         suggest(options);
     }
@@ -147,6 +151,25 @@ fn try_run<I: Integrator>(
             format_args!("interrupted; what is written has {} spp", done.rendering.film.passes()),
         )),
         End::Spp | End::TimeLimit => Ok(()),
+    }
+}
+
+/// Nobody should have to guess why a picture is black.
+fn warn_if_black(
+    job: &Job<'_>,
+    done: &Done,
+    integrator: &dyn Integrator,
+    limits: Limits,
+    radiance: &Grid<Rgb>,
+) {
+    if !job.wants_picture {
+        return;
+    }
+    let (program, scene) = (job.program, &done.loaded.scene);
+    let exposure = done.loaded.settings.exposure;
+    let picture = Picture { program, scene, integrator, limits, exposure, radiance };
+    if let Some(reason) = black::reason(&picture, job.options) {
+        say(format_args!("warning: the picture is black: {reason}"));
     }
 }
 

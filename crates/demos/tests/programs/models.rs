@@ -84,8 +84,7 @@ fn a_limit_that_a_message_names_can_be_raised() {
             let refused = folder.run("bdpt", &few);
             // Of a scene file the figures are those of the scene itself.
             assert_eq!(refused.status, Some(3), "{few}: {}", refused.err);
-            let remedy =
-                "than is left of 1000 bytes; if that is meant, `--limit memory=2000` allows more";
+            let remedy = "of memory; if that is meant, `--limit memory=2000` allows more";
             assert!(refused.err.contains(remedy), "{}", refused.err);
             let enough = folder.run("bdpt", &format!("{file} --check --limit memory=1M {more}"));
             assert_eq!(enough.status, Some(0), "{}", enough.err);
