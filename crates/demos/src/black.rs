@@ -79,13 +79,10 @@ fn without_light(picture: &Picture<'_>) -> String {
                 may stand inside of something"
             .into();
     }
-    let mut reason = String::from(
-        "no light was found on what is in view: something may stand between, or it takes more --spp",
-    );
-    for spot in blind {
-        reason += &format!("; {program} cannot produce {spot}");
-    }
-    reason
+    let cannot = |spot: &BlindSpot| format!("; {program} cannot produce {spot}");
+    "no light was found on what is in view: something may stand between, or it takes more --spp"
+        .to_string()
+        + &blind.iter().map(cannot).collect::<String>()
 }
 
 /// What rays from the camera meet, in numbers of rays.
