@@ -59,9 +59,21 @@ impl TextureLimits {
             pixels if pixels > self.pixels => {
                 Err(TextureError::TooLarge { width, height, most: self.pixels })
             }
-            _ => Ok(()),
+            pixels => check_memory(pixels.saturating_mul(BYTES_OF_A_PIXEL)),
         }
     }
+}
+
+/// What a pixel takes at the most: as a decoder has it, with four channels of 16 bits,
+/// and as light and opacity.
+pub(crate) const BYTES_OF_A_PIXEL: u64 = 8 + 8 + 16;
+
+/// Whether so much memory is to be had. Decoders take it without asking, which would
+/// end the program.
+pub(crate) fn check_memory(bytes: u64) -> Result<(), TextureError> {
+    let is_there = |bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok();
+    let is_there = usize::try_from(bytes).is_ok_and(is_there);
+    if is_there { Ok(()) } else { Err(TextureError::Memory(bytes)) }
 }
 
 /// How the numbers of a file stand for light.
@@ -150,6 +162,9 @@ pub enum TextureError {
     /// All channels and layers of an EXR file together have more values than this.
     #[error("its channels and layers have more than {0} values")]
     TooManyLayers(u64),
+    /// So many bytes of memory are not to be had.
+    #[error("its pixels need {:.2} GB of memory, which are not free", *.0 as f64 / 1e9)]
+    Memory(u64),
     /// A decoder gave up.
     #[error("the {format} picture {fault}")]
     Decoder {

@@ -83,3 +83,11 @@ fn exr_files_are_read_from_disk() {
     };
     assert_eq!(load_texture(&named, TextureLimits::default()).unwrap(), expected);
 }
+
+/// Whatever is allowed: an allocation that fails ends the program.
+#[test]
+fn what_memory_does_not_hold_is_refused() {
+    let limits = TextureLimits { pixels: u64::MAX, ..TextureLimits::default() };
+    assert!(matches!(limits.check(u32::MAX, u32::MAX), Err(TextureError::Memory(_))));
+    assert!(limits.check(64, 64).is_ok());
+}

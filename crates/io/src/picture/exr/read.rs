@@ -1,5 +1,6 @@
 //! All that an EXR file holds.
 
+use crate::texture::check_memory;
 use crate::{Error, Fault, MAX_PIXELS, TextureError};
 use exr::block;
 use exr::meta::attribute::Chromaticities;
@@ -91,6 +92,9 @@ fn failed(error: exr::error::Error) -> TextureError {
     TextureError::Decoder { format: "EXR", fault, source: error.into() }
 }
 
+/// What a sample takes: as it is decoded, and as light.
+const BYTES_OF_A_SAMPLE: u64 = 4 + 4;
+
 /// Before memory is taken for what a header claims.
 fn check_sizes(
     headers: &[Header],
@@ -111,7 +115,10 @@ fn check_sizes(
         let channels = header.channels.list.len() as u64;
         samples = samples.saturating_add(area(data.width(), data.height()) * channels);
     }
-    if samples > most_samples { Err(TextureError::TooManyLayers(most_samples)) } else { Ok(()) }
+    if samples > most_samples {
+        return Err(TextureError::TooManyLayers(most_samples));
+    }
+    check_memory(samples.saturating_mul(BYTES_OF_A_SAMPLE))
 }
 
 type FlatImage = Image<Layers<AnyChannels<FlatSamples>>>;
