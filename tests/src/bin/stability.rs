@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use traylib_io::write_file;
 use traylib_tests::stability::page::{page, save_pictures};
 use traylib_tests::stability::run::{Choice, run};
 use traylib_tests::stability::table::{Agreement, Judged, markdown};
@@ -65,9 +66,9 @@ fn stability(choice: &Choice, folder: &PathBuf) -> Result<bool, Box<dyn std::err
     let cells: Vec<Judged> = rows.iter().flat_map(|row| row.cells.clone()).collect();
     let table = markdown(&cells);
     println!("{table}");
-    std::fs::write(folder.join("table.md"), &table)?;
-    std::fs::write(folder.join("results.json"), serde_json::to_string_pretty(&cells)?)?;
-    std::fs::write(folder.join("index.html"), page(&rows))?;
+    write_file(&folder.join("table.md"), table.as_bytes())?;
+    write_file(&folder.join("results.json"), &serde_json::to_vec_pretty(&cells)?)?;
+    write_file(&folder.join("index.html"), page(&rows).as_bytes())?;
     for row in &rows {
         save_pictures(folder, row)?;
     }

@@ -17,15 +17,21 @@ use traylib_io::Headlight;
 struct Options {
     #[command(flatten)]
     render: RenderOptions,
+    /// Draw the point of a pixel by chance also of one sample, which else goes through
+    /// the middle; with more samples or a --time-limit it always is
+    #[arg(long)]
+    jitter: bool,
 }
 
 fn main() -> ExitCode {
     let options: Options = parse();
+    let RenderOptions { time_limit, spp, .. } = options.render;
+    let jitter = options.jitter || time_limit.is_some() || spp.unwrap_or(1) > 1;
     let job = Job {
         default_spp: Some(1),
         headlight: Headlight::WithoutPointLight,
+        own_options: if jitter { "--jitter".into() } else { String::new() },
         ..Job::new("trace", &options.render, None)
     };
-    let jitter = options.render.time_limit.is_some() || options.render.spp.unwrap_or(1) > 1;
     run(&job, |_, _| Ok(Trace { jitter }), |_| Ok(()))
 }

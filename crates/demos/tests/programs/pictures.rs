@@ -87,6 +87,7 @@ fn a_picture_says_how_to_make_it_again() {
     for (program, options) in [
         ("trace", "--spp 3"),
         ("trace", ""),
+        ("trace", "--spp 1 --time-limit 1h"),
         ("puremc", "--max-depth 4 --time-limit 0.1s --roulette off"),
         ("particle", "--spp 2 --roulette 2"),
         ("directlight", "--spp 2"),
