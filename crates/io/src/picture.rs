@@ -1,6 +1,6 @@
 //! Pictures, to and from files.
 //!
-//! A picture is written completely or not at all ([`write_file`](crate::write_file)).
+//! A picture is written completely or not at all ([`write_file`]).
 
 mod exr;
 mod hdr;
