@@ -128,7 +128,7 @@ mod tests {
         assert_eq!(memory_folders("0::/a/b"), second.map(PathBuf::from));
         let first = ["/sys/fs/cgroup/memory/a", "/sys/fs/cgroup/memory/"].map(PathBuf::from);
         assert_eq!(memory_folders("4:hugetlb,memory:/a"), first);
-        assert_eq!(memory_folders("8:pids:/a"), [PathBuf::new(); 0]);
+        assert!(memory_folders("8:pids:/a").is_empty());
         assert_eq!(group_leaves(100, 70, "inactive_file 20\nanon 5\n"), 50);
         assert_eq!(group_leaves(100, 70, "inactive_file 20\ntotal_inactive_file 30\n"), 60);
         assert_eq!(group_leaves(100, 170, ""), 0);

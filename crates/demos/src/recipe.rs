@@ -2,6 +2,7 @@
 
 use crate::options::PathOptions;
 use crate::run::Job;
+use std::fmt::Write;
 use std::path::Path;
 use traylib_integrators::Roulette;
 use traylib_io::Loaded;
@@ -22,6 +23,10 @@ pub(crate) fn command(job: &Job<'_>, loaded: &Loaded, passes: u32) -> String {
         options.seed,
         loaded.settings.exposure,
     );
+    for (limit, value) in &options.limit {
+        // A string takes everything.
+        let _ = write!(command, " --limit {}={value}", limit.name());
+    }
     let own = job.paths.map(path_words).into_iter().chain([job.own_options.clone()]);
     for words in own.filter(|words| !words.is_empty()) {
         command.push(' ');

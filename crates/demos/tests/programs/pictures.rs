@@ -93,7 +93,7 @@ fn a_picture_says_how_to_make_it_again() {
         ("directlight", "--spp 2"),
         ("directlight", "--spp 2 --combine --heuristic balance"),
         ("bdpt", "--spp 2 --heuristic balance --direct-sum --max-depth 7"),
-        ("bdpt", "--time-limit 0.1s"),
+        ("bdpt", "--time-limit 0.1s --limit surfaces=3M"),
     ] {
         let room = folder.path().join("my room.ron");
         let mut command =
@@ -105,6 +105,7 @@ fn a_picture_says_how_to_make_it_again() {
             again.starts_with(&format!("{program} 'my room.ron' --resolution 16x12 ")),
             "{again}"
         );
+        assert_eq!(again.contains(" --limit surfaces=3000000 "), options.contains("--limit s"));
         let words = again.strip_prefix(&format!("{program} 'my room.ron' ")).unwrap();
         let mut command = folder.command(program, &format!("{words} -q -o b.exr -o b.png"));
         let run = command.arg("my room.ron").output().unwrap();
