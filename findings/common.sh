@@ -4,6 +4,7 @@ set -euo pipefail
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 2' INT TERM
 cd "$work"
 
 no_setup() {

@@ -7,12 +7,12 @@
 # Observed: three readers give three values. For the pixel 128 0 255 129 OpenCV
 # gives 1, 0 and 1.9921875 (mantissa / 256), Radiance's pvalue 1.004, 0.0039 and
 # 1.996 ((mantissa + 0.5) / 256, so a mantissa of 0 is not black) and three's
-# HDRLoader 1.0039, 0 and 2 (mantissa / 255). Comparing a picture through two of
-# them shows up to 0.4 % for the same file; three also reads an exponent byte of
-# 0 as a colour (1.5e-39 here) where the format says black.
+# HDRLoader 1.0039, 0 and 2 (mantissa / 255). The same file compared through two
+# of them differs by up to 0.4 % of the brightest channel. three also reads an
+# exponent byte of 0 as a colour (1.5e-39 here) where the format says black.
 #
-# Why the input is valid: "The RADIANCE Picture File Format" in Ward's Radiance
-# file formats document: four bytes a pixel, three mantissas and a shared
+# Why the input is valid: "Radiance File Formats" by Ward, section
+# Picture File Format: four bytes a pixel, three mantissas and a shared
 # exponent with excess 128, flat pixels for rows narrower than 8; black is
 # exponent 0.
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"

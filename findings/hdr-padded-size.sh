@@ -8,7 +8,7 @@
 # with no data and no error. With single blanks the same file is read.
 #
 # Why the input is valid: it is what pcomb of Radiance writes; the resolution
-# string of "The RADIANCE Picture File Format" is read by its numbers.
+# string of "Radiance File Formats" by Ward is read by its numbers.
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 python_packages pyradiance==1.3.1
 node_packages parse-hdr@1.0.0

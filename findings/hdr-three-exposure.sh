@@ -9,8 +9,8 @@
 # where Radiance divides by 1: there the lines are the history of the inputs and
 # begin with a tab.
 #
-# Why the input is valid: "The RADIANCE Picture File Format" in Ward's Radiance
-# file formats document: EXPOSURE lines multiply; programs indent the headers of
+# Why the input is valid: "Radiance File Formats" by Ward, section
+# Picture File Format: EXPOSURE lines multiply; programs indent the headers of
 # their inputs by a tab. The second file is written by pcompos itself.
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 python_packages pyradiance==1.3.1

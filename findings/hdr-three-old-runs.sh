@@ -7,8 +7,8 @@
 # 1 1 1 10 ("ten more of the last pixel") becomes one nearly black pixel
 # (1.2e-38) and everything after it moves up, so 24 pixels come back as 6.
 #
-# Why the input is valid: "The RADIANCE Picture File Format" in Ward's Radiance
-# file formats document: a pixel with three mantissas of 1 repeats the pixel
+# Why the input is valid: "Radiance File Formats" by Ward, section
+# Picture File Format: a pixel with three mantissas of 1 repeats the pixel
 # before it as often as its exponent byte says; Radiance's reader takes both.
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 node_packages three@0.187.0

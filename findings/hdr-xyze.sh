@@ -6,8 +6,8 @@
 # white of 1 (X 0.9375, Y 1, Z 1.078125, close to D65) comes back as a bluish
 # (0.94, 1, 1.08).
 #
-# Why the input is valid: "The RADIANCE Picture File Format" in Ward's Radiance
-# file formats document has two formats, 32-bit_rle_rgbe and 32-bit_rle_xyze, the
+# Why the input is valid: "Radiance File Formats" by Ward, section
+# Picture File Format has two formats, 32-bit_rle_rgbe and 32-bit_rle_xyze, the
 # second with CIE XYZ in place of red, green and blue; the header names it.
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 node_packages three@0.187.0

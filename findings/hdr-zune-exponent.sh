@@ -8,8 +8,8 @@
 # stands for 2.1e9 and is read as 0.5 as well. Powers from -31 to 31 are right.
 # Shadows of a rendering in absolute units become bright speckles.
 #
-# Why the input is valid: "The RADIANCE Picture File Format" in Ward's Radiance
-# file formats document gives the exponent a whole byte, so that values from
+# Why the input is valid: "Radiance File Formats" by Ward, section
+# Picture File Format gives the exponent a whole byte, so that values from
 # 1e-38 to 1e38 can be stored.
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 rust_program 'zune-core = "=0.5.3"' 'zune-hdr = "=0.5.2"' <<'RS'
