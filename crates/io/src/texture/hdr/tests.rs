@@ -19,6 +19,7 @@ fn values_are_mantissas_times_a_power_of_two() {
     assert_eq!(read("-Y 1 +X 1", &[9, 9, 9, 0]).unwrap(), [Rgb::BLACK]);
 }
 
+/// three 0.187.0 takes such a repetition for a pixel, and loses those that it stands for.
 #[test]
 fn old_repetitions_count_in_growing_units() {
     // One pixel, again none and then 256 times: too many. Or 2 times, and one more.
@@ -68,6 +69,8 @@ fn scan_lines_run_in_all_eight_orders() {
     assert_eq!((found.width(), blue), (1, vec![0.0, 0.0, 0.0, 0.0, 4.0, 3.0, 2.0, 1.0]));
 }
 
+/// Lines multiply, and those behind a tab are the history of what the picture was made of.
+/// three 0.187.0 takes the last of all.
 #[test]
 fn light_is_what_was_there_before_the_exposure() {
     let one = [128, 128, 128, 129];

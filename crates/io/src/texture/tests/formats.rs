@@ -164,6 +164,22 @@ fn pcx_has_many_kinds_of_pixels() {
     assert_eq!(pixels(8, 1, 1, 2, &body), [[0, 77, 0, 255]]);
 }
 
+/// Runs may go on over planes and rows. Rows begin every so many bytes as the header says,
+/// also where a width needs fewer: Pillow 13.0.0 takes what fills them for pixels, where
+/// pygame 2.6.1 shifts the colours of odd widths.
+#[test]
+fn pcx_rows_are_where_the_header_says() {
+    let packed = |row, body: &[u8]| {
+        let mut file = made::pcx(8, 3, (1, 2), row, body);
+        file[2] = 1;
+        rgba8(&read(&file).unwrap())
+    };
+    assert_eq!(packed(1, &[0xc6, 77]), [[77, 77, 77, 255]; 2]);
+    assert_eq!(packed(1, &[1, 2, 0xc3, 9, 4]), [[1, 2, 9, 255], [9, 9, 4, 255]]);
+    let filled: Vec<u8> = (1..7).flat_map(|plane| [plane, 0xc3, 0]).collect();
+    assert_eq!(packed(4, &filled), [[1, 2, 3, 255], [4, 5, 6, 255]]);
+}
+
 /// The warnings, and the pixels.
 fn repaired(bytes: &[u8]) -> (Vec<String>, Vec<[u8; 4]>) {
     let found = read(bytes).unwrap();
