@@ -121,7 +121,7 @@ impl Change {
         };
         let cut = |pieces: Option<DrawnScene>| changed(format!("{self:?}"), pieces?, ROUGHLY);
         let is_clear = scene.is_clear();
-        let size = f64::from((scene.camera.target - scene.camera.position).length());
+        let size = f64::from(stride(scene));
         match self {
             Self::MovedByHalves if is_clear => {
                 let steps = [0; 3].map(|_| f64::from(dice.below(9)) - 4.0);
@@ -250,13 +250,19 @@ fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
     Estimator::Program(dice.pick(if any { &programs } else { &programs[..3] }))
 }
 
+/// As far as the camera looks, but, where that is at a sun, no further than leaves the
+/// smallest thing its digits.
+fn stride(scene: &DrawnScene) -> f32 {
+    let away = (scene.camera.target - scene.camera.position).length();
+    away.min(1000.0 * scene.finest())
+}
+
 /// Any scale by a power of two, quarter turns, and a shift by parts of what is seen.
 fn placement(scene: &DrawnScene, dice: &mut Dice) -> Placement {
     let mut rotate = [0.0; 3];
     rotate[dice.below(3) as usize] = 90.0 * dice.below(4) as f32;
     let scale = dice.pick(&[0.25, 0.5, 1.0, 2.0, 1024.0]);
-    let size = (scene.camera.target - scene.camera.position).length();
-    let unit = (0.5 * size).log2().floor().exp2();
+    let unit = (0.5 * stride(scene)).log2().floor().exp2();
     Placement { scale, rotate, translate: (dice.direction() * 4.0).round() * unit }
 }
 
