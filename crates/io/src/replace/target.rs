@@ -24,6 +24,9 @@ impl Target {
                     "it is a link that leads to no file",
                 ));
             }
+            Err(_) if !is_in_a_folder(path) => {
+                return Err(io::Error::new(ErrorKind::NotFound, "there is no such folder"));
+            }
             Err(_) => return Ok(Self::Replace { place: path.to_path_buf(), before: None }),
         };
         if found.is_dir() {
@@ -43,6 +46,11 @@ impl Target {
         OpenOptions::new().write(true).open(path)?;
         Ok(Self::Replace { place: fs::canonicalize(path)?, before: Some(found) })
     }
+}
+
+/// Whether the folder is there that the path names, if it names one.
+fn is_in_a_folder(path: &Path) -> bool {
+    path.parent().is_none_or(|folder| folder.as_os_str().is_empty() || folder.is_dir())
 }
 
 #[cfg(unix)]

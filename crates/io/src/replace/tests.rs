@@ -14,6 +14,17 @@ fn names_may_be_as_long_as_the_system_lets_them() {
     assert_eq!((read(&path).as_str(), folder.files().len()), ("two", 1));
 }
 
+#[test]
+fn a_folder_that_is_missing_is_named_as_such() {
+    let folder = Folder::new("missing");
+    let path = folder.path().join("none").join("a.txt");
+    for refused in [check_file(&path), write_file(&path, b"new")] {
+        let said = refused.unwrap_err().to_string();
+        assert!(said.ends_with("a.txt: cannot be written: there is no such folder"), "{said}");
+    }
+    assert!(!folder.path().join("none").exists());
+}
+
 /// What a killed run leaves is removed; what another is writing, or what only looks
 /// alike, stays.
 #[test]
