@@ -79,6 +79,8 @@ pub const CORRECTIONS: &[Correction] = &[
     corrected("F3", Column::PureMc, Alarm, STAIRCASE),
     corrected("F3", Column::DirectLight, Alarm, STAIRCASE),
     corrected("F3", Column::Particle, Alarm, STAIRCASE),
+    corrected("F3", Column::Combined, Alarm, UNDECIDED),
+    corrected("F3", Column::Bdpt, Alarm, UNDECIDED),
     corrected(
         "F8",
         Column::Bdpt,
@@ -113,9 +115,13 @@ const LOBE_EDGE: &str = "where the lobe's density has fallen to that of the lamp
     p_l, a light sample adds p_b·p_l/(p_b² + p_l²) = 1/2 of the truth; one in 10⁴ lies near there, \
     and relMSE is below 1e-2 from the first pass on, where nothing has averaged yet";
 
+const UNDECIDED: &str = "with 4096 samples a pixel chance decided, once for and once against an \
+                         end of the tail; with 32,768 the index of the 64 largest values is 0.9, \
+                         and no end is seen; which paths bring them is not known";
+
 const STAIRCASE: &str = "slow, and more: of lamps of one flux the brightest, L, is hit as rarely as \
     1/L, and of the lobes the sharpest, worth n, as rarely as 1/n, so the tail has the index 1 as far \
-    as the smallest lamp and the sharpest lobe, of which 4096 samples a pixel meet too few to show \
+    as the smallest lamp and the sharpest lobe, of which 32,768 samples a pixel meet too few to show \
     that it ends";
 
 const HITS: &str = "a thousand equal lamps make light samples rare but not their weight: walks hit \

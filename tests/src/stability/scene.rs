@@ -88,7 +88,7 @@ pub const SCENES: [FailureScene; 17] = [
     file("F1", "small lamp", "f01-small-lamp", closed(closed::small_lamp), AREA).passes(256),
     file("F2", "large lamp, sharp lobe", "f02-sharp-lobe", closed(closed::sharp_lobe), AREA)
         .passes(512),
-    file("F3", "plates", "f03-plates", rendered(Column::Combined), AREA).up_to(2).passes(256),
+    file("F3", "plates", "f03-plates", rendered(Column::Combined), AREA).up_to(2).passes(2048),
     file("F4", "caustic", "f04-caustic", closed(closed::caustic), CAUSTIC).up_to(3).passes(256),
     file(
         "F5",
