@@ -4,8 +4,9 @@ use super::{Subject, name, side};
 use crate::programs::Program;
 use crate::relations::draw::Dice;
 use crate::relations::judge::{Claim, Law, Numbers, Side};
-use crate::relations::render::{Estimator, Trouble};
+use crate::relations::render::{Built, Estimator, Trouble};
 use crate::relations::scene::{Base, DrawnScene, Lobes, Material, Object, Shape};
+use std::sync::Arc;
 use traylib_geometry::{Ray, Sides};
 use traylib_math::Vec3;
 use traylib_scene::Scene;
@@ -22,19 +23,27 @@ pub(super) fn white(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>
     let built = subject.build(&scene)?;
     let others = [Program::Combined, Program::BdptPower, Program::BdptBalance];
     let other = dice.pick(if scene.fronts_are_alike() { &others } else { &others[..1] });
-    let claim = |program, law| {
-        let estimator = Estimator::Program(program);
-        Claim {
-            what: format!("nothing is to be seen in a white furnace, {}", name(estimator)),
-            left: side(&scene, &built, estimator),
-            right: Side::Known(1.0),
-            flipped: false,
-            factor: 1.0,
-            law,
-            numbers: Numbers::Own,
-        }
-    };
-    Ok(vec![claim(Program::PureMc, Law::SameMean(1e-5)), claim(other, Law::SameMean(2e-5))])
+    let claim = |program, bound| as_if_empty("white", (&scene, &built), program, bound);
+    Ok(vec![claim(Program::PureMc, 1e-5), claim(other, 2e-5)])
+}
+
+/// That this furnace is not to be seen, up to this part of its light.
+fn as_if_empty(
+    furnace: &str,
+    (scene, built): (&DrawnScene, &Arc<Built>),
+    program: Program,
+    bound: f64,
+) -> Claim {
+    let estimator = Estimator::Program(program);
+    Claim {
+        what: format!("nothing is to be seen in a {furnace} furnace, {}", name(estimator)),
+        left: side(scene, built, estimator),
+        right: Side::Known(1.0),
+        flipped: false,
+        factor: 1.0,
+        law: Law::SameMean(bound),
+        numbers: Numbers::Own,
+    }
 }
 
 /// Fronts that glow by as much as they do not reflect are not to be seen, whatever
@@ -49,7 +58,7 @@ pub(super) fn glowing(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Clai
         // Walks from lamps see these alone as walks from the camera do.
         scene.objects.retain(|object| object.shape.is_solid());
     }
-    if scene.objects.is_empty() {
+    if scene.objects.is_empty() || !scene.is_clear() {
         return Ok(Vec::new());
     }
     scene.objects.iter_mut().for_each(glow);
@@ -68,20 +77,8 @@ pub(super) fn glowing(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Clai
     });
     let programs: Vec<Program> = programs.collect();
     let chosen = [Program::PureMc, dice.pick(&programs[1..])];
-    let is_clear = scene.is_clear();
-    let claims = chosen.into_iter().filter(|_| is_clear).map(|program| {
-        let estimator = Estimator::Program(program);
-        Claim {
-            what: format!("nothing is to be seen in a glowing furnace, {}", name(estimator)),
-            left: side(&scene, &built, estimator),
-            right: Side::Known(1.0),
-            flipped: false,
-            factor: 1.0,
-            law: Law::SameMean(2e-5),
-            numbers: Numbers::Own,
-        }
-    });
-    Ok(claims.collect())
+    let claim = |program| as_if_empty("glowing", (&scene, &built), program, 2e-5);
+    Ok(chosen.map(claim).to_vec())
 }
 
 /// Gives it a surface of its kind without lobes, of one side, that glows.
