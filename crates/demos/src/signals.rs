@@ -35,13 +35,15 @@ mod system {
 
     /// Does `answer` at each request to end, in a thread of its own.
     ///
-    /// Where that fails, the system's own way to stop still works. What was ignored
-    /// when the program began stays so, as a closed terminal under `nohup`.
+    /// Where that fails, the system's own way to stop still works. A closed terminal
+    /// that was ignored when the program began stays so, as under `nohup`; Ctrl-C, which
+    /// shells ignore for what scripts start in the background, is for whoever sends it.
     pub(crate) fn listen(mut answer: impl FnMut(Signal) + Send + 'static) {
         // A file beyond the size that is allowed is then an error of writing, not the
         // end; nobody looks at the flag.
         let _ = flag::register(SIGXFSZ, Arc::default());
-        let wanted = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|&number| !is_ignored(number));
+        let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
+        let wanted = [SIGINT, SIGTERM].into_iter().chain(hangup);
         let Ok(mut signals) = Signals::new(wanted) else { return };
         let wait = move || {
             for number in signals.forever() {
