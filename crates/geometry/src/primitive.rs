@@ -168,12 +168,11 @@ impl Primitive {
     /// of a sphere rounding can turn a point away, which then has density zero
     /// and sends no light.
     pub fn sample_toward(&self, from: Vec3, u: Vec2) -> (SurfaceSite, AreaPdf) {
-        let site = match self {
+        let in_cone = match self {
             Self::Sphere(sphere) => sphere.sample_cone(from, u),
             Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) | Self::Cone(_) => None,
         };
-        let site = site.unwrap_or_else(|| self.sample_area(u));
-        (site, self.pdf_toward(from, site.position, site.normal))
+        in_cone.unwrap_or_else(|| (self.sample_area(u), self.area_pdf()))
     }
 
     /// The density per square metre with which
@@ -184,7 +183,11 @@ impl Primitive {
             Self::Sphere(sphere) => sphere.pdf_cone(from, site_position, site_normal),
             Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) | Self::Cone(_) => None,
         };
-        cone.unwrap_or_else(|| AreaPdf(1.0 / self.area()))
+        cone.unwrap_or_else(|| self.area_pdf())
+    }
+
+    fn area_pdf(&self) -> AreaPdf {
+        AreaPdf(1.0 / self.area())
     }
 }
 

@@ -127,9 +127,10 @@ fn all_finite(vectors: &[Vec3]) -> Result<(), Error> {
 /// is lifted off it. It counts on wires and beads far from the
 /// origin.
 fn bend(position: DVec3, radius: f64) -> f32 {
-    let aside = 3.0 * 0.5 * f64::from(f32::EPSILON) * position.length();
-    let reach = (radius * radius + aside * aside).sqrt() + radius;
-    if reach > 0.0 { (aside * aside / reach) as f32 } else { 0.0 }
+    const THRICE: f64 = 3.0 * 0.5 * f32::EPSILON as f64;
+    let aside_squared = THRICE * THRICE * position.length_squared();
+    let reach = (radius * radius + aside_squared).sqrt() + radius;
+    if reach > 0.0 { (aside_squared / reach) as f32 } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -88,7 +88,8 @@ impl Phong {
             return Scattering::NONE;
         }
         let n = self.exponent;
-        let lobe = warp::cosine_power(half_square, n) / TAU;
+        let is_diffuse = self.lobe_chance == 0.0;
+        let lobe = if is_diffuse { 0.0 } else { warp::cosine_power(half_square, n) / TAU };
         let mixture = |cosine| {
             let diffuse = (1.0 - self.lobe_chance) * warp::cosine_hemisphere_pdf(cosine);
             SolidAnglePdf(self.lobe_chance * (n + 1.0) * lobe + diffuse)

@@ -70,7 +70,8 @@ pub fn cosine_power_lobe(axis: Vec3, exponent: f32, u: Vec2) -> Vec3 {
 /// cancellation that `dot` and `powf` suffer.
 #[inline]
 pub fn cosine_power(half_square: f32, exponent: f32) -> f32 {
-    if half_square >= 1.0 {
+    // ln(1 − x) ≤ −x, and beyond 104 the power is zero in single precision.
+    if half_square >= 1.0 || exponent * half_square > 104.0 {
         return 0.0;
     }
     if planted(Defect::PowerByPowf) {

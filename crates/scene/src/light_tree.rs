@@ -115,12 +115,7 @@ fn chances(left: &Node, right: &Node, x1: Vec3) -> [f32; 2] {
 /// Chances in proportion to two numbers, neither below [`RAREST`].
 #[inline]
 fn in_proportion(a: f32, b: f32) -> [f32; 2] {
-    let chances = [a / (a + b), b / (a + b)];
-    match chances.map(|chance| chance < RAREST) {
-        [true, _] => [RAREST, 1.0 - RAREST],
-        [_, true] => [1.0 - RAREST, RAREST],
-        [false, false] => chances,
-    }
+    [a / (a + b), b / (a + b)].map(|chance| chance.clamp(RAREST, 1.0 - RAREST))
 }
 
 #[cfg(test)]

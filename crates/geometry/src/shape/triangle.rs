@@ -57,12 +57,13 @@ impl Triangle {
     /// the third corner; without gaps where triangles share their corners.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
-        if !ray.is_traceable() || !sides.admit(ray.direction.dot(self.normal)) {
+        if !sides.admit(ray.direction.dot(self.normal)) {
             return None;
         }
         let axes = watertight::axes(&ray.direction);
         let corners = self.corners().map(|corner| pick(&corner, axes));
-        watertight::meet(ray, axes, ray.t_max, corners)
+        // Asked last: trees have asked already, and few triangles are met.
+        watertight::meet(ray, axes, ray.t_max, corners).filter(|_| ray.is_traceable())
     }
 
     /// The site at barycentric coordinates `u`, `v`.
