@@ -10,6 +10,7 @@ mod reciprocity;
 mod right;
 mod superposition;
 mod techniques;
+mod traced;
 mod who;
 
 pub use changed::Change;
@@ -48,6 +49,8 @@ pub enum Relation {
     GlowingFurnace,
     /// Nothing under a sky of radiance 1 is brighter than the sky.
     NoGain,
+    /// `trace` finds the direct light of point lights.
+    Traced,
 }
 
 /// A scene under judgement.
@@ -78,7 +81,8 @@ impl Relation {
             Self::GlowingFurnace,
             Self::NoGain,
         ];
-        alone.into_iter().chain(Change::ALL.map(Self::Changed)).collect()
+        let changes = Change::ALL.map(Self::Changed);
+        alone.into_iter().chain(changes).chain([Self::Traced]).collect()
     }
 
     /// What it says about this scene; `dice` choose where not all can be asked.
@@ -98,6 +102,7 @@ impl Relation {
             Self::WhiteFurnace => furnace::white(subject, dice),
             Self::GlowingFurnace => furnace::glowing(subject, dice),
             Self::NoGain => furnace::no_gain(subject),
+            Self::Traced => traced::claims(subject),
         }
     }
 
@@ -126,7 +131,8 @@ impl fmt::Display for Relation {
             | Self::Reciprocity
             | Self::WhiteFurnace
             | Self::GlowingFurnace
-            | Self::NoGain => write!(f, "{self:?}"),
+            | Self::NoGain
+            | Self::Traced => write!(f, "{self:?}"),
         }
     }
 }
@@ -154,6 +160,7 @@ fn side(drawn: &DrawnScene, built: &Arc<Built>, estimator: Estimator) -> Side {
 fn name(estimator: Estimator) -> String {
     match estimator {
         Estimator::Program(program) => format!("{program:?}"),
+        Estimator::Trace => String::from("trace"),
         Estimator::Among(_) => String::from("techniques"),
     }
 }

@@ -13,8 +13,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 use traylib_integrators::{
-    Bdpt, Control, Integrator, Limits, Progress, Roulette, Settings, TechniqueSet, Weighting,
-    render,
+    Bdpt, Control, Integrator, Limits, Progress, Roulette, Settings, TechniqueSet, Trace,
+    Weighting, render,
 };
 use traylib_math::Heuristic;
 use traylib_scene::Scene;
@@ -27,6 +27,8 @@ pub const CELLS: usize = 5;
 pub enum Estimator {
     /// A program.
     Program(Program),
+    /// `trace`, with a place of its own in the pixel for each sample.
+    Trace,
     /// `bdpt` with some of its techniques.
     Among(TechniqueSet),
 }
@@ -36,6 +38,7 @@ impl Estimator {
     pub fn integrator(self, max_depth: Option<u32>) -> Box<dyn Integrator> {
         match self {
             Self::Program(program) => program.integrator(max_depth),
+            Self::Trace => Box::new(Trace { jitter: true }),
             Self::Among(set) => Box::new(Bdpt {
                 limits: Limits { max_depth, roulette: Roulette::default() },
                 heuristic: Heuristic::Balance,

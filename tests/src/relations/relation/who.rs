@@ -57,6 +57,7 @@ pub(super) fn part(drawn: &DrawnScene, built: &Arc<Built>, estimator: Estimator)
             | Program::BdptPower
             | Program::BdptBalance,
         )
+        | Estimator::Trace
         | Estimator::Among(_) => brightest_walk(drawn, built),
     };
     let walks_hit = matches!(estimator, Estimator::Program(Program::PureMc | Program::Particle));
