@@ -18,7 +18,7 @@ static ANSWER: Mutex<Option<Answer>> = Mutex::new(None);
 /// so does the first as long as [`on_interrupt`] has not said what else to do.
 ///
 /// Files are written beside their target and renamed, so even that leaves no half of
-/// one under its name.
+/// one, neither under its name nor beside it.
 pub(crate) fn listen() {
     let asked = AtomicBool::new(false);
     signals::listen(move |signal| {
@@ -33,6 +33,7 @@ pub(crate) fn listen() {
 
 fn stop_at_once(signal: Signal, again: bool) -> ! {
     let again = if again { " again" } else { "" };
+    traylib_io::discard_unfinished();
     say(format_args!("error: interrupted{again}; stopped at once"));
     std::process::exit(i32::from(signal.status()))
 }

@@ -84,10 +84,11 @@ pub(crate) fn announce(
     for blind in integrator.blind_spots(&SceneFacts::of(&loaded.scene)) {
         say(format_args!("note: {program} cannot produce {blind}"));
     }
-    if let Some(edges) = limits.max_depth {
-        let (bounces, vertices) = (edges - 1, edges + 1);
+    if let Some(edges) = limits.max_depth.map(|edges| edges as usize) {
+        let (longest, bounces) = (counted(edges, "edge"), counted(edges - 1, "bounce"));
+        let vertices = edges + 1;
         say(format_args!(
-            "note: paths of more than {edges} edges ({bounces} bounces, {vertices} vertices) are left out: the picture is darker for it"
+            "note: paths of more than {longest} ({bounces}, {vertices} vertices) are left out: the picture is darker for it"
         ));
     }
 }
@@ -97,10 +98,11 @@ pub(crate) fn describe(name: &str, scene: &Scene) -> String {
     let camera = scene.camera();
     let points = scene.lights().iter().filter(|light| light.is_point()).count();
     format!(
-        "{name}: {} primitives, {} materials, {} area lamps, {points} point lights, {}x{} pixels",
-        scene.primitive_count(),
-        scene.materials().len(),
-        scene.lights().len() - points,
+        "{name}: {}, {}, {}, {}, {}x{} pixels",
+        counted(scene.primitive_count(), "primitive"),
+        counted(scene.materials().len(), "material"),
+        counted(scene.lights().len() - points, "area lamp"),
+        counted(points, "point light"),
         camera.width(),
         camera.height(),
     )
@@ -153,6 +155,12 @@ pub(crate) fn count(n: u64) -> String {
         x if x >= 1e4 => format!("{:.1} k", x / 1e3),
         _ => n.to_string(),
     }
+}
+
+/// A number of things, one or several.
+fn counted(number: usize, thing: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {thing}{plural}")
 }
 
 /// What to try next, for those who started a program without any option.

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
 use traylib_integrators::{Limits, Roulette};
-use traylib_io::{Limit, LoadOptions, MAX_PIXELS, ReadLimits};
+use traylib_io::{Headlight, Limit, LoadOptions, MAX_PIXELS, ReadLimits};
 use traylib_math::Heuristic;
 use traylib_scene::Camera;
 
@@ -84,8 +84,13 @@ impl RenderOptions {
     pub(crate) fn load_options(&self) -> LoadOptions<'_> {
         let mut limits = ReadLimits::default();
         self.limit.iter().for_each(|&(limit, value)| limits.set(limit, value));
-        let (resolution, root) = (self.resolution, self.root.as_deref());
-        LoadOptions { resolution, root, limits, ..LoadOptions::default() }
+        LoadOptions {
+            resolution: self.resolution,
+            exposure: self.exposure,
+            root: self.root.as_deref(),
+            headlight: Headlight::default(),
+            limits,
+        }
     }
 }
 

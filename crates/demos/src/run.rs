@@ -175,11 +175,8 @@ fn warn_if_black(
 
 /// The scene as the command line wants it.
 fn load(job: &Job<'_>) -> Result<Loaded, Failure> {
-    let options = job.options;
-    let load = LoadOptions { headlight: job.headlight, ..options.load_options() };
-    let mut loaded = load_scene_with(&options.scene, load)?;
-    loaded.settings.exposure = options.exposure.unwrap_or(loaded.settings.exposure);
-    Ok(loaded)
+    let load = LoadOptions { headlight: job.headlight, ..job.options.load_options() };
+    Ok(load_scene_with(&job.options.scene, load)?)
 }
 
 fn outfiles(job: &Job<'_>) -> Vec<PathBuf> {

@@ -45,7 +45,7 @@ pub use picture::{
     open_exr, png_texts, save_picture, write_picture,
 };
 pub use printable::{printable, printable_json};
-pub use replace::{check_file, write_file};
+pub use replace::{check_file, discard_unfinished, write_file};
 pub use texture::{
     Coding, Fault, Texture, TextureError, TextureLimits, load_texture, texture_from_bytes,
 };

@@ -17,10 +17,13 @@ pub struct SceneSettings {
 }
 
 /// What the caller wants otherwise than the file says.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadOptions<'a> {
     /// Width and height of the picture in pixels.
     pub resolution: Option<(u32, u32)>,
+    /// Factor on radiance in 8-bit pictures, positive; that of the file, or one that
+    /// suits its light, if none is given.
+    pub exposure: Option<f32>,
     /// The folder that files included by scene files and MGF files may not leave;
     /// that of the scene, if none is given.
     pub root: Option<&'a Path>,
@@ -83,7 +86,8 @@ pub fn load_scene_with(name_or_path: &str, options: LoadOptions<'_>) -> Result<L
             import::import(&import::gather(&location, options.root)?, options)?
         }
     };
-    let import::Imported { scene, settings, warnings, notes } = imported;
+    let import::Imported { scene, mut settings, warnings, notes } = imported;
+    settings.exposure = options.exposure.unwrap_or(settings.exposure);
     Ok(Loaded { scene, settings, warnings, notes, name: stem(name_or_path) })
 }
 

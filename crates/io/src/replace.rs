@@ -7,6 +7,7 @@ mod target;
 
 use crate::Error;
 use beside::Beside;
+pub use beside::discard_unfinished;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::Path;

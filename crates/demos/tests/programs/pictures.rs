@@ -59,7 +59,7 @@ fn checking_renders_nothing() {
     let run = folder.run("bdpt", "cornell --check -o a.png");
     assert_eq!(run.status, Some(0), "{}", run.err);
     let expected =
-        "cornell: 15 primitives, 7 materials, 1 area lamps, 0 point lights, 400x300 pixels\n";
+        "cornell: 15 primitives, 7 materials, 1 area lamp, 0 point lights, 400x300 pixels\n";
     assert_eq!(run.out, expected);
     assert_eq!(folder.names(), [""; 0]);
 }

@@ -54,13 +54,18 @@ pub(crate) fn import_whole(
     let one_sided = one_sided(&file, &name, &things, places.collect());
     let camera = Camera::new(view).map_err(failed)?;
     let scene = build(camera, &file, things, lights, &mut tally).map_err(failed)?;
-    // Under the light at the camera surfaces show their colours as they are.
-    let exposure = if lack.is_some() { 1.0 } else { exposure(&file, &scene, &bounds) };
-    if lack.is_none() {
-        notes.push(format!(
-            "no exposure in the file, taken: --exposure {exposure}, in a scene file exposure: {exposure}"
-        ));
-    }
+    let exposure = match options.exposure {
+        Some(exposure) => exposure,
+        // Under the light at the camera surfaces show their colours as they are.
+        None if lack.is_some() => 1.0,
+        None => {
+            let exposure = exposure(&file, &scene, &bounds);
+            notes.push(format!(
+                "no exposure in the file, taken: --exposure {exposure}, in a scene file exposure: {exposure}"
+            ));
+            exposure
+        }
+    };
     warnings.extend(tally.into_warnings(&name));
     warnings.extend(one_sided);
     warnings.extend(coincidence::warnings(&scene, &name));

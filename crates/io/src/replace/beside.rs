@@ -4,6 +4,7 @@ use std::fs::{self, File, Metadata, OpenOptions};
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A new file in the same folder, `.NAME.XXXXXXXXXXXXXXXX.part` with sixteen digits
 /// that nobody can foresee, removed again when dropped.
@@ -14,6 +15,29 @@ use std::path::{Path, PathBuf};
 pub(super) struct Beside {
     pub(super) file: File,
     pub(super) path: PathBuf,
+}
+
+/// Those of this program that are there now.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A file that was not there, no link either; at no time is it there and not listed.
+fn create_new(path: &Path) -> io::Result<File> {
+    let mut unfinished = unfinished();
+    let file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    unfinished.push(path.to_path_buf());
+    Ok(file)
+}
+
+/// Removes what is being written, for a program that ends at once: what threads are
+/// about to do then is not done, and nothing is dropped.
+pub fn discard_unfinished() {
+    for path in unfinished().drain(..) {
+        let _ = fs::remove_file(path);
+    }
 }
 
 /// More than a few tries fail only where locks do not work.
@@ -27,8 +51,7 @@ impl Beside {
         remove_abandoned(place, &stem);
         for _ in 0..TRIES {
             let path = place.with_file_name(format!("{stem}{:016x}{ENDING}", random()));
-            // Never what is there already, nor through a link.
-            let file = match OpenOptions::new().write(true).create_new(true).open(&path) {
+            let file = match create_new(&path) {
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => continue,
                 made => made?,
             };
@@ -51,6 +74,7 @@ impl Drop for Beside {
     fn drop(&mut self) {
         // After a rename there is nothing left to remove.
         let _ = fs::remove_file(&self.path);
+        unfinished().retain(|path| *path != self.path);
     }
 }
 

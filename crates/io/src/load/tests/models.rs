@@ -46,6 +46,14 @@ fn an_mgf_file_is_a_scene_with_a_camera_of_ours() {
 }
 
 #[test]
+fn an_exposure_that_is_given_is_taken_without_a_word() {
+    let options = LoadOptions { exposure: Some(3.0), ..LoadOptions::default() };
+    let loaded = load_mgf("exposed", ROOM, options).unwrap();
+    assert_eq!(loaded.settings.exposure, 3.0);
+    assert!(loaded.notes.iter().all(|note| !note.contains("exposure")), "{:?}", loaded.notes);
+}
+
+#[test]
 fn the_camera_that_is_told_of_is_that_of_a_scene_file() {
     let loaded = load_mgf("told", ROOM, LoadOptions::default()).unwrap();
     let camera = loaded.notes[0].split_once("taken: ").unwrap().1;
