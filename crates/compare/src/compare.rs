@@ -243,6 +243,11 @@ fn outside(file: &Path, scenes: &[Prepared]) -> Result<Vec<OutsideEntry>, Failur
     if let Some(warning) = outside::check_scenes(file, &entries, &compared)? {
         say(format_args!("warning: {warning}"));
     }
+    for prepared in scenes {
+        let camera = prepared.loaded.scene.camera();
+        let size = (camera.width() as usize, camera.height() as usize);
+        outside::check_pictures(&entries, &prepared.loaded.name, size)?;
+    }
     Ok(entries)
 }
 

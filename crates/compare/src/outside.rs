@@ -85,6 +85,21 @@ fn wanted(compared: &[&str]) -> String {
     format!("compared: {}", quoted.join(", "))
 }
 
+/// Reads the pictures of a scene, before hours of work, to see whether they have its size.
+///
+/// # Errors
+/// A picture cannot be read, or has another size.
+pub fn check_pictures(
+    entries: &[OutsideEntry],
+    scene: &str,
+    size: (usize, usize),
+) -> Result<(), Failure> {
+    entries.iter().filter(|entry| entry.scene == scene).try_for_each(|entry| {
+        let picture = load_exr(&entry.picture)?;
+        same_size(&entry.picture, &picture, size)
+    })
+}
+
 /// Measures the pictures of a scene.
 ///
 /// # Errors

@@ -142,6 +142,11 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
     let point = &out.results().scenes[0].outside[0];
     let expected = 0.04 / 4.04;
     assert!((point.error / expected - 1.0).abs() < 1e-5 && point.seconds == 3.0, "{point:?}");
+    // Before any work is done.
+    let refused = Folder::new("outside-size");
+    let output = compare(&refused.0, &outside.replace("16x12", "8x8"));
+    assert_eq!(output.status.code(), Some(3), "{}", err(&output));
+    assert!(!refused.0.join("runs").exists());
     let given = format!("furnace {SMALL} --reference {}", picture.display());
     assert!(compare(&out.0, &given).status.success());
     let bias = out.results().scenes[0].methods[0].metrics.bias;
