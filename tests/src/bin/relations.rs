@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use traylib_io::printable;
 use traylib_tests::relations::case::Case;
 use traylib_tests::relations::judge::First;
 use traylib_tests::relations::pooled::ratio;
@@ -78,7 +79,7 @@ fn again(file: &Path, plan: &Plan) -> Tally {
     let case = match Case::read(file) {
         Ok(case) => case,
         Err(error) => {
-            eprintln!("error: {error}");
+            eprintln!("error: {}", printable(&error.to_string()));
             return Tally::default();
         }
     };
@@ -97,7 +98,7 @@ fn again(file: &Path, plan: &Plan) -> Tally {
         let [a, b] = variances.map(f64::sqrt);
         println!("{relation}: {what}: {left:.6e} ± {a:.1e}, {right:.6e} ± {b:.1e}, p = {p:.1e}");
     }
-    tally.others.iter().for_each(|outcome| println!("{outcome}"));
+    tally.others.iter().for_each(|outcome| println!("{}", printable(&outcome.to_string())));
     tally
 }
 
