@@ -4,6 +4,7 @@ mod contents;
 mod instances;
 mod shapes;
 mod triangles;
+mod watertight;
 
 pub use contents::Contents;
 pub use instances::{Instance, Instances};
@@ -148,7 +149,7 @@ fn widened(bounds: &Aabb) -> Aabb {
 
 /// The most shapes that a tree can number.
 fn check_count(count: usize) -> Result<(), Error> {
-    if count > crate::tree::node::Child::MAX { Err(Error::TooMany) } else { Ok(()) }
+    if count > crate::tree::MOST { Err(Error::TooMany) } else { Ok(()) }
 }
 
 #[cfg(test)]

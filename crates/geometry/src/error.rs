@@ -37,7 +37,7 @@ pub enum Error {
         /// Its place in the list.
         index: usize,
     },
-    /// More than 2²⁸ shapes, or 2³² triangles.
+    /// More than 2²⁷ shapes, or 2³² triangles.
     TooMany,
 }
 

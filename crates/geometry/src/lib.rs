@@ -156,7 +156,9 @@ pub use mesh::Mesh;
 pub use point::SurfaceSite;
 pub use primitive::{Normals, Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
-pub use shape::{Cone, Disk, Facing, Quad, Shape, ShapeHit, Sides, Sphere, Triangle};
+pub use shape::{
+    Cone, Disk, Facing, Quad, Shape, ShapeHit, ShapeList, SidedTriangle, Sides, Sphere, Triangle,
+};
 pub use traylib_math::{Vec2, Vec3, glam};
 pub use tree::build::Quality;
 

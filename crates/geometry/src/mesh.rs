@@ -4,7 +4,7 @@
 mod parts;
 
 use crate::precise::difference;
-use crate::{Error, Triangle, Vec2, Vec3};
+use crate::{Error, SidedTriangle, Sides, SurfaceSite, Triangle, Vec2, Vec3};
 
 /// Triangles that share their corners; from the front, corners go
 /// counter-clockwise.
@@ -95,6 +95,41 @@ impl Mesh {
         Triangle::new(a, b, c).ok()
     }
 
+    /// The mesh without the triangles that have no area, so that it has a
+    /// [`triangle`](Self::triangle) for each number.
+    #[must_use]
+    pub fn without_degenerate(mut self) -> Self {
+        let has_area = |corners: &[u32; 3]| {
+            Triangle::has_area(corners.map(|corner| self.positions[corner as usize]))
+        };
+        self.triangles.retain(has_area);
+        self
+    }
+
+    /// Moves triangle `index`, which must exist, and leaves its neighbours where they are:
+    /// it gets corners of its own.
+    pub fn move_triangle(&mut self, index: usize, corners: [Vec3; 3]) {
+        let before = self.triangles[index];
+        let first = self.positions.len() as u32;
+        self.positions.extend(corners);
+        append(&mut self.normals, before);
+        append(&mut self.uvs, before);
+        self.triangles[index] = [first, first + 1, first + 2];
+    }
+
+    /// The corners of triangle `index`, which must exist, as a tree keeps them.
+    pub fn sided_triangle(&self, index: usize, sides: Sides) -> SidedTriangle {
+        SidedTriangle { corners: self.corner_positions(index), sides }
+    }
+
+    /// The point of triangle `index`, which must exist, at barycentric coordinates `u`,
+    /// `v`; as [`Primitive::site`](crate::Primitive::site) has it. `None` without area.
+    #[inline]
+    pub fn site(&self, index: usize, u: f32, v: f32) -> Option<SurfaceSite> {
+        let corners = self.corner_positions(index);
+        Some(Triangle::site_between(corners, Triangle::normal_of(corners)?, u, v))
+    }
+
     /// The corners of triangle `index`, which must exist.
     #[inline]
     pub(crate) fn corner_positions(&self, index: usize) -> [Vec3; 3] {
@@ -139,6 +174,13 @@ impl Mesh {
         let &[a, b, c] = self.triangles.get(index)?;
         let value = |i: u32| values.get(i as usize).copied();
         Some([value(a)?, value(b)?, value(c)?])
+    }
+}
+
+/// Repeats the values of these corners, where there are values.
+fn append<T: Copy>(values: &mut Vec<T>, corners: [u32; 3]) {
+    if !values.is_empty() {
+        values.extend(corners.map(|corner| values[corner as usize]));
     }
 }
 

@@ -3,8 +3,8 @@
 mod touch;
 
 use crate::{
-    Aabb, Cone, Disk, Facing, Hit, Quad, Ray, Shape, ShapeHit, Sides, Sphere, SurfaceSite,
-    Triangle, Vec2, Vec3,
+    Aabb, Cone, Disk, Facing, Hit, Quad, Ray, Shape, ShapeHit, SidedTriangle, Sides, Sphere,
+    SurfaceSite, Triangle, Vec2, Vec3,
 };
 use std::f64::consts::PI;
 use traylib_math::{AreaPdf, warp};
@@ -140,12 +140,25 @@ impl Primitive {
         }
     }
 
+    /// The triangle of these sides that it is, if it is one.
+    pub fn sided_triangle(&self, sides: Sides) -> Option<SidedTriangle> {
+        Some(SidedTriangle { corners: self.corners()?, sides })
+    }
+
+    /// The corners of a triangle.
+    pub(crate) fn corners(&self) -> Option<[Vec3; 3]> {
+        match self {
+            Self::Triangle(triangle) => Some(triangle.corners()),
+            Self::Quad(_) | Self::Sphere(_) | Self::Disk(_) | Self::Cone(_) => None,
+        }
+    }
+
     /// Whether surface coordinates lie on an edge, where other shapes may begin, up to
     /// rounding. Round shapes say no: none of theirs lies across another.
     #[inline]
     pub fn is_on_edge(&self, u: f32, v: f32) -> bool {
         match self {
-            Self::Triangle(_) => u <= 0.0 || v <= 0.0 || u + v >= 1.0,
+            Self::Triangle(_) => Triangle::is_on_edge(u, v),
             Self::Quad(_) => u <= 0.0 || v <= 0.0 || u >= 1.0 || v >= 1.0,
             Self::Sphere(_) | Self::Disk(_) | Self::Cone(_) => false,
         }
@@ -210,8 +223,8 @@ impl Shape for SidedPrimitive {
         self.primitive.intersect(ray, self.sides)
     }
 
-    fn corners(&self) -> Option<[Vec3; 3]> {
-        Shape::corners(&self.primitive)
+    fn triangle(&self) -> Option<SidedTriangle> {
+        self.primitive.sided_triangle(self.sides)
     }
 }
 

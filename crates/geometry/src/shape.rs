@@ -3,6 +3,7 @@
 mod cone;
 mod disk;
 mod facing;
+mod list;
 mod quad;
 mod sphere;
 mod triangle;
@@ -10,6 +11,7 @@ mod triangle;
 pub use cone::Cone;
 pub use disk::Disk;
 pub use facing::Facing;
+pub use list::ShapeList;
 pub use quad::Quad;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
@@ -36,11 +38,21 @@ pub trait Shape: Send + Sync {
     /// The first hit with 0 < t < `ray.t_max`.
     fn intersect(&self, ray: &Ray) -> Option<ShapeHit>;
 
-    /// The corners, if it is a triangle that [`Triangle::intersect`] or something
-    /// stricter meets: it is then asked only where a ray passes inside.
-    fn corners(&self) -> Option<[Vec3; 3]> {
+    /// What it is if it is a triangle. A tree then meets it as
+    /// [`Triangle::intersect`] does, several at once, and never asks
+    /// [`intersect`](Self::intersect).
+    fn triangle(&self) -> Option<SidedTriangle> {
         None
     }
+}
+
+/// A triangle as trees keep it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SidedTriangle {
+    /// Counter-clockwise from the front.
+    pub corners: [Vec3; 3],
+    /// Where rays may meet it.
+    pub sides: Sides,
 }
 
 impl<S: Shape + ?Sized> Shape for Box<S> {
@@ -52,8 +64,8 @@ impl<S: Shape + ?Sized> Shape for Box<S> {
         (**self).intersect(ray)
     }
 
-    fn corners(&self) -> Option<[Vec3; 3]> {
-        (**self).corners()
+    fn triangle(&self) -> Option<SidedTriangle> {
+        (**self).triangle()
     }
 }
 
@@ -76,8 +88,8 @@ impl Sides {
     }
 }
 
-/// Shapes met from both sides when no sides are named, each with how its corners
-/// are found if it can be a triangle.
+/// Shapes met from both sides when no sides are named, each with how it is asked for its
+/// corners if it can be a triangle.
 macro_rules! shape_from_both_sides {
     ($($name:ty: $corners:expr),*) => {$(
         impl Shape for $name {
@@ -91,9 +103,9 @@ macro_rules! shape_from_both_sides {
                 self.intersect(ray, Sides::Both)
             }
 
-            fn corners(&self) -> Option<[Vec3; 3]> {
+            fn triangle(&self) -> Option<SidedTriangle> {
                 let corners: fn(&Self) -> Option<[Vec3; 3]> = $corners;
-                corners(self)
+                corners(self).map(|corners| SidedTriangle { corners, sides: Sides::Both })
             }
         }
     )*};
@@ -105,10 +117,7 @@ shape_from_both_sides!(
     Quad: |_| None,
     Sphere: |_| None,
     Triangle: |triangle| Some(triangle.corners()),
-    Primitive: |primitive| match primitive {
-        Primitive::Triangle(triangle) => Some(triangle.corners()),
-        Primitive::Quad(_) | Primitive::Sphere(_) | Primitive::Disk(_) | Primitive::Cone(_) => None,
-    }
+    Primitive: |primitive| primitive.corners()
 );
 
 /// Refuses areas that are zero or whose reciprocal is not a number.

@@ -24,7 +24,8 @@ mod walk;
 
 pub(crate) use kernel::Kernel;
 
-use crate::{Aabb, Ray, Vec3};
+use crate::shape::SidedTriangle;
+use crate::{Aabb, Ray};
 use block::Block;
 use build::Quality;
 use node::{Child, Node};
@@ -33,6 +34,9 @@ use visitor::Visitor;
 
 /// Blocks, or triangles, that a thread takes at once.
 pub(crate) const GRAIN: usize = 1 << 12;
+
+/// The most items that can be numbered: as many as a block has room for.
+pub(crate) const MOST: usize = sizes::MOST as usize;
 
 /// Trees of up to so many bytes stay in the cache that a core has for itself.
 const CACHED: usize = 1 << 20;
@@ -60,18 +64,17 @@ pub(crate) struct Tree {
 
 impl Tree {
     /// The tree over the `items`, whose bounds are `boxes[item]`, finite and not
-    /// empty. What `corners` knows is a triangle.
+    /// empty. What `triangle` knows is one.
     pub(crate) fn new(
         boxes: &[Aabb],
         items: Vec<u32>,
-        corners: impl Fn(u32) -> Option<[Vec3; 3]> + Send + Sync,
+        triangle: impl Fn(u32) -> Option<SidedTriangle> + Send + Sync,
         quality: Quality,
     ) -> Self {
         let sizes = Sizes::up_to(greatest_extent(boxes));
-        let built = build::build(boxes, items, |item| corners(item).is_some(), quality);
-        let corners_of = |item| corners(item).unwrap_or([Vec3::NAN; 3]);
+        let built = build::build(boxes, items, |item| triangle(item).is_some(), quality);
         let blocks = parallel::map(built.blocks.len(), GRAIN, |block| {
-            Block::new(built.blocks[block], sizes, corners_of)
+            Block::new(built.blocks[block], sizes, &triangle)
         });
         let memory =
             size_of_val(&*built.nodes) + size_of_val(&*blocks) + size_of_val(&*built.shapes);

@@ -3,10 +3,11 @@
 use crate::coincidence::{self, Coincidences};
 use crate::light::check_emission;
 use crate::light_tree::LightTree;
-use crate::scene::{LightId, Surface};
+use crate::scene::LightId;
 use crate::seat::{self, Seat};
+use crate::surfaces::{Form, Surfaces};
 use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
-use traylib_geometry::{Bvh, Mesh, Primitive, SidedPrimitive, Sides, SurfaceSite};
+use traylib_geometry::{Bvh, Mesh, Primitive, Sides, SurfaceSite};
 use traylib_materials::Material;
 use traylib_math::{Defect, DiscreteDistribution, Rgb, Vec3, planted};
 
@@ -45,24 +46,15 @@ pub struct Object {
 #[derive(Debug)]
 pub struct SceneBuilder {
     camera: Camera,
-    shapes: Vec<SidedPrimitive>,
-    surfaces: Vec<Surface>,
+    surfaces: Surfaces,
     materials: Vec<Material>,
-    meshes: Vec<Mesh>,
     lights: Vec<Light>,
 }
 
 impl SceneBuilder {
     /// An empty scene seen by `camera`.
     pub fn new(camera: Camera) -> Self {
-        Self {
-            camera,
-            shapes: Vec::new(),
-            surfaces: Vec::new(),
-            materials: Vec::new(),
-            meshes: Vec::new(),
-            lights: Vec::new(),
-        }
+        Self { camera, surfaces: Surfaces::default(), materials: Vec::new(), lights: Vec::new() }
     }
 
     /// Adds a material for objects to name.
@@ -78,43 +70,35 @@ impl SceneBuilder {
     /// [`Error::EmptyMesh`] for a mesh without area.
     pub fn add_object(&mut self, object: Object) -> Result<(), Error> {
         check_emission("emission", object.emission)?;
-        let (material, sides, emission) = (object.material, object.sides, object.emission);
-        match object.shape {
-            ObjectShape::Primitive(primitive) => {
-                self.add_primitive(primitive, sides, material, emission, None);
-            }
-            ObjectShape::Mesh(mesh) => {
-                let before = self.shapes.len();
-                let id = self.meshes.len() as u32;
-                for index in 0..mesh.triangle_count() {
-                    let Some(triangle) = mesh.triangle(index) else { continue };
-                    let primitive = Primitive::Triangle(triangle);
-                    let of_mesh = mesh.has_attributes().then_some((id, index as u32));
-                    self.add_primitive(primitive, sides, material, emission, of_mesh);
-                }
-                if self.shapes.len() == before {
-                    return Err(Error::EmptyMesh);
-                }
-                self.meshes.push(mesh);
-            }
+        let form = match object.shape {
+            ObjectShape::Primitive(primitive) => Form::Primitive(primitive),
+            ObjectShape::Mesh(mesh) => Form::Mesh(mesh.without_degenerate()),
+        };
+        if let Form::Mesh(mesh) = &form
+            && mesh.triangle_count() == 0
+        {
+            return Err(Error::EmptyMesh);
         }
+        let first_light = self.add_lights(&form, object.emission);
+        self.surfaces.add(form, object.sides, object.material.0, first_light);
         Ok(())
     }
 
-    fn add_primitive(
-        &mut self,
-        primitive: Primitive,
-        sides: Sides,
-        material: MaterialId,
-        radiance: Rgb,
-        of_mesh: Option<(u32, u32)>,
-    ) {
-        let light = (!radiance.is_black()).then(|| {
-            self.lights.push(Light::Area { primitive, radiance });
-            LightId(self.lights.len() as u32 - 1)
-        });
-        self.shapes.push(SidedPrimitive { primitive, sides });
-        self.surfaces.push(Surface { material: material.0, light, of_mesh });
+    /// A lamp for each shape that shines; the first.
+    fn add_lights(&mut self, form: &Form, radiance: Rgb) -> Option<LightId> {
+        if radiance.is_black() {
+            return None;
+        }
+        let first = LightId(self.lights.len() as u32);
+        let light = |primitive| Light::Area { primitive, radiance };
+        match form {
+            Form::Primitive(primitive) => self.lights.push(light(*primitive)),
+            Form::Mesh(mesh) => {
+                let triangles = (0..mesh.triangle_count()).filter_map(|i| mesh.triangle(i));
+                self.lights.extend(triangles.map(Primitive::Triangle).map(light));
+            }
+        }
+        Some(first)
     }
 
     /// Adds a point light of this intensity in W/sr.
@@ -158,27 +142,25 @@ impl SceneBuilder {
     /// [`Error::Dark`] if nothing emits light, [`Error::Geometry`] if the shapes
     /// cannot be stored.
     pub fn build(self) -> Result<Scene, Error> {
-        let Self { mut lights, surfaces, .. } = self;
+        let Self { mut lights, .. } = self;
         let powers: Vec<f32> = lights.iter().map(|l| l.power().luminance()).collect();
         let rarest = if planted(Defect::FaintLampUnchosen) { 0.0 } else { RAREST };
         let light_by_power =
             DiscreteDistribution::with_floor(&powers, rarest).ok_or(Error::Dark)?;
-        let mut shapes = Bvh::of_shapes(self.shapes)?;
-        let lifted_lamps = coincidence::lift_lamps(&mut shapes, &surfaces, &mut lights)?;
-        let seats = seats(&lights, &surfaces, &self.materials, shapes.shapes());
+        let tree = Bvh::of_shapes(self.surfaces)?;
+        let (tree, lifted_lamps) = coincidence::lift_lamps(tree, &mut lights)?;
+        let seats = seats(&lights, &self.materials, tree.shapes());
         let is_within = |seat: &&Seat| matches!(seat, Seat::Within(_));
         let points_in_surfaces = seats.iter().filter(is_within).count();
         let light_tree = LightTree::new(&lights);
         let camera_in: Vec<SurfaceSite> =
-            seat::touching(self.camera.position(), shapes.shapes()).collect();
+            seat::touching(self.camera.position(), tree.shapes()).collect();
         let see_through = self.materials.iter().any(Material::is_see_through);
         Ok(Scene {
             camera: camera_in.iter().fold(self.camera, Camera::lifted),
-            shapes,
-            surfaces,
+            tree,
             materials: self.materials,
             see_through,
-            meshes: self.meshes,
             lights,
             seats,
             coincidences: Coincidences {
@@ -193,20 +175,15 @@ impl SceneBuilder {
 }
 
 /// What each lamp lies on; nothing if that matters for none.
-fn seats(
-    lights: &[Light],
-    surfaces: &[Surface],
-    materials: &[Material],
-    shapes: &[SidedPrimitive],
-) -> Vec<Seat> {
+fn seats(lights: &[Light], materials: &[Material], surfaces: &Surfaces) -> Vec<Seat> {
     let of_light = |light: &Light| match light {
         Light::Area { .. } => Seat::Plain,
-        Light::Point(point) => Seat::of_point(point.position, shapes),
+        Light::Point(point) => Seat::of_point(point.position, surfaces),
     };
     let mut seats: Vec<Seat> = lights.iter().map(of_light).collect();
-    for (index, surface) in (0..).zip(surfaces) {
-        if let Some(id) = surface.light
-            && materials[surface.material as usize].has_opacity()
+    for (index, surface) in (0..).zip(surfaces.all()) {
+        if let Some(id) = surface.light()
+            && materials[surface.material()].has_opacity()
         {
             seats[id.0 as usize] = Seat::Masked(index);
         }

@@ -7,8 +7,8 @@
 //! the rest. Of other surfaces in one place the one added first is seen.
 
 use crate::Light;
-use crate::scene::Surface;
-use traylib_geometry::{Bvh, Error, Ray, Shapes, SidedPrimitive, Sides};
+use crate::surfaces::Surfaces;
+use traylib_geometry::{Bvh, Error, Ray, ShapeList, Shapes, Sides};
 use traylib_math::{Defect, Vec2, planted};
 
 /// Points along each side of a lamp at which something else is looked for.
@@ -30,56 +30,58 @@ pub struct Coincidences {
     pub surfaces_at_camera: usize,
 }
 
-/// Lifts every lamp that lies in one place with another surface; how many there were,
-/// with those at the limits of numbers, which stay where they are.
+/// The tree with every lamp lifted that lies in one place with another surface, and how
+/// many there were, with those at the limits of numbers, which stay where they are.
 ///
 /// # Errors
 /// Those of the shapes.
 pub(crate) fn lift_lamps(
-    shapes: &mut Bvh<Shapes<SidedPrimitive>>,
-    surfaces: &[Surface],
+    tree: Bvh<Shapes<Surfaces>>,
     lights: &mut [Light],
-) -> Result<usize, Error> {
+) -> Result<(Bvh<Shapes<Surfaces>>, usize), Error> {
     if planted(Defect::LampStaysFlush) {
-        return Ok(0);
+        return Ok((tree, 0));
     }
-    let lamps = (0..surfaces.len() as u32).filter(|&i| surfaces[i as usize].light.is_some());
+    let count = tree.shapes().count() as u32;
+    let lamps = (0..count).filter(|&i| tree.shapes().get(i).light().is_some());
     let heights: Vec<(u32, f32)> =
-        lamps.filter_map(|lamp| Some((lamp, height(shapes, surfaces, lamp)?))).collect();
+        lamps.filter_map(|lamp| Some((lamp, height(&tree, lamp)?))).collect();
     if heights.is_empty() {
-        return Ok(0);
+        return Ok((tree, 0));
     }
-    let mut all = shapes.shapes().to_vec();
+    let mut surfaces = tree.into_shapes();
     for &(index, height) in &heights {
-        let shape = &mut all[index as usize].primitive;
+        let surface = surfaces.get(index);
         // So far out that there is no number above its own: it stays.
-        let Ok(lifted) = shape.lifted(height) else { continue };
-        *shape = lifted;
-        let light = surfaces[index as usize].light.map(|id| &mut lights[id.0 as usize]);
+        let Some(Ok(lifted)) = surface.primitive().map(|shape| shape.lifted(height)) else {
+            continue;
+        };
+        let light = surface.light().map(|id| &mut lights[id.0 as usize]);
         if let Some(Light::Area { primitive, .. }) = light {
-            *primitive = *shape;
+            *primitive = lifted;
         }
+        surfaces.replace(index, lifted);
     }
-    *shapes = Bvh::of_shapes(all)?;
-    Ok(heights.len())
+    Ok((Bvh::of_shapes(surfaces)?, heights.len()))
 }
 
 /// How high to lift a lamp, in units of
 /// [`Primitive::lifted`](traylib_geometry::Primitive::lifted): one, and one more for each
 /// later lamp in its place that faces the same way. `None` if it lies alone.
-fn height(shapes: &Bvh<Shapes<SidedPrimitive>>, surfaces: &[Surface], lamp: u32) -> Option<f32> {
-    let others = in_one_place(shapes, lamp);
+fn height(tree: &Bvh<Shapes<Surfaces>>, lamp: u32) -> Option<f32> {
+    let others = in_one_place(tree, lamp)?;
     let hides = |&&(other, same_way): &&(u32, bool)| {
-        same_way && other > lamp && surfaces[other as usize].light.is_some()
+        same_way && other > lamp && tree.shapes().get(other).light().is_some()
     };
     let hidden = others.iter().filter(hides).count();
     (!others.is_empty()).then_some(1.0 + hidden as f32)
 }
 
-/// The other primitives in one place with this one, and whether they face the same way.
+/// The other shapes in one place with this one, and whether they face the same way.
 /// Two that face opposite ways and have their fronts alone are never met together.
-fn in_one_place(shapes: &Bvh<Shapes<SidedPrimitive>>, index: u32) -> Vec<(u32, bool)> {
-    let SidedPrimitive { primitive, sides } = &shapes.shapes()[index as usize];
+fn in_one_place(tree: &Bvh<Shapes<Surfaces>>, index: u32) -> Option<Vec<(u32, bool)>> {
+    let surface = tree.shapes().get(index);
+    let primitive = surface.primitive()?;
     let share = |i: u8| (f32::from(i) + 0.5) / f32::from(POINTS);
     let mut found = Vec::new();
     for i in 0..POINTS * POINTS {
@@ -88,11 +90,12 @@ fn in_one_place(shapes: &Bvh<Shapes<SidedPrimitive>>, index: u32) -> Vec<(u32, b
         // One-sided surfaces are met one way.
         let back = Ray { origin: forth.at(forth.t_max), direction: -forth.direction, ..forth };
         for ray in [forth, back] {
-            for hit in shapes.all_hits(&ray) {
-                let other = &shapes.shapes()[hit.primitive as usize];
-                let cosine = other.primitive.site(&ray, &hit).normal.dot(site.normal);
+            for hit in tree.all_hits(&ray) {
+                let other = tree.shapes().get(hit.primitive);
+                let cosine = other.site(&ray, &hit)?.normal.dot(site.normal);
                 let is_parallel = cosine.abs() > PARALLEL;
-                let met_together = cosine > 0.0 || [*sides, other.sides].contains(&Sides::Both);
+                let met_together =
+                    cosine > 0.0 || [surface.sides(), other.sides()].contains(&Sides::Both);
                 if hit.primitive != index && is_parallel && met_together {
                     found.push((hit.primitive, cosine > 0.0));
                 }
@@ -101,7 +104,7 @@ fn in_one_place(shapes: &Bvh<Shapes<SidedPrimitive>>, index: u32) -> Vec<(u32, b
     }
     found.sort_unstable();
     found.dedup();
-    found
+    Some(found)
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ mod picture_error;
 mod scene;
 mod seat;
 mod surface_point;
+mod surfaces;
 
 pub use builder::{MaterialId, Object, ObjectShape, SceneBuilder};
 pub use camera::{Camera, CameraSettings, Projection};

@@ -3,35 +3,24 @@
 use crate::coincidence::Coincidences;
 use crate::light_tree::LightTree;
 use crate::seat::Seat;
+use crate::surfaces::{Surface, Surfaces};
 use crate::{Camera, Light, LightPoint, SurfacePoint};
-use traylib_geometry::{Bvh, Hit, Mesh, Primitive, Ray, Shapes, SidedPrimitive, SurfaceSite};
-use traylib_materials::{Material, Shading, Site};
+use traylib_geometry::{Bvh, Hit, Ray, ShapeList, Shapes, SurfaceSite};
+use traylib_materials::{Material, Shading};
 use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3, planted};
 
 /// Names a lamp of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LightId(pub(crate) u32);
 
-/// What the scene knows of one primitive beside its shape.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface {
-    pub(crate) material: u32,
-    pub(crate) light: Option<LightId>,
-    /// Mesh and triangle that hold vertex normals and texture coordinates, if it
-    /// has any.
-    pub(crate) of_mesh: Option<(u32, u32)>,
-}
-
 /// Camera, lamps and surfaces, ready to be rendered. Immutable.
 #[derive(Debug)]
 pub struct Scene {
     pub(crate) camera: Camera,
-    pub(crate) shapes: Bvh<Shapes<SidedPrimitive>>,
-    pub(crate) surfaces: Vec<Surface>,
+    pub(crate) tree: Bvh<Shapes<Surfaces>>,
     pub(crate) materials: Vec<Material>,
     /// Whether light passes straight through any of them.
     pub(crate) see_through: bool,
-    pub(crate) meshes: Vec<Mesh>,
     pub(crate) lights: Vec<Light>,
     /// What each lamp lies on; none where that matters for no lamp.
     pub(crate) seats: Vec<Seat>,
@@ -96,24 +85,26 @@ impl Scene {
 
     /// How many primitives there are.
     pub fn primitive_count(&self) -> usize {
-        self.surfaces.len()
+        self.tree.shapes().count()
     }
 
     /// The first surface that a ray or a segment meets, be it one that light passes
     /// straight through or not.
     pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint> {
-        let mut hit = self.shapes.nearest(ray)?;
-        let primitive = self.primitive(hit.primitive);
-        let mut site = primitive.site(ray, &hit);
+        let mut hit = self.tree.nearest(ray)?;
+        let mut surface = self.surface(&hit);
+        let mut site = surface.site(ray, &hit)?;
         let from_behind = site.normal.dot(ray.direction) > 0.0;
-        if from_behind && primitive.is_on_edge(hit.u, hit.v) {
-            self.prefer_front(ray, &mut hit, &mut site);
+        if from_behind
+            && surface.is_on_edge(&hit)
+            && let Some((other, there)) = self.front_at_edge(ray, &hit)
+        {
+            (hit, surface, site) = (other, self.surface(&other), there);
         }
-        let surface = &self.surfaces[hit.primitive as usize];
-        let smooth = self.smooth_normal(surface, &hit).unwrap_or(site.normal);
-        let material = &self.materials[surface.material as usize];
+        let smooth = surface.smooth_normal(&hit).unwrap_or(site.normal);
         let at = Vec2::new(hit.u, hit.v);
-        let shading = material.at(smooth, || self.site_of_textures(hit.primitive, at));
+        let material = &self.materials[surface.material()];
+        let shading = material.at(smooth, || surface.site_of_textures(at));
         let Shading { model, coverage, through, normal: front_shading } = shading;
         let by_shading = planted(Defect::EmissionByShadingNormal);
         let front = if by_shading { front_shading } else { site.normal };
@@ -126,50 +117,26 @@ impl Scene {
             model: if is_front { model } else { model.seen_from_behind() },
             coverage,
             through,
-            light: surface.light,
+            light: surface.light(),
         })
     }
 
-    /// Replaces a hit from behind by the front that the ray meets at the same edge, if
-    /// there is one: where the two belong to a solid, rounding must not show its inside at
-    /// its outline.
+    /// The front that a ray meets at the same edge as a hit from behind, if there is one:
+    /// where the two belong to a solid, rounding must not show its inside at its outline.
     #[cold]
-    fn prefer_front(&self, ray: &Ray, hit: &mut Hit, site: &mut SurfaceSite) {
+    fn front_at_edge(&self, ray: &Ray, hit: &Hit) -> Option<(Hit, SurfaceSite)> {
         let here = Ray { t_max: ray.t_max.min(hit.t * (1.0 + EDGE)), ..*ray };
-        for other in self.shapes.all_hits(&here) {
-            let there = self.primitive(other.primitive).site(ray, &other);
-            if there.normal.dot(ray.direction) < 0.0 {
-                (*hit, *site) = (other, there);
-                return;
-            }
-        }
+        let sites = self.tree.all_hits(&here).into_iter().filter_map(|other| {
+            let site = self.surface(&other).site(ray, &other)?;
+            Some((other, site))
+        });
+        sites.into_iter().find(|(_, site)| site.normal.dot(ray.direction) < 0.0)
     }
 
-    pub(crate) fn primitive(&self, index: u32) -> &Primitive {
-        &self.shapes.shapes()[index as usize].primitive
-    }
-
-    /// The interpolated normal of a mesh that has some.
-    fn smooth_normal(&self, surface: &Surface, hit: &Hit) -> Option<Vec3> {
-        let (mesh, triangle) = surface.of_mesh?;
-        self.meshes[mesh as usize].shading_normal(triangle as usize, hit.u, hit.v)
-    }
-
-    /// Where on its textures a primitive is at these surface coordinates; `None` on
-    /// shapes without texture coordinates.
-    pub(crate) fn site_of_textures(&self, index: u32, at: Vec2) -> Option<Site> {
-        if let Some((mesh, triangle)) = self.surfaces[index as usize].of_mesh {
-            let (mesh, triangle) = (&self.meshes[mesh as usize], triangle as usize);
-            let uv = mesh.uv(triangle, at.x, at.y)?;
-            return Some(Site { uv, tangents: mesh.tangents(triangle) });
-        }
-        match self.primitive(index) {
-            Primitive::Quad(quad) => Some(Site { uv: at, tangents: Some(quad.edges()) }),
-            Primitive::Triangle(_)
-            | Primitive::Sphere(_)
-            | Primitive::Disk(_)
-            | Primitive::Cone(_) => None,
-        }
+    /// What a ray has met.
+    #[inline]
+    fn surface(&self, hit: &Hit) -> Surface<'_> {
+        self.tree.shapes().get(hit.primitive)
     }
 
     /// The part of the light that a segment lets through: white where nothing
@@ -179,7 +146,7 @@ impl Scene {
     pub fn transmittance(&self, segment: &Ray) -> Rgb {
         if self.see_through {
             self.transmittance_of_panes(segment)
-        } else if self.shapes.any_hit(segment) {
+        } else if self.tree.any_hit(segment) {
             Rgb::BLACK
         } else {
             Rgb::WHITE
@@ -190,18 +157,19 @@ impl Scene {
         let end = segment.at(segment.t_max);
         let (mut passed, mut rest) = (Rgb::WHITE, *segment);
         for _ in 0..MOST_PASSAGES {
-            let Some(hit) = self.shapes.nearest(&rest) else { return passed };
-            let material = &self.materials[self.surfaces[hit.primitive as usize].material as usize];
+            let Some(hit) = self.tree.nearest(&rest) else { return passed };
+            let surface = self.surface(&hit);
+            let material = &self.materials[surface.material()];
             // Most shadows are thrown by what lets nothing through anywhere.
             if !material.is_see_through() {
                 return Rgb::BLACK;
             }
             let at = Vec2::new(hit.u, hit.v);
-            passed *= material.through_at(|| self.site_of_textures(hit.primitive, at));
+            passed *= material.through_at(|| surface.site_of_textures(at));
             if passed.is_black() {
                 return passed;
             }
-            let site = self.primitive(hit.primitive).site(&rest, &hit);
+            let Some(site) = surface.site(&rest, &hit) else { return passed };
             rest = Ray::segment(site.ray_origin(rest.direction), end);
         }
         Rgb::BLACK

@@ -2,8 +2,9 @@
 //! surface of something else.
 
 use crate::scene::LightId;
+use crate::surfaces::Surfaces;
 use crate::{Emission, LightPoint, Scene};
-use traylib_geometry::{SidedPrimitive, SurfaceSite};
+use traylib_geometry::{ShapeList, SurfaceSite};
 use traylib_math::{AreaPdf, Defect, Vec2, Vec3, planted};
 
 /// What a lamp lies on.
@@ -19,27 +20,25 @@ pub(crate) enum Seat {
 }
 
 impl Seat {
-    /// The seat of a point light among these shapes.
-    pub(crate) fn of_point(position: Vec3, shapes: &[SidedPrimitive]) -> Self {
+    /// The seat of a point light among these surfaces.
+    pub(crate) fn of_point(position: Vec3, surfaces: &Surfaces) -> Self {
         if planted(Defect::PointInSurfaceLost) {
             return Self::Plain;
         }
-        touching(position, shapes).next().map_or(Self::Plain, Self::Within)
+        touching(position, surfaces).next().map_or(Self::Plain, Self::Within)
     }
 }
 
 /// The surfaces in which a point lies up to rounding.
-pub(crate) fn touching(
-    position: Vec3,
-    shapes: &[SidedPrimitive],
-) -> impl Iterator<Item = SurfaceSite> {
+pub(crate) fn touching(position: Vec3, surfaces: &Surfaces) -> impl Iterator<Item = SurfaceSite> {
     // Most shapes are nowhere near.
-    let is_near = move |shape: &&SidedPrimitive| {
-        let bounds = shape.primitive.bounds();
+    let is_near = move |&index: &usize| {
+        let bounds = surfaces.bounds(index);
         let rounding = (position.abs() + bounds.extent()) * (64.0 * f32::EPSILON);
         bounds.grown(rounding).contains(position)
     };
-    shapes.iter().filter(is_near).filter_map(move |shape| shape.primitive.touching(position))
+    let site = move |index: usize| surfaces.get(index as u32).primitive()?.touching(position);
+    (0..surfaces.count()).filter(is_near).filter_map(site)
 }
 
 impl Scene {
@@ -78,8 +77,8 @@ impl Scene {
         if planted(Defect::LampOpacityForgotten) {
             return 1.0;
         }
-        let material = &self.materials[self.surfaces[index as usize].material as usize];
-        let at = self.primitive(index).sample_coordinates(u);
-        material.coverage(|| self.site_of_textures(index, at))
+        let surface = self.tree.shapes().get(index);
+        let at = surface.sample_coordinates(u);
+        self.materials[surface.material()].coverage(|| surface.site_of_textures(at))
     }
 }

@@ -1,61 +1,70 @@
 //! Shapes of any kind.
 
 use super::contents::{Holds, Leaves, offer};
-use super::{Bvh, check_count, widened};
-use crate::shape::Shape;
+use super::{Bvh, check_count, watertight, widened};
+use crate::shape::ShapeList;
 use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
 use crate::tree::eights::Eights;
 use crate::tree::fan::sight::Sight;
 use crate::tree::lanes::Triangles;
-use crate::tree::mask::ones;
 use crate::tree::query::Query;
 use crate::tree::visitor::Visitors;
 use crate::{Aabb, Error, Ray};
 use std::ops::ControlFlow;
 
 /// What a [`Bvh`] of shapes holds: spheres, quads, disks, triangles, or whatever a
-/// guest brings.
+/// guest brings, in a [`ShapeList`].
 #[derive(Clone, Debug)]
-pub struct Shapes<S>(Vec<S>);
+pub struct Shapes<L>(L);
 
-impl<S: Shape> Bvh<Shapes<S>> {
+impl<L: ShapeList> Bvh<Shapes<L>> {
     /// A tree over shapes, of which there may be none.
     ///
     /// # Errors
     /// [`Error::UnboundedShape`] when bounds are infinite or not numbers,
-    /// [`Error::TooMany`] for more than 2²⁸ shapes.
-    pub fn of_shapes(shapes: Vec<S>) -> Result<Self, Error> {
-        check_count(shapes.len())?;
-        let bounds: Vec<Aabb> = shapes.iter().map(S::bounds).collect();
-        let (boxes, bounds) = sound(&bounds)?;
-        let items = (0..shapes.len() as u32).collect();
-        let tree = Tree::new(&boxes, items, |i| shapes[i as usize].corners(), Quality::default());
+    /// [`Error::TooMany`] for more than 2²⁷ shapes.
+    pub fn of_shapes(shapes: L) -> Result<Self, Error> {
+        let count = shapes.count();
+        check_count(count)?;
+        let (boxes, bounds) = sound((0..count).map(|index| shapes.bounds(index)))?;
+        let items = (0..count as u32).collect();
+        let triangle = |item: u32| shapes.triangle(item as usize);
+        let tree = Tree::new(&boxes, items, triangle, Quality::default());
         Ok(Self { tree, contents: Shapes(shapes), bounds })
     }
 
-    /// The shapes in the caller's order, which [`Hit::primitive`](crate::Hit::primitive) counts in.
-    pub fn shapes(&self) -> &[S] {
+    /// The caller's shapes, which [`Hit::primitive`](crate::Hit::primitive) counts.
+    pub fn shapes(&self) -> &L {
         &self.contents.0
+    }
+
+    /// The caller's shapes, for another tree.
+    pub fn into_shapes(self) -> L {
+        self.contents.0
     }
 }
 
 /// The boxes widened, and the box around them all.
-fn sound(bounds: &[Aabb]) -> Result<(Vec<Aabb>, Aabb), Error> {
-    if let Some(index) = bounds.iter().position(|b| !b.is_finite() || b.is_empty()) {
-        return Err(Error::UnboundedShape { index });
+fn sound(bounds: impl Iterator<Item = Aabb>) -> Result<(Vec<Aabb>, Aabb), Error> {
+    let (mut boxes, mut all) = (Vec::with_capacity(bounds.size_hint().0), Aabb::EMPTY);
+    for (index, bounds) in bounds.enumerate() {
+        if !bounds.is_finite() || bounds.is_empty() {
+            return Err(Error::UnboundedShape { index });
+        }
+        all = all.union(bounds);
+        boxes.push(widened(&bounds));
     }
-    let all = bounds.iter().copied().fold(Aabb::EMPTY, Aabb::union);
-    Ok((bounds.iter().map(widened).collect(), all))
+    Ok((boxes, all))
 }
 
-impl<S: Shape> Holds for Shapes<S> {
+impl<L: ShapeList> Holds for Shapes<L> {
     fn count(&self) -> u32 {
-        self.0.len() as u32
+        self.0.count() as u32
     }
 
-    #[inline]
+    #[inline(always)]
     fn triangles<T: Triangles, Q: Query>(
         &self,
         block: &Block,
@@ -63,14 +72,10 @@ impl<S: Shape> Holds for Shapes<S> {
         ray: &Ray,
         query: &mut Q,
     ) -> ControlFlow<()> {
-        for lane in ones(lanes.candidates(block, query.limit())) {
-            let ray = Ray { t_max: query.limit(), ..*ray };
-            self.shape(block.number(lane), &ray, query)?;
-        }
-        ControlFlow::Continue(())
+        watertight::hits(block, lanes, ray, query)
     }
 
-    #[inline]
+    #[inline(always)]
     fn fan<E: Eights, Q: Query>(
         &self,
         rays: &mut Visitors<Leaves<'_, Self, Q>>,
@@ -78,16 +83,11 @@ impl<S: Shape> Holds for Shapes<S> {
         block: &Block,
         sight: &Sight<E>,
     ) {
-        for (lane, candidates) in sight.candidates(block, active, &rays.limits) {
-            rays.tell(candidates, |_, leaves| {
-                let ray = leaves.ray();
-                self.shape(block.number(lane), &ray, &mut leaves.query)
-            });
-        }
+        watertight::fan(rays, active, block, sight);
     }
 
     #[inline]
     fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()> {
-        offer(self.0[number as usize].intersect(ray), number, query)
+        offer(self.0.intersect(number as usize, ray), number, query)
     }
 }

@@ -1,6 +1,8 @@
 use super::*;
 use crate::testing::{Random, cube, icosphere, triangles};
-use crate::{Facing, Primitive, Quad, Shape, ShapeHit, Sphere, Triangle, Vec3};
+use crate::{
+    Facing, Primitive, Quad, Shape, ShapeHit, SidedPrimitive, Sides, Sphere, Triangle, Vec3,
+};
 
 /// What the tree must find, by asking every shape: of ties, the first in the list.
 fn brute_force<S: Shape>(shapes: &[S], ray: &Ray) -> Option<Hit> {
@@ -11,30 +13,31 @@ fn brute_force<S: Shape>(shapes: &[S], ray: &Ray) -> Option<Hit> {
     hits.min_by(|a, b| a.t.total_cmp(&b.t))
 }
 
-fn check<S: Shape>(bvh: &Bvh<Shapes<S>>, ray: &Ray) -> bool {
+fn check<S: Shape>(bvh: &Bvh<Shapes<Vec<S>>>, ray: &Ray) -> bool {
     let expected = brute_force(bvh.shapes(), ray);
     assert_eq!(bvh.nearest(ray), expected, "{ray:?}");
     assert_eq!(bvh.any_hit(ray), expected.is_some(), "{ray:?}");
     expected.is_some()
 }
 
-/// Many small shapes, some slivers, some far away.
-fn crowd(count: usize, random: &mut Random) -> Vec<Primitive> {
+/// Many small shapes, some slivers, some far away, every third with its front alone.
+fn crowd(count: usize, random: &mut Random) -> Vec<SidedPrimitive> {
     let size = 10.0;
-    (0..count)
-        .map(|i| {
-            let place = size * random.point();
-            if i % 4 == 0 { random.sliver(place) } else { random.primitive(place) }
-        })
-        .collect()
+    let one = |i: usize| {
+        let place = size * random.point();
+        let primitive =
+            if i.is_multiple_of(4) { random.sliver(place) } else { random.primitive(place) };
+        SidedPrimitive { primitive, sides: if i % 3 == 2 { Sides::Front } else { Sides::Both } }
+    };
+    (0..count).map(one).collect()
 }
 
 /// Every other ray is aimed near a shape, where there is one.
-fn random_ray(shapes: &[Primitive], random: &mut Random) -> Ray {
+fn random_ray(shapes: &[SidedPrimitive], random: &mut Random) -> Ray {
     let origin = 12.0 * random.point();
     let pick = (2.0 * random.number() * shapes.len() as f32) as usize;
     let target = match shapes.get(pick) {
-        Some(shape) => shape.sample_area(random.square()).position,
+        Some(shape) => shape.primitive.sample_area(random.square()).position,
         None => 12.0 * random.point(),
     };
     let ray = Ray::new(origin, random.magnitude(100.0) * (target - origin));
@@ -140,10 +143,8 @@ fn axis_aligned_rays_see_the_cube() {
 fn a_front_that_is_seen_through_hides_nothing() {
     let wall = Quad::new(Vec3::ZERO, Vec3::X, Vec3::Y).unwrap();
     let behind = Quad::new(Vec3::NEG_Z, Vec3::X, Vec3::Y).unwrap();
-    let sided = |quad, sides| crate::SidedPrimitive { primitive: Primitive::Quad(quad), sides };
-    let bvh =
-        Bvh::of_shapes(vec![sided(wall, crate::Sides::Both), sided(behind, crate::Sides::Front)])
-            .unwrap();
+    let sided = |quad, sides| SidedPrimitive { primitive: Primitive::Quad(quad), sides };
+    let bvh = Bvh::of_shapes(vec![sided(wall, Sides::Both), sided(behind, Sides::Front)]).unwrap();
     let ray = Ray::new(Vec3::new(0.5, 0.5, -3.0), Vec3::Z);
     assert_eq!(bvh.nearest(&ray).map(|h| (h.t, h.primitive)), Some((3.0, 0)));
 }
@@ -187,7 +188,7 @@ fn scaling_by_powers_of_two_is_exact() {
             let [a, b, c] = t.corners().map(|p| p * scale);
             Triangle::new(a, b, c).unwrap()
         };
-        Bvh::of_shapes(triangles(&ball).iter().map(grow).collect()).unwrap()
+        Bvh::of_shapes(triangles(&ball).iter().map(grow).collect::<Vec<_>>()).unwrap()
     };
     let (one, large, small) = (scaled(1.0), scaled(1024.0), scaled(2.0_f32.powi(-14)));
     let mut random = Random::new(6);

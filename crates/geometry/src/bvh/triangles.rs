@@ -1,9 +1,9 @@
 //! The triangles of a mesh.
 
 use super::contents::{Holds, Leaves, offer};
-use super::{Bvh, Options, Precision, check_count, widened};
+use super::{Bvh, Options, Precision, check_count, watertight, widened};
 use crate::coarse::Shear;
-use crate::shape::ShapeHit;
+use crate::shape::{ShapeHit, SidedTriangle};
 use crate::tree::block::Block;
 use crate::tree::eights::Eights;
 use crate::tree::fan::sight::Sight;
@@ -12,8 +12,8 @@ use crate::tree::node::LEAF;
 use crate::tree::query::Query;
 use crate::tree::visitor::Visitors;
 use crate::tree::{GRAIN, Tree, lanes, parallel};
-use crate::watertight;
-use crate::{Aabb, Error, Mesh, Ray, Triangle, Vec3};
+use crate::watertight::{axes, meet};
+use crate::{Aabb, Error, Mesh, Ray, Sides, Triangle, Vec3};
 use std::hint::black_box;
 use std::ops::ControlFlow;
 
@@ -29,7 +29,7 @@ impl Bvh {
     /// without area are never hit.
     ///
     /// # Errors
-    /// [`Error::TooMany`] for more than 2²⁸ triangles.
+    /// [`Error::TooMany`] for more than 2²⁷ triangles.
     pub fn build(mesh: &Mesh) -> Result<Self, Error> {
         Self::build_with(mesh, Options::default())
     }
@@ -37,7 +37,7 @@ impl Bvh {
     /// A tree over the triangles of a mesh, built and asked as the options say.
     ///
     /// # Errors
-    /// [`Error::TooMany`] for more than 2²⁸ triangles.
+    /// [`Error::TooMany`] for more than 2²⁷ triangles.
     pub fn build_with(mesh: &Mesh, options: Options) -> Result<Self, Error> {
         check_count(mesh.triangle_count())?;
         let corners = |i: u32| mesh.corner_positions(i as usize);
@@ -45,7 +45,8 @@ impl Bvh {
         let boxes = parallel::map(count as usize, GRAIN, |i| bounds(corners(i as u32)));
         let items = parallel::filter(boxes.len(), GRAIN, |i| !boxes[i].is_empty());
         let bounds = around(&boxes);
-        let tree = Tree::new(&boxes, items, |i| Some(corners(i)), options.quality);
+        let triangle = |i| Some(SidedTriangle { corners: corners(i), sides: Sides::Both });
+        let tree = Tree::new(&boxes, items, triangle, options.quality);
         Ok(Self { tree, contents: Triangles { count, precision: options.precision }, bounds })
     }
 }
@@ -75,7 +76,7 @@ impl Holds for Triangles {
         query: &mut Q,
     ) -> ControlFlow<()> {
         match self.precision {
-            Precision::Watertight => watertight_hits(block, lanes, ray, query),
+            Precision::Watertight => watertight::hits(block, lanes, ray, query),
             Precision::Fast => fast_hits(block, lanes, ray, query),
         }
     }
@@ -89,7 +90,7 @@ impl Holds for Triangles {
         sight: &Sight<E>,
     ) {
         match self.precision {
-            Precision::Watertight => watertight_fan(rays, active, block, sight),
+            Precision::Watertight => watertight::fan(rays, active, block, sight),
             Precision::Fast => fast_fan(rays, active, block, sight),
         }
     }
@@ -99,57 +100,6 @@ impl Holds for Triangles {
     fn shape<Q: Query>(&self, _: u32, _: &Ray, _: &mut Q) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
-}
-
-#[inline(always)]
-fn watertight_hits<L: lanes::Triangles, Q: Query>(
-    block: &Block,
-    lanes: &L,
-    ray: &Ray,
-    query: &mut Q,
-) -> ControlFlow<()> {
-    let candidates = lanes.candidates(block, query.limit());
-    if candidates == 0 {
-        return ControlFlow::Continue(());
-    }
-    let hits = lanes.meet(block, candidates, ray, query.limit());
-    for lane in ones(hits.mask) {
-        offer(Some(hits.hit(lane)), block.number(lane), query)?;
-    }
-    ControlFlow::Continue(())
-}
-
-#[inline(always)]
-fn watertight_fan<E: Eights, Q: Query>(
-    rays: &mut Visitors<Leaves<'_, Triangles, Q>>,
-    active: u32,
-    block: &Block,
-    sight: &Sight<E>,
-) {
-    for (lane, candidates) in sight.candidates(block, active, &rays.limits) {
-        let number = block.number(lane);
-        if let Some(hits) = sight.meet(block, lane, candidates, &rays.limits) {
-            rays.tell(hits.mask, |i, leaves| offer(Some(hits.hit(i)), number, &mut leaves.query));
-        } else {
-            watertight_rays(rays, candidates, block, lane);
-        }
-    }
-}
-
-/// Where rounding decides for one of the rays.
-#[cold]
-#[inline(never)]
-fn watertight_rays<Q: Query>(
-    rays: &mut Visitors<Leaves<'_, Triangles, Q>>,
-    candidates: u32,
-    block: &Block,
-    lane: usize,
-) {
-    rays.tell(candidates, |_, Leaves { ray, query, .. }| {
-        let axes = watertight::axes(&ray.direction);
-        let hit = watertight::meet(ray, axes, query.limit(), block.picked(lane, axes));
-        offer(hit, block.number(lane), query)
-    });
 }
 
 #[inline(always)]
@@ -199,8 +149,8 @@ fn fast_hits<L: lanes::Triangles, Q: Query>(
 #[inline(never)]
 fn unsettled_hit(block: &Block, lane: usize, ray: &Ray, limit: f32) -> Option<ShapeHit> {
     let flat = Shear::along(&ray.direction).flat(&block.triangle(lane), ray);
-    let axes = watertight::axes(&ray.direction);
-    let hit = watertight::meet(ray, axes, f32::INFINITY, block.picked(lane, axes))?;
+    let axes = axes(&ray.direction);
+    let hit = meet(ray, axes, f32::INFINITY, block.picked(lane, axes))?;
     let t = flat.within(hit.t);
     (0.0 < t && t < limit).then_some(ShapeHit { t, ..hit })
 }

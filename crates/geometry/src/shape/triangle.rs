@@ -22,9 +22,8 @@ impl Triangle {
     /// [`Error::NotFinite`], or [`Error::NoArea`] when the corners lie on a line.
     pub fn new(a: Vec3, b: Vec3, c: Vec3) -> Result<Self, Error> {
         all_finite(&[a, b, c])?;
-        let doubled = watertight::normal([a, b, c]);
-        sound_area(0.5 * doubled.length())?;
-        let normal = unit(doubled).ok_or(Error::NoArea)?;
+        sound_area(0.5 * watertight::normal([a, b, c]).length())?;
+        let normal = Self::normal_of([a, b, c]).ok_or(Error::NoArea)?;
         Ok(Self { a, b, c, normal })
     }
 
@@ -66,10 +65,29 @@ impl Triangle {
         watertight::meet(ray, axes, ray.t_max, corners).filter(|_| ray.is_traceable())
     }
 
+    /// Whether barycentric coordinates lie on an edge.
+    #[inline]
+    pub fn is_on_edge(u: f32, v: f32) -> bool {
+        u <= 0.0 || v <= 0.0 || u + v >= 1.0
+    }
+
     /// The site at barycentric coordinates `u`, `v`.
     pub(crate) fn site(&self, u: f32, v: f32) -> SurfaceSite {
-        let (ab, ac) = (self.b - self.a, self.c - self.a);
-        SurfaceSite::flat(self.a + (u * ab + v * ac), self.normal, ab.abs() + ac.abs())
+        Self::site_between(self.corners(), self.normal, u, v)
+    }
+
+    /// The same, of the triangle with these corners and this unit normal.
+    #[inline]
+    pub(crate) fn site_between(corners: [Vec3; 3], normal: Vec3, u: f32, v: f32) -> SurfaceSite {
+        let [a, b, c] = corners;
+        let (ab, ac) = (b - a, c - a);
+        SurfaceSite::flat(a + (u * ab + v * ac), normal, ab.abs() + ac.abs())
+    }
+
+    /// The unit normal of the front of a triangle with these corners; `None` without area.
+    #[inline]
+    pub(crate) fn normal_of(corners: [Vec3; 3]) -> Option<Vec3> {
+        unit(watertight::normal(corners))
     }
 
     pub(crate) fn sample_area(&self, u: Vec2) -> SurfaceSite {

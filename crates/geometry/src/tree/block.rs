@@ -2,7 +2,8 @@
 
 use super::node::LEAF;
 use super::sizes::Sizes;
-use crate::{Aabb, Vec3};
+use crate::shape::SidedTriangle;
+use crate::{Aabb, Sides, Triangle, Vec3};
 
 /// The corners of up to four triangles: 160 bytes.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +12,7 @@ pub(crate) struct Block {
     /// By corner, by axis, by triangle. Where there is none they are not numbers,
     /// and no ray passes them.
     pub(crate) corners: [[[f32; LEAF]; 3]; 3],
-    /// Which triangles they are, and how large, as [`Sizes`] has it.
+    /// Which triangles they are, their sides, and how large, as [`Sizes`] has it.
     pub(crate) words: [u32; LEAF],
 }
 
@@ -23,18 +24,18 @@ impl Block {
     pub(crate) fn new(
         numbers: [u32; LEAF],
         sizes: Sizes,
-        triangle: impl Fn(u32) -> [Vec3; 3],
+        triangle: impl Fn(u32) -> Option<SidedTriangle>,
     ) -> Self {
         let mut block = Self { corners: [[[f32::NAN; LEAF]; 3]; 3], words: numbers };
         for (lane, &number) in numbers.iter().enumerate().filter(|&(_, &n)| n != Self::NONE) {
-            let triangle = triangle(number);
-            for (rows, corner) in block.corners.iter_mut().zip(triangle) {
+            let Some(SidedTriangle { corners, sides }) = triangle(number) else { continue };
+            for (rows, corner) in block.corners.iter_mut().zip(corners) {
                 for (axis, row) in rows.iter_mut().enumerate() {
                     row[lane] = corner[axis];
                 }
             }
-            let extent = Aabb::around(triangle).extent().max_element();
-            block.words[lane] = sizes.word(number, extent);
+            let extent = Aabb::around(corners).extent().max_element();
+            block.words[lane] = sizes.word(number, sides, extent);
         }
         block
     }
@@ -43,6 +44,22 @@ impl Block {
     #[inline]
     pub(crate) fn number(&self, lane: usize) -> u32 {
         Sizes::number(self.words[lane])
+    }
+
+    /// Whether a ray in this direction meets one of its triangles from a side that is there,
+    /// as [`Triangle::intersect`](crate::Triangle::intersect) decides it.
+    #[inline(always)]
+    pub(crate) fn admits(&self, lane: usize, direction: Vec3) -> bool {
+        match Sizes::sides(self.words[lane]) {
+            Sides::Both => true,
+            Sides::Front => self.shows_front(lane, direction),
+        }
+    }
+
+    #[inline(never)]
+    fn shows_front(&self, lane: usize, direction: Vec3) -> bool {
+        let normal = Triangle::normal_of(self.triangle(lane));
+        normal.is_some_and(|normal| Sides::Front.admit(direction.dot(normal)))
     }
 
     /// The corners of one of its triangles.

@@ -1,10 +1,15 @@
-//! How large a triangle is at most, in four bits.
+//! How large a triangle is at most, in four bits, and its sides, in one.
 //!
 //! Edge functions in single precision have errors that grow with the size of the triangle.
 //! A kernel that knows the size knows which signs are in doubt.
 
-/// Beside numbers below this there is room for a class.
-const NUMBERS: u32 = (1 << CLASS_SHIFT) - 1;
+use crate::Sides;
+
+/// Set for a triangle that has its front alone.
+const FRONT_ALONE: u32 = 1 << 27;
+
+/// Beside numbers below this there is room for sides and a class.
+pub(crate) const MOST: u32 = FRONT_ALONE;
 
 /// Half the distance from one to the next number: what an operation may round by.
 const ROUNDING: f32 = f32::EPSILON / 2.0;
@@ -53,10 +58,20 @@ impl Sizes {
         Self { greatest: exponent << EXPONENT_SHIFT }
     }
 
-    /// The number of a triangle and the class of its extent, in a word.
-    pub(crate) fn word(self, number: u32, extent: f32) -> u32 {
+    /// The number of a triangle, its sides and the class of its extent, in a word.
+    pub(crate) fn word(self, number: u32, sides: Sides, extent: f32) -> u32 {
         let steps = (self.greatest >> EXPONENT_SHIFT).saturating_sub(exponent(extent));
-        (steps / 2).min(SMALLEST) << CLASS_SHIFT | number
+        let sides = match sides {
+            Sides::Both => 0,
+            Sides::Front => FRONT_ALONE,
+        };
+        (steps / 2).min(SMALLEST) << CLASS_SHIFT | sides | number
+    }
+
+    /// The sides in a word.
+    #[inline(always)]
+    pub(crate) fn sides(word: u32) -> Sides {
+        if word & FRONT_ALONE == 0 { Sides::Both } else { Sides::Front }
     }
 
     /// The size that the class in a word stands for.
@@ -68,7 +83,7 @@ impl Sizes {
     /// The number in a word.
     #[inline]
     pub(crate) fn number(word: u32) -> u32 {
-        word & NUMBERS
+        word & (MOST - 1)
     }
 }
 
@@ -88,8 +103,9 @@ mod tests {
             let sizes = Sizes::up_to(greatest);
             for part in [1.0, 0.9, 0.5, 0.26, 0.25, 0.2, 1e-3, 1e-7, 1e-20, 0.0] {
                 let (number, extent) = (123_456_789, part * greatest);
-                let word = sizes.word(number, extent);
-                assert_eq!(Sizes::number(word), number);
+                let sides = if part == 0.5 { Sides::Front } else { Sides::Both };
+                let word = sizes.word(number, sides, extent);
+                assert_eq!((Sizes::number(word), Sizes::sides(word)), (number, sides));
                 let (class, size) = (word >> CLASS_SHIFT, sizes.size(word));
                 assert!(size >= extent && size > 0.0, "{size:e} {extent:e}");
                 assert!(class == SMALLEST || size <= 8.0 * extent.max(2.0_f32.powi(-90)));

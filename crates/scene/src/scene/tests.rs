@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::{CameraSettings, Object, ObjectShape, SceneBuilder};
-use traylib_geometry::{Facing, Primitive, Quad, Sides, Sphere};
+use traylib_geometry::{Facing, Mesh, Primitive, Quad, Sides, Sphere};
 use traylib_materials::{Lambert, SurfaceModel};
 use traylib_math::{Purpose, Sampler, warp};
 

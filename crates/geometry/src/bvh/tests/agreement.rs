@@ -205,11 +205,10 @@ fn instances_agree_with_copies_in_double_precision() {
     }
 }
 
+type Copies = Instances<Shapes<Vec<Primitive>>>;
+
 /// A few shapes, in many places.
-fn instances(
-    thin: f32,
-    random: &mut Random,
-) -> (Bvh<Instances<Shapes<Primitive>>>, Vec<Primitive>, Vec<Affine3A>) {
+fn instances(thin: f32, random: &mut Random) -> (Bvh<Copies>, Vec<Primitive>, Vec<Affine3A>) {
     let shape = |random: &mut Random| {
         let place = random.point();
         random.primitive(place)

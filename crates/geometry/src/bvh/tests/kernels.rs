@@ -1,10 +1,10 @@
 //! All instruction sets give the same bits, one by one and many at a time.
 
 use super::crowd;
+use crate::Mesh;
 use crate::bvh::*;
 use crate::testing::{Random, icosphere};
 use crate::tree::Kernel;
-use crate::{Mesh, Primitive};
 
 /// The same tree for each instruction set of this machine, the scalar one first.
 fn versions<C: Clone>(bvh: &Bvh<C>) -> Vec<Bvh<C>> {
@@ -90,7 +90,7 @@ fn camera(count: usize, random: &mut Random, first: impl Fn(&mut Random) -> Ray)
 fn kernels_agree(count: usize) {
     let mut random = Random::new(11);
     let mesh = degenerate(&mut random);
-    let shapes: Vec<Primitive> = crowd(if cfg!(miri) { 20 } else { 400 }, &mut random);
+    let shapes = crowd(if cfg!(miri) { 20 } else { 400 }, &mut random);
     for precision in [Precision::Watertight, Precision::Fast] {
         let options = Options { precision, ..Options::default() };
         let bvh = Bvh::build_with(&mesh, options).unwrap();

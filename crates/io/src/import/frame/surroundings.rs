@@ -29,7 +29,7 @@ const MOST_BACKS: f32 = 0.4;
 const MOSTLY: f64 = 0.6;
 
 /// All that rays can meet, from both sides wherever there is one surface for both.
-pub(super) type Tree = Bvh<Shapes<SidedPrimitive>>;
+pub(super) type Tree = Bvh<Shapes<Vec<SidedPrimitive>>>;
 
 /// The tree of all things; `None` if coordinates are too large for one.
 pub(super) fn tree(things: &[Thing]) -> Option<Tree> {
@@ -37,7 +37,7 @@ pub(super) fn tree(things: &[Thing]) -> Option<Tree> {
         let sides = if thing.half == Half::Whole { Sides::Both } else { thing.sides };
         thing.primitives().map(move |sided| SidedPrimitive { sides, ..sided }).collect::<Vec<_>>()
     };
-    Bvh::of_shapes(things.iter().flat_map(seen).collect()).ok()
+    Bvh::of_shapes(things.iter().flat_map(seen).collect::<Vec<_>>()).ok()
 }
 
 /// What rays from the middle meet, in numbers of rays.

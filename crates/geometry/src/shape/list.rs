@@ -1,0 +1,39 @@
+//! Many shapes with numbers.
+
+use super::{Shape, ShapeHit, SidedTriangle};
+use crate::{Aabb, Ray};
+
+/// Shapes numbered from zero, in whatever form their owner keeps them: a list of
+/// [`Shape`]s is one, and so is what draws some from meshes and some from elsewhere.
+pub trait ShapeList: Send + Sync {
+    /// How many there are.
+    fn count(&self) -> usize;
+
+    /// [`Shape::bounds`] of one of them.
+    fn bounds(&self, index: usize) -> Aabb;
+
+    /// [`Shape::intersect`] of one that is no [`triangle`](Self::triangle).
+    fn intersect(&self, index: usize, ray: &Ray) -> Option<ShapeHit>;
+
+    /// [`Shape::triangle`] of one of them.
+    fn triangle(&self, index: usize) -> Option<SidedTriangle>;
+}
+
+impl<S: Shape> ShapeList for Vec<S> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn bounds(&self, index: usize) -> Aabb {
+        self[index].bounds()
+    }
+
+    #[inline]
+    fn intersect(&self, index: usize, ray: &Ray) -> Option<ShapeHit> {
+        self[index].intersect(ray)
+    }
+
+    fn triangle(&self, index: usize) -> Option<SidedTriangle> {
+        self[index].triangle()
+    }
+}
