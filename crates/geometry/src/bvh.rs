@@ -1,13 +1,13 @@
 //! Bounding volume hierarchies: which of many shapes does a ray meet?
 
-mod contents;
 mod instances;
+mod leaf;
 mod shapes;
 mod triangles;
 mod watertight;
 
-pub use contents::Contents;
 pub use instances::{Instance, Instances};
+pub use leaf::LeafKind;
 pub use shapes::Shapes;
 pub use triangles::Triangles;
 
@@ -15,7 +15,7 @@ use crate::tree::Tree;
 use crate::tree::build::Quality;
 use crate::tree::query::{All, Any, Nearest, Query};
 use crate::{Aabb, Error, Hit, Ray, Vec3};
-use contents::{Each, Leaves};
+use leaf::{BatchQuery, LeafVisitor};
 
 /// Shapes in a tree of boxes: the [`Triangles`] of a mesh, [`Shapes`] of any kind,
 /// or [`Instances`] of other trees.
@@ -29,7 +29,7 @@ use contents::{Each, Leaves};
 #[derive(Clone, Debug)]
 pub struct Bvh<C = Triangles> {
     tree: Tree,
-    contents: C,
+    primitives: C,
     bounds: Aabb,
 }
 
@@ -59,7 +59,7 @@ pub enum Precision {
     Fast,
 }
 
-impl<C: Contents> Bvh<C> {
+impl<C: LeafKind> Bvh<C> {
     /// The first hit with 0 < t < `ray.t_max`.
     #[inline]
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
@@ -129,13 +129,13 @@ impl<C: Contents> Bvh<C> {
         answer: impl FnMut(usize, &Q),
     ) {
         let begin = |ray| self.leaves(ray, question(ray));
-        self.tree.walk_each(&mut Each { rays, begin, answer });
+        self.tree.walk_each(&mut BatchQuery { rays, begin, answer });
     }
 
     /// The leaves as a ray meets them that asks this.
     #[inline(always)]
-    fn leaves<'a, Q>(&'a self, ray: &'a Ray, query: Q) -> Leaves<'a, C, Q> {
-        Leaves { contents: &self.contents, order: &self.tree.order, ray, query }
+    fn leaves<'a, Q>(&'a self, ray: &'a Ray, query: Q) -> LeafVisitor<'a, C, Q> {
+        LeafVisitor { primitives: &self.primitives, order: &self.tree.order, ray, query }
     }
 }
 

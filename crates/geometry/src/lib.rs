@@ -138,8 +138,8 @@
 
 mod aabb;
 mod bvh;
-mod coarse;
 mod error;
+mod f32_filter;
 mod mesh;
 mod point;
 mod precise;
@@ -150,7 +150,7 @@ mod tree;
 mod watertight;
 
 pub use aabb::Aabb;
-pub use bvh::{Bvh, Contents, Instance, Instances, Options, Precision, Shapes, Triangles};
+pub use bvh::{Bvh, Instance, Instances, LeafKind, Options, Precision, Shapes, Triangles};
 pub use error::Error;
 pub use mesh::Mesh;
 pub use point::SurfaceSite;

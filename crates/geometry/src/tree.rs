@@ -6,19 +6,19 @@
 pub(crate) mod batch;
 pub(crate) mod block;
 pub(crate) mod build;
-pub(crate) mod eights;
-pub(crate) mod fan;
+mod extents;
+mod interleave;
+pub(crate) mod intersector;
 mod kernel;
-pub(crate) mod lanes;
 pub(crate) mod mask;
 pub(crate) mod node;
+pub(crate) mod packet;
 pub(crate) mod pages;
 pub(crate) mod parallel;
 mod prefetch;
 pub(crate) mod query;
-mod sizes;
+pub(crate) mod simd;
 mod stack;
-mod turns;
 pub(crate) mod visitor;
 mod walk;
 
@@ -28,15 +28,15 @@ use crate::shape::SidedTriangle;
 use crate::{Aabb, Ray};
 use block::Block;
 use build::Quality;
+use extents::QuantisedExtents;
 use node::{Child, Node};
-use sizes::Sizes;
 use visitor::Visitor;
 
 /// Blocks, or triangles, that a thread takes at once.
 pub(crate) const GRAIN: usize = 1 << 12;
 
 /// The most items that can be numbered: as many as a block has room for.
-pub(crate) const MOST: usize = sizes::MOST as usize;
+pub(crate) const MOST: usize = extents::MOST as usize;
 
 /// Trees of up to so many bytes stay in the cache that a core has for itself.
 const CACHED: usize = 1 << 20;
@@ -53,7 +53,7 @@ pub(crate) struct Tree {
     pub(crate) order: Vec<u32>,
     root: Option<Child>,
     /// Of its triangles.
-    sizes: Sizes,
+    extents: QuantisedExtents,
     /// Levels of nodes.
     #[cfg(test)]
     pub(crate) depth: usize,
@@ -71,10 +71,10 @@ impl Tree {
         triangle: impl Fn(u32) -> Option<SidedTriangle> + Send + Sync,
         quality: Quality,
     ) -> Self {
-        let sizes = Sizes::up_to(greatest_extent(boxes));
+        let extents = QuantisedExtents::up_to(greatest_extent(boxes));
         let built = build::build(boxes, items, |item| triangle(item).is_some(), quality);
         let blocks = parallel::map(built.blocks.len(), GRAIN, |block| {
-            Block::new(built.blocks[block], sizes, &triangle)
+            Block::new(built.blocks[block], extents, &triangle)
         });
         let memory =
             size_of_val(&*built.nodes) + size_of_val(&*blocks) + size_of_val(&*built.shapes);
@@ -83,7 +83,7 @@ impl Tree {
             blocks,
             order: built.shapes,
             root: built.root,
-            sizes,
+            extents,
             #[cfg(test)]
             depth: built.depth,
             kernel: Kernel::best(),

@@ -16,7 +16,7 @@ use crate::shape::ShapeHit;
 use crate::{Ray, Vec3};
 
 /// The coordinate along which a ray is longest, last of the three; in cyclic order, which
-/// turns no figure over.
+/// interleave no figure over.
 ///
 /// Without branches: the next ray goes anywhere.
 #[inline(always)]

@@ -1,15 +1,15 @@
 //! Trees placed in a larger one.
 
 use super::Bvh;
-use super::contents::{Contents, Holds, Leaves};
+use super::leaf::{Leaf, LeafKind, LeafVisitor};
 use super::widened;
 use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
-use crate::tree::eights::Eights;
-use crate::tree::fan::sight::Sight;
-use crate::tree::lanes::Triangles;
+use crate::tree::intersector::TriangleIntersector;
+use crate::tree::packet::triangles::PacketTriangles;
 use crate::tree::query::Query;
+use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;
 use crate::{Aabb, Error, Hit, Ray, Vec3};
 use std::ops::ControlFlow;
@@ -27,7 +27,7 @@ pub struct Instance<C = super::Triangles> {
     bounds: Aabb,
 }
 
-impl<C: Contents> Instance<C> {
+impl<C: LeafKind> Instance<C> {
     /// The shapes of `tree`, moved by `placement`.
     ///
     /// # Errors
@@ -71,7 +71,7 @@ pub struct Instances<C = super::Triangles> {
     first: Vec<u32>,
 }
 
-impl<C: Contents> Bvh<Instances<C>> {
+impl<C: LeafKind> Bvh<Instances<C>> {
     /// A tree over instances of other trees. Those of empty trees are left out.
     ///
     /// # Errors
@@ -88,22 +88,22 @@ impl<C: Contents> Bvh<Instances<C>> {
         let boxes: Vec<Aabb> = instances.iter().map(|i| widened(&i.bounds)).collect();
         let tree = Tree::new(&boxes, items, |_| None, Quality::default());
         let bounds = instances.iter().map(|i| i.bounds).fold(Aabb::EMPTY, Aabb::union);
-        Ok(Self { tree, contents: Instances { instances, first }, bounds })
+        Ok(Self { tree, primitives: Instances { instances, first }, bounds })
     }
 
     /// The instance and the shape within it that a [`Hit::primitive`] stands for.
     pub fn locate(&self, primitive: u32) -> Option<(usize, u32)> {
-        let first = &self.contents.first;
+        let first = &self.primitives.first;
         let instance = first.partition_point(|&f| f <= primitive).checked_sub(1)?;
         (instance + 1 < first.len()).then(|| (instance, primitive - first[instance]))
     }
 }
 
 /// Running sums of how many shapes there are.
-fn numbers<C: Contents>(instances: &[Instance<C>]) -> Result<Vec<u32>, Error> {
+fn numbers<C: LeafKind>(instances: &[Instance<C>]) -> Result<Vec<u32>, Error> {
     let mut first = vec![0_u32];
     for instance in instances {
-        let sum = first.last().and_then(|f| f.checked_add(instance.tree.contents.count()));
+        let sum = first.last().and_then(|f| f.checked_add(instance.tree.primitives.count()));
         first.push(sum.ok_or(Error::TooMany)?);
     }
     Ok(first)
@@ -165,14 +165,14 @@ impl<Q: Query> Query for Within<'_, Q> {
     }
 }
 
-impl<C: Contents> Holds for Instances<C> {
+impl<C: LeafKind> Leaf for Instances<C> {
     fn count(&self) -> u32 {
         self.first.last().copied().unwrap_or(0)
     }
 
     /// There are no triangles but those within.
     #[inline]
-    fn triangles<T: Triangles, Q: Query>(
+    fn triangles<T: TriangleIntersector, Q: Query>(
         &self,
         _: &Block,
         _: &T,
@@ -184,12 +184,12 @@ impl<C: Contents> Holds for Instances<C> {
 
     /// As above.
     #[inline]
-    fn fan<E: Eights, Q: Query>(
+    fn packet<E: Simd, Q: Query>(
         &self,
-        _: &mut Visitors<Leaves<'_, Self, Q>>,
+        _: &mut Visitors<LeafVisitor<'_, Self, Q>>,
         _: u32,
         _: &Block,
-        _: &Sight<E>,
+        _: &PacketTriangles<E>,
     ) {
     }
 

@@ -1,15 +1,15 @@
 //! Shapes of any kind.
 
-use super::contents::{Holds, Leaves, offer};
+use super::leaf::{Leaf, LeafVisitor, offer};
 use super::{Bvh, check_count, watertight, widened};
 use crate::shape::ShapeList;
 use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
-use crate::tree::eights::Eights;
-use crate::tree::fan::sight::Sight;
-use crate::tree::lanes::Triangles;
+use crate::tree::intersector::TriangleIntersector;
+use crate::tree::packet::triangles::PacketTriangles;
 use crate::tree::query::Query;
+use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;
 use crate::{Aabb, Error, Ray};
 use std::ops::ControlFlow;
@@ -32,17 +32,17 @@ impl<L: ShapeList> Bvh<Shapes<L>> {
         let items = (0..count as u32).collect();
         let triangle = |item: u32| shapes.triangle(item as usize);
         let tree = Tree::new(&boxes, items, triangle, Quality::default());
-        Ok(Self { tree, contents: Shapes(shapes), bounds })
+        Ok(Self { tree, primitives: Shapes(shapes), bounds })
     }
 
     /// The caller's shapes, which [`Hit::primitive`](crate::Hit::primitive) counts.
     pub fn shapes(&self) -> &L {
-        &self.contents.0
+        &self.primitives.0
     }
 
     /// The caller's shapes, for another tree.
     pub fn into_shapes(self) -> L {
-        self.contents.0
+        self.primitives.0
     }
 }
 
@@ -59,31 +59,31 @@ fn sound(bounds: impl Iterator<Item = Aabb>) -> Result<(Vec<Aabb>, Aabb), Error>
     Ok((boxes, all))
 }
 
-impl<L: ShapeList> Holds for Shapes<L> {
+impl<L: ShapeList> Leaf for Shapes<L> {
     fn count(&self) -> u32 {
         self.0.count() as u32
     }
 
     #[inline(always)]
-    fn triangles<T: Triangles, Q: Query>(
+    fn triangles<T: TriangleIntersector, Q: Query>(
         &self,
         block: &Block,
-        lanes: &T,
+        intersector: &T,
         ray: &Ray,
         query: &mut Q,
     ) -> ControlFlow<()> {
-        watertight::hits(block, lanes, ray, query)
+        watertight::hits(block, intersector, ray, query)
     }
 
     #[inline(always)]
-    fn fan<E: Eights, Q: Query>(
+    fn packet<E: Simd, Q: Query>(
         &self,
-        rays: &mut Visitors<Leaves<'_, Self, Q>>,
+        rays: &mut Visitors<LeafVisitor<'_, Self, Q>>,
         active: u32,
         block: &Block,
-        sight: &Sight<E>,
+        triangles: &PacketTriangles<E>,
     ) {
-        watertight::fan(rays, active, block, sight);
+        watertight::packet(rays, active, block, triangles);
     }
 
     #[inline]

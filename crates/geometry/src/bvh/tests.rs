@@ -85,7 +85,7 @@ fn duplicates_and_flat_boxes_are_found() {
     assert!(check(&bvh, &Ray::new(Vec3::new(0.25, 0.25, 1.0), Vec3::new(-0.0, 0.0, -1.0))));
 }
 
-/// Sizes that grow like powers of two defeat any heuristic; halving bounds the
+/// QuantisedExtents that grow like powers of two defeat any heuristic; halving bounds the
 /// depth.
 #[test]
 fn the_depth_is_bounded() {

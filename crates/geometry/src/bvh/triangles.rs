@@ -1,17 +1,17 @@
 //! The triangles of a mesh.
 
-use super::contents::{Holds, Leaves, offer};
+use super::leaf::{Leaf, LeafVisitor, offer};
 use super::{Bvh, Options, Precision, check_count, watertight, widened};
-use crate::coarse::Shear;
+use crate::f32_filter::Shear;
 use crate::shape::{ShapeHit, SidedTriangle};
 use crate::tree::block::Block;
-use crate::tree::eights::Eights;
-use crate::tree::fan::sight::Sight;
 use crate::tree::mask::ones;
 use crate::tree::node::LEAF;
+use crate::tree::packet::triangles::PacketTriangles;
 use crate::tree::query::Query;
+use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;
-use crate::tree::{GRAIN, Tree, lanes, parallel};
+use crate::tree::{GRAIN, Tree, intersector, parallel};
 use crate::watertight::{axes, meet};
 use crate::{Aabb, Error, Mesh, Ray, Sides, Triangle, Vec3};
 use std::hint::black_box;
@@ -47,7 +47,7 @@ impl Bvh {
         let bounds = around(&boxes);
         let triangle = |i| Some(SidedTriangle { corners: corners(i), sides: Sides::Both });
         let tree = Tree::new(&boxes, items, triangle, options.quality);
-        Ok(Self { tree, contents: Triangles { count, precision: options.precision }, bounds })
+        Ok(Self { tree, primitives: Triangles { count, precision: options.precision }, bounds })
     }
 }
 
@@ -62,36 +62,36 @@ fn bounds(corners: [Vec3; 3]) -> Aabb {
     if Triangle::has_area(corners) { widened(&Aabb::around(corners)) } else { Aabb::EMPTY }
 }
 
-impl Holds for Triangles {
+impl Leaf for Triangles {
     fn count(&self) -> u32 {
         self.count
     }
 
     #[inline(always)]
-    fn triangles<L: lanes::Triangles, Q: Query>(
+    fn triangles<L: intersector::TriangleIntersector, Q: Query>(
         &self,
         block: &Block,
-        lanes: &L,
+        intersector: &L,
         ray: &Ray,
         query: &mut Q,
     ) -> ControlFlow<()> {
         match self.precision {
-            Precision::Watertight => watertight::hits(block, lanes, ray, query),
-            Precision::Fast => fast_hits(block, lanes, ray, query),
+            Precision::Watertight => watertight::hits(block, intersector, ray, query),
+            Precision::Fast => fast_hits(block, intersector, ray, query),
         }
     }
 
     #[inline(always)]
-    fn fan<E: Eights, Q: Query>(
+    fn packet<E: Simd, Q: Query>(
         &self,
-        rays: &mut Visitors<Leaves<'_, Self, Q>>,
+        rays: &mut Visitors<LeafVisitor<'_, Self, Q>>,
         active: u32,
         block: &Block,
-        sight: &Sight<E>,
+        triangles: &PacketTriangles<E>,
     ) {
         match self.precision {
-            Precision::Watertight => watertight::fan(rays, active, block, sight),
-            Precision::Fast => fast_fan(rays, active, block, sight),
+            Precision::Watertight => watertight::packet(rays, active, block, triangles),
+            Precision::Fast => fast_packet(rays, active, block, triangles),
         }
     }
 
@@ -103,34 +103,35 @@ impl Holds for Triangles {
 }
 
 #[inline(always)]
-fn fast_fan<E: Eights, Q: Query>(
-    rays: &mut Visitors<Leaves<'_, Triangles, Q>>,
+fn fast_packet<E: Simd, Q: Query>(
+    rays: &mut Visitors<LeafVisitor<'_, Triangles, Q>>,
     active: u32,
     block: &Block,
-    sight: &Sight<E>,
+    triangles: &PacketTriangles<E>,
 ) {
-    let corners = sight.corners(block);
+    let corners = triangles.corners(block);
     let corners = black_box(&corners);
     for lane in 0..LEAF {
-        let Some((hits, unsettled)) = sight.meet_fast(corners, lane, active, &rays.limits) else {
+        let Some((hits, unsettled)) = triangles.meet_fast(corners, lane, active, &rays.limits)
+        else {
             continue;
         };
         let number = block.number(lane);
         rays.tell(hits.mask, |i, leaves| offer(Some(hits.hit(i)), number, &mut leaves.query));
-        rays.tell(unsettled, |_, Leaves { ray, query, .. }| {
+        rays.tell(unsettled, |_, LeafVisitor { ray, query, .. }| {
             offer(unsettled_hit(block, lane, ray, query.limit()), number, query)
         });
     }
 }
 
 #[inline(always)]
-fn fast_hits<L: lanes::Triangles, Q: Query>(
+fn fast_hits<L: intersector::TriangleIntersector, Q: Query>(
     block: &Block,
-    lanes: &L,
+    intersector: &L,
     ray: &Ray,
     query: &mut Q,
 ) -> ControlFlow<()> {
-    let passed = lanes.pass(block, query.limit());
+    let passed = intersector.pass(block, query.limit());
     for lane in ones(passed.mask) {
         let flat = passed.flat(lane);
         let hit = if flat.is_settled() {
@@ -143,7 +144,7 @@ fn fast_hits<L: lanes::Triangles, Q: Query>(
     ControlFlow::Continue(())
 }
 
-/// Where signs are in doubt, as exactly as can be, but between the depths of the corners: a
+/// Where signs are not certain, as exactly as can be, but between the depths of the corners: a
 /// triangle that begins beyond a hit by these is not asked.
 #[cold]
 #[inline(never)]

@@ -1,11 +1,11 @@
 //! Many rays at a time.
 
 use super::Tree;
-use super::lanes::Lanes;
+use super::interleave::{InFlight, Queue, interleave};
+use super::intersector::ChildIntersector;
 use super::node::{Child, Content};
-use super::prefetch::Ahead;
+use super::prefetch::Prefetcher;
 use super::stack::Stack;
-use super::turns::{Waiting, Way, take_turns};
 use super::visitor::Visitor;
 use super::walk::visit;
 use crate::Ray;
@@ -30,43 +30,43 @@ pub(crate) trait Batch<'a> {
 
 /// Takes the rays at these places to their leaves.
 #[inline(always)]
-pub(crate) fn walk_each<'a, L: Lanes, B: Batch<'a>>(
+pub(crate) fn walk_each<'a, L: ChildIntersector, B: Batch<'a>>(
     tree: &Tree,
     root: Child,
-    lanes: impl Fn(&'a Ray) -> L,
+    intersector: impl Fn(&'a Ray) -> L,
     batch: &mut B,
     left: Vec<Range<usize>>,
 ) {
     let (rays, left) = (batch.rays(), left.into_iter());
-    let mut singles = Singles { rays, root, lanes, left, places: 0..0 };
-    take_turns(tree, FEW, batch, &mut singles);
+    let mut queue = SingleRays { rays, root, intersector, left, places: 0..0 };
+    interleave(tree, FEW, batch, &mut queue);
 }
 
-/// Rays that wait.
-struct Singles<'a, F> {
+/// Rays that wait to be traced one by one.
+struct SingleRays<'a, F> {
     rays: &'a [Ray],
     root: Child,
-    lanes: F,
+    intersector: F,
     left: IntoIter<Range<usize>>,
     /// The places that come before those.
     places: Range<usize>,
 }
 
-/// A ray under way.
-struct Single<L, V> {
+/// A ray in flight.
+struct RayInFlight<L, V> {
     index: usize,
     current: Child,
-    lanes: L,
+    intersector: L,
     visitor: V,
 }
 
-impl<'a, L, B, F> Waiting<B, Single<L, B::Visitor>> for Singles<'a, F>
+impl<'a, L, B, F> Queue<B, RayInFlight<L, B::Visitor>> for SingleRays<'a, F>
 where
-    L: Lanes,
+    L: ChildIntersector,
     B: Batch<'a>,
     F: Fn(&'a Ray) -> L,
 {
-    type Question = usize;
+    type Item = usize;
 
     #[inline(always)]
     fn next(&mut self) -> Option<usize> {
@@ -80,30 +80,30 @@ where
     }
 
     #[inline(always)]
-    fn begin(&self, index: usize, batch: &B) -> Single<L, B::Visitor> {
-        let (lanes, visitor) = ((self.lanes)(&self.rays[index]), batch.begin(index));
-        Single { index, current: self.root, lanes, visitor }
+    fn begin(&self, index: usize, batch: &B) -> RayInFlight<L, B::Visitor> {
+        let (intersector, visitor) = ((self.intersector)(&self.rays[index]), batch.begin(index));
+        RayInFlight { index, current: self.root, intersector, visitor }
     }
 
     #[inline(always)]
-    fn begin_anew(&self, index: usize, batch: &B, way: &mut Single<L, B::Visitor>) {
-        *way = self.begin(index, batch);
+    fn begin_anew(&self, index: usize, batch: &B, ended: &mut RayInFlight<L, B::Visitor>) {
+        *ended = self.begin(index, batch);
     }
 }
 
-impl<'a, L: Lanes, B: Batch<'a>> Way<B> for Single<L, B::Visitor> {
+impl<'a, L: ChildIntersector, B: Batch<'a>> InFlight<B> for RayInFlight<L, B::Visitor> {
     #[inline(always)]
-    fn step(&mut self, tree: &Tree, ahead: &Ahead, stack: &mut Stack) -> bool {
-        let Self { current, lanes, visitor, .. } = self;
+    fn step(&mut self, tree: &Tree, prefetcher: &Prefetcher, stack: &mut Stack) -> bool {
+        let Self { current, intersector, visitor, .. } = self;
         if let Content::Node(index) = current.open() {
             let node = &tree.nodes[index];
-            lanes.open(node, &node.children, visitor.limit(), B::Visitor::IN_ORDER, stack);
-        } else if visit(tree, *current, lanes, visitor).is_break() {
+            intersector.open(node, &node.children, visitor.limit(), B::Visitor::IN_ORDER, stack);
+        } else if visit(tree, *current, intersector, visitor).is_break() {
             return false;
         }
         let Some(next) = stack.pop(visitor.limit()) else { return false };
         *current = next;
-        ahead.ask(next);
+        prefetcher.ask(next);
         true
     }
 

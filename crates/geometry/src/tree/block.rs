@@ -1,7 +1,7 @@
 //! Four triangles side by side.
 
+use super::extents::QuantisedExtents;
 use super::node::LEAF;
-use super::sizes::Sizes;
 use crate::shape::SidedTriangle;
 use crate::{Aabb, Sides, Triangle, Vec3};
 
@@ -12,7 +12,7 @@ pub(crate) struct Block {
     /// By corner, by axis, by triangle. Where there is none they are not numbers,
     /// and no ray passes them.
     pub(crate) corners: [[[f32; LEAF]; 3]; 3],
-    /// Which triangles they are, their sides, and how large, as [`Sizes`] has it.
+    /// Which triangles they are, their sides, and how large, as [`QuantisedExtents`] has it.
     pub(crate) words: [u32; LEAF],
 }
 
@@ -23,7 +23,7 @@ impl Block {
     /// The block of the triangles with these numbers.
     pub(crate) fn new(
         numbers: [u32; LEAF],
-        sizes: Sizes,
+        extents: QuantisedExtents,
         triangle: impl Fn(u32) -> Option<SidedTriangle>,
     ) -> Self {
         let mut block = Self { corners: [[[f32::NAN; LEAF]; 3]; 3], words: numbers };
@@ -35,7 +35,7 @@ impl Block {
                 }
             }
             let extent = Aabb::around(corners).extent().max_element();
-            block.words[lane] = sizes.word(number, sides, extent);
+            block.words[lane] = extents.word(number, sides, extent);
         }
         block
     }
@@ -43,14 +43,14 @@ impl Block {
     /// The number of one of its triangles.
     #[inline]
     pub(crate) fn number(&self, lane: usize) -> u32 {
-        Sizes::number(self.words[lane])
+        QuantisedExtents::number(self.words[lane])
     }
 
     /// Whether a ray in this direction meets one of its triangles from a side that is there,
     /// as [`Triangle::intersect`](crate::Triangle::intersect) decides it.
     #[inline(always)]
     pub(crate) fn admits(&self, lane: usize, direction: Vec3) -> bool {
-        match Sizes::sides(self.words[lane]) {
+        match QuantisedExtents::sides(self.words[lane]) {
             Sides::Both => true,
             Sides::Front => self.shows_front(lane, direction),
         }

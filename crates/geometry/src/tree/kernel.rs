@@ -4,10 +4,10 @@
 
 use super::Tree;
 use super::batch::{Batch, walk_each};
-use super::eights::Portable;
-use super::fan::walk_fans;
-use super::lanes::Scalar;
+use super::intersector::Scalar;
 use super::node::Child;
+use super::packet::walk_packets;
+use super::simd::Portable;
 use super::visitor::Visitor;
 use super::walk::walk;
 use crate::Ray;
@@ -15,9 +15,9 @@ use std::hint::black_box;
 use std::ops::Range;
 
 #[cfg(target_arch = "x86_64")]
-use super::eights::{Avx2Eights, Sse41Eights};
+use super::intersector::{Avx2, Sse41};
 #[cfg(target_arch = "x86_64")]
-use super::lanes::{Avx2, Sse41};
+use super::simd::{Avx2Simd, Sse41Simd};
 
 /// An instruction set that this machine has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +76,7 @@ impl Kernel {
     pub(crate) fn walk_each<'a, B: Batch<'a>>(self, tree: &Tree, root: Child, batch: &mut B) {
         match self.0 {
             Set::Scalar => {
-                let left = walk_fans(tree, root, Scalar::new, Portable, batch);
+                let left = walk_packets(tree, root, Scalar::new, Portable, batch);
                 walk_each(tree, root, Scalar::new, batch, left);
             }
             // SAFETY: as above.
@@ -99,26 +99,26 @@ impl Kernel {
 #[target_feature(enable = "sse4.1")]
 fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
     // SAFETY: this function runs only where SSE4.1 is.
-    let lanes = unsafe { Sse41::new(ray, tree.sizes) };
+    let intersector = unsafe { Sse41::new(ray, tree.extents) };
     // Behind a black box it stays in memory, where instructions read it as they go;
     // all of it is too much for the registers.
-    walk(tree, root, black_box(&lanes), visitor);
+    walk(tree, root, black_box(&intersector), visitor);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
 fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
     // SAFETY: this function runs only where AVX2 and FMA are.
-    let lanes = unsafe { Avx2::new(ray, tree.sizes) };
-    walk(tree, root, black_box(&lanes), visitor);
+    let intersector = unsafe { Avx2::new(ray, tree.extents) };
+    walk(tree, root, black_box(&intersector), visitor);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "sse4.1")]
 fn walk_fans_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where SSE4.1 is.
-    let lanes = |ray| unsafe { Sse41::new(ray, tree.sizes) };
-    walk_fans(tree, root, lanes, Sse41Eights, batch)
+    let intersector = |ray| unsafe { Sse41::new(ray, tree.extents) };
+    walk_packets(tree, root, intersector, Sse41Simd, batch)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -130,17 +130,17 @@ fn walk_each_sse41<'a, B: Batch<'a>>(
     left: Vec<Range<usize>>,
 ) {
     // SAFETY: this function runs only where SSE4.1 is.
-    walk_each(tree, root, |ray| unsafe { Sse41::new(ray, tree.sizes) }, batch, left);
+    walk_each(tree, root, |ray| unsafe { Sse41::new(ray, tree.extents) }, batch, left);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
 fn walk_fans_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where AVX2 and FMA are.
-    let lanes = |ray| unsafe { Avx2::new(ray, tree.sizes) };
+    let intersector = |ray| unsafe { Avx2::new(ray, tree.extents) };
     // SAFETY: as above.
-    let eights = unsafe { Avx2Eights::new() };
-    walk_fans(tree, root, lanes, eights, batch)
+    let simd = unsafe { Avx2Simd::new() };
+    walk_packets(tree, root, intersector, simd, batch)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -152,5 +152,5 @@ fn walk_each_avx2<'a, B: Batch<'a>>(
     left: Vec<Range<usize>>,
 ) {
     // SAFETY: this function runs only where AVX2 and FMA are.
-    walk_each(tree, root, |ray| unsafe { Avx2::new(ray, tree.sizes) }, batch, left);
+    walk_each(tree, root, |ray| unsafe { Avx2::new(ray, tree.extents) }, batch, left);
 }

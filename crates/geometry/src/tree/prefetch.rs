@@ -10,14 +10,14 @@ use super::node::{Child, Node};
 const LINE: usize = 64;
 
 /// Where a tree has what is in its boxes.
-pub(crate) struct Ahead {
+pub(crate) struct Prefetcher {
     /// Where the nodes start and how large each is, and the same for blocks. Looked up
     /// by kind: a branch on what comes next would be hard to predict.
     lists: [(*const u8, usize); 2],
     is_of_use: bool,
 }
 
-impl Ahead {
+impl Prefetcher {
     #[inline(always)]
     pub(crate) fn of(tree: &Tree) -> Self {
         let nodes = (tree.nodes.as_ptr().cast(), size_of::<Node>());

@@ -6,8 +6,8 @@ use super::build::MAX_DEPTH;
 use super::node::{Child, WIDTH};
 use std::mem::MaybeUninit;
 
-/// Each level leaves all but one of its boxes behind; the last has room for all
-/// lanes of a node, used or not.
+/// BatchQuery level leaves all but one of its boxes behind; the last has room for all
+/// intersector of a node, used or not.
 const ROOM: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
 
 /// Room for the boxes of the deepest tree. It is not cleared, which would take

@@ -2,11 +2,11 @@
 
 use super::Tree;
 use super::block::Block;
-use super::eights::{EIGHT, Eights, Single};
-use super::fan::sight::Sight;
-use super::lanes::Triangles;
+use super::intersector::TriangleIntersector;
 use super::mask::ones;
 use super::node::{Child, Content};
+use super::packet::triangles::PacketTriangles;
+use super::simd::{F32x8, PACKET, Simd};
 use std::array::from_fn;
 use std::ops::{ControlFlow, Range};
 
@@ -20,36 +20,45 @@ pub(crate) trait Visitor: Sized {
     fn limit(&self) -> f32;
 
     /// A block of triangles.
-    fn triangles<T: Triangles>(&mut self, block: &Block, lanes: &T) -> ControlFlow<()>;
+    fn triangles<T: TriangleIntersector>(
+        &mut self,
+        block: &Block,
+        intersector: &T,
+    ) -> ControlFlow<()>;
 
-    /// A block of triangles, for those rays of a fan that have a bit.
-    fn fan<E: Eights>(rays: &mut Visitors<Self>, active: u32, block: &Block, sight: &Sight<E>);
+    /// A block of triangles, for those rays of a packet that have a bit.
+    fn packet<E: Simd>(
+        rays: &mut Visitors<Self>,
+        active: u32,
+        block: &Block,
+        triangles: &PacketTriangles<E>,
+    );
 
     /// A run of other shapes, as places in the order of the leaves.
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
 }
 
-/// What the rays of a fan do in leaves.
+/// What the rays of a packet do in leaves.
 pub(crate) struct Visitors<V> {
-    pub(crate) each: [V; EIGHT],
+    pub(crate) each: [V; PACKET],
     /// As they were before the leaf.
-    pub(crate) limits: [f32; EIGHT],
+    pub(crate) limits: [f32; PACKET],
     /// The farthest of them.
     pub(super) limit: f32,
 }
 
 impl<V: Visitor> Visitors<V> {
     #[inline(always)]
-    pub(super) fn new(eights: impl Eights, each: [V; EIGHT]) -> Self {
-        let mut this = Self { each, limits: [0.0; EIGHT], limit: 0.0 };
-        this.see_limits(eights);
+    pub(super) fn new(simd: impl Simd, each: [V; PACKET]) -> Self {
+        let mut this = Self { each, limits: [0.0; PACKET], limit: 0.0 };
+        this.see_limits(simd);
         this
     }
 
     /// All at once: what is written one by one and read together makes a processor wait.
     #[inline(always)]
-    pub(super) fn see_limits(&mut self, eights: impl Eights) {
-        let limits = eights.load(from_fn(|i| self.each[i].limit()));
+    pub(super) fn see_limits(&mut self, simd: impl Simd) {
+        let limits = simd.load(from_fn(|i| self.each[i].limit()));
         self.limits = limits.to_array();
         self.limit = limits.largest();
     }
@@ -63,26 +72,26 @@ impl<V: Visitor> Visitors<V> {
     ) {
         for i in ones(rays) {
             // One that breaks has no limit any more.
-            let _ = told(i % EIGHT, &mut self.each[i % EIGHT]);
+            let _ = told(i % PACKET, &mut self.each[i % PACKET]);
         }
     }
 
     /// Takes the rays that have a bit to a leaf.
     #[inline(always)]
-    pub(super) fn visit<E: Eights>(
+    pub(super) fn visit<E: Simd>(
         &mut self,
         tree: &Tree,
         leaf: Child,
-        sight: &Sight<E>,
+        triangles: &PacketTriangles<E>,
         active: u32,
     ) {
         match leaf.open() {
             Content::Node(_) => {}
-            Content::Block(index) => V::fan(self, active, &tree.blocks[index], sight),
+            Content::Block(index) => V::packet(self, active, &tree.blocks[index], triangles),
             Content::Shapes(places) => {
                 self.tell(active, |_, visitor| visitor.shapes(places.clone()));
             }
         }
-        self.see_limits(sight.eights);
+        self.see_limits(triangles.simd);
     }
 }

@@ -20,13 +20,13 @@ const SHAPES: usize = 30;
 
 /// The three questions, in ones and in many, and with ends that just leave out the first
 /// hit or just do not.
-fn consistent_hits<C: Contents>(bvh: &Bvh<C>, ray: &Ray) -> Vec<Hit> {
+fn consistent_hits<C: LeafKind>(bvh: &Bvh<C>, ray: &Ray) -> Vec<Hit> {
     let all = bvh.all_hits(ray);
     let first = all.first().copied();
     assert!(all.is_sorted_by(|a, b| (a.t, a.primitive) < (b.t, b.primitive)), "{ray:?} {all:?}");
     assert_eq!(bvh.nearest(ray), first, "{ray:?} {all:?}");
     assert_eq!(bvh.any_hit(ray), first.is_some(), "{ray:?}");
-    // A fan of the ray with itself.
+    // A packet of the ray with itself.
     let rays = [*ray; 9];
     let (mut hits, mut any) = ([None; 9], [false; 9]);
     bvh.nearest_each(&rays, &mut hits);
@@ -49,7 +49,7 @@ struct Decided {
 }
 
 impl Decided {
-    /// Holds whether a list has a hit, and where, against what is certain.
+    /// Leaf whether a list has a hit, and where, against what is certain.
     fn check(&mut self, found: Option<&Hit>, verdict: Verdict, ray: &Ray) {
         match (verdict, found) {
             (Verdict::Unsure, _) => {}

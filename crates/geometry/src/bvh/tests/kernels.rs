@@ -45,7 +45,7 @@ fn ray(mesh: &Mesh, random: &mut Random) -> Ray {
     }
 }
 
-fn agree<C: Contents + Clone>(bvh: &Bvh<C>, rays: &[Ray]) -> usize {
+fn agree<C: LeafKind + Clone>(bvh: &Bvh<C>, rays: &[Ray]) -> usize {
     let versions = versions(bvh);
     let hits: Vec<Option<Hit>> = rays.iter().map(|ray| versions[0].nearest(ray)).collect();
     for version in &versions {

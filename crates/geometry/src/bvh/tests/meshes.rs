@@ -1,7 +1,7 @@
 //! Trees over meshes find what asking each triangle finds.
 
 use crate::bvh::*;
-use crate::coarse::Shear;
+use crate::f32_filter::Shear;
 use crate::testing::{Random, icosphere};
 use crate::{Mesh, Sides};
 
@@ -105,7 +105,7 @@ fn batches_answer_each_ray() {
 }
 
 /// Beyond a hit, triangles are left out that begin farther by these depths; so none may be
-/// hit before them, also where signs are in doubt and are computed in double precision.
+/// hit before them, also where signs are not certain and are computed in double precision.
 #[test]
 fn a_fast_hit_lies_between_the_depths_of_the_corners() {
     let corners = [[-4.0, -3.0, 0.0], [-4.0, 0.0, 3.0], [3.0, -3.0, 1.0]].map(Vec3::from);
@@ -144,7 +144,7 @@ fn a_ray_along_a_triangle_passes_it_by() {
     assert!(hits.iter().all(|hit| hit.primitive == 1), "{hits:?}");
 }
 
-/// Where products of coordinates overflow in single precision, all triangles are in doubt.
+/// Where products of coordinates overflow in single precision, no triangle is decided.
 #[test]
 fn triangles_are_met_however_large() {
     let corners = [[-4.0, -4.0, -4.0], [-4.0, -3.0, -2.0], [-2.0, 0.0, -1.0]].map(Vec3::from);

@@ -1,5 +1,5 @@
 use super::*;
-use crate::coarse::Shear;
+use crate::f32_filter::Shear;
 use crate::testing::{Random, cube, icosphere, triangles};
 use crate::{Bvh, Mesh, Options, Precision};
 

@@ -44,8 +44,8 @@ pub(super) fn verdict(shape: &Primitive, line: &Line, noise: f64) -> Verdict {
     let (ahead, line) = line.near(bounds.centre().as_dvec3());
     let speed = line.direction.length();
     let distance = ahead.abs() * speed + line.origin.length();
-    let coarse = noise + 16.0 * f64::EPSILON * distance;
-    let aside = coarse + 1e-3 * thickness + 16.0 * f64::from(f32::EPSILON) * reach(shape);
+    let f32_filter = noise + 16.0 * f64::EPSILON * distance;
+    let aside = f32_filter + 1e-3 * thickness + 16.0 * f64::from(f32::EPSILON) * reach(shape);
     if aside > 0.2 * thickness {
         return Verdict::Unsure;
     }
@@ -60,7 +60,7 @@ pub(super) fn verdict(shape: &Primitive, line: &Line, noise: f64) -> Verdict {
     let (least, most) = hits.iter().fold((f64::MAX, f64::MIN), |(a, b), t| (a.min(*t), b.max(*t)));
     let spread = most - least;
     let t = ahead + f64::midpoint(least, most);
-    let within = spread + 4.0 * f64::from(f32::EPSILON) * t.abs() + 4.0 * coarse / speed;
+    let within = spread + 4.0 * f64::from(f32::EPSILON) * t.abs() + 4.0 * f32_filter / speed;
     let lost = hits.len() < found.len();
     if lost || spread * speed > 0.1 * size || t < 4.0 * within {
         return Verdict::Unsure;

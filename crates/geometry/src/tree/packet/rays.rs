@@ -1,32 +1,32 @@
-//! The rays of a fan side by side.
+//! The rays of a packet side by side.
 
-use crate::tree::eights::{ALL, EIGHT, Eights, Numbers, Single};
+use crate::tree::simd::{ALL, F32x8, Float, PACKET, Simd};
 use crate::{Ray, Vec3, watertight};
 use std::array::from_fn;
 
-/// The least cosine between the first ray of a fan and the last.
+/// The least cosine between the first ray of a packet and the last.
 const NARROW: f32 = 0.99;
 
-/// The rays of a fan: of one origin and octant, with the same longest coordinate.
+/// The rays of a packet: of one origin and octant, with the same longest coordinate.
 #[derive(Clone, Copy)]
-pub(super) struct Rays<E: Eights> {
-    pub(super) eights: E,
+pub(super) struct Rays<E: Simd> {
+    pub(super) simd: E,
     pub(super) origin: Vec3,
     /// By axis.
-    pub(super) directions: [E::Single; 3],
+    pub(super) directions: [E::F32x8; 3],
     /// For each axis 1 if they go backward along it.
     pub(super) backward: [usize; 3],
     /// As [`watertight::axes`] has them.
     pub(super) axes: [usize; 3],
 }
 
-impl<E: Eights> Rays<E> {
+impl<E: Simd> Rays<E> {
     #[inline(always)]
-    pub(super) fn of(eights: E, rays: &[Ray; EIGHT]) -> Self {
-        let direction = |axis: usize| eights.load(from_fn(|i| rays[i].direction[axis]));
+    pub(super) fn of(simd: E, rays: &[Ray; PACKET]) -> Self {
+        let direction = |axis: usize| simd.load(from_fn(|i| rays[i].direction[axis]));
         let backward = |axis: usize| usize::from(rays[0].direction[axis].is_sign_negative());
         Self {
-            eights,
+            simd,
             origin: rays[0].origin,
             directions: [direction(0), direction(1), direction(2)],
             backward: [backward(0), backward(1), backward(2)],
@@ -42,24 +42,24 @@ impl<E: Eights> Rays<E> {
         let size = |i: usize| self.directions[self.axes[i]].abs();
         let (aside, across, along) = (size(0), size(1), size(2));
         let sum = aside + across + along;
-        let are_directions = self.eights.splat(Ray::SMALLEST).at_most(sum)
-            & sum.below(self.eights.splat(f32::INFINITY));
+        let are_directions =
+            self.simd.splat(Ray::SMALLEST).at_most(sum) & sum.below(self.simd.splat(f32::INFINITY));
         is_one_way && are_directions & aside.below(along) & across.below(along) == ALL
     }
 }
 
-/// The rays, if they make a fan and all can be traced.
+/// The rays, if they make a packet and all can be traced.
 #[inline(always)]
-pub(super) fn fan<E: Eights>(eights: E, rays: &[Ray]) -> Option<&[Ray; EIGHT]> {
-    let rays: &[Ray; EIGHT] = rays.try_into().ok()?;
-    let (first, last) = (&rays[0], &rays[EIGHT - 1]);
+pub(super) fn packet<E: Simd>(simd: E, rays: &[Ray]) -> Option<&[Ray; PACKET]> {
+    let rays: &[Ray; PACKET] = rays.try_into().ok()?;
+    let (first, last) = (&rays[0], &rays[PACKET - 1]);
     // Most rays are told by the first and the last.
     let is_fan = first.origin == last.origin
         && is_narrow(first, last)
         && start_together(rays)
         && first.is_traceable()
-        && eights.splat(0.0).below(eights.load(from_fn(|i| rays[i].t_max))) == ALL
-        && Rays::of(eights, rays).go_together();
+        && simd.splat(0.0).below(simd.load(from_fn(|i| rays[i].t_max))) == ALL
+        && Rays::of(simd, rays).go_together();
     is_fan.then_some(rays)
 }
 
@@ -72,7 +72,7 @@ fn is_narrow(first: &Ray, last: &Ray) -> bool {
 
 /// Whether all have the same origin, to the bit.
 #[inline(always)]
-fn start_together(rays: &[Ray; EIGHT]) -> bool {
+fn start_together(rays: &[Ray; PACKET]) -> bool {
     let mut differing = 0;
     for ray in rays {
         for axis in 0..3 {
@@ -85,14 +85,14 @@ fn start_together(rays: &[Ray; EIGHT]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tree::eights::Portable;
+    use crate::tree::simd::Portable;
 
-    fn side_by_side() -> [Ray; EIGHT] {
+    fn side_by_side() -> [Ray; PACKET] {
         from_fn(|i| Ray::new(Vec3::ONE, Vec3::new(1.0, -0.01 * i as f32 - 0.01, 0.0)))
     }
 
     fn is_fan(rays: &[Ray]) -> bool {
-        fan(Portable, rays).is_some()
+        packet(Portable, rays).is_some()
     }
 
     #[test]
@@ -109,14 +109,14 @@ mod tests {
             |ray: &mut Ray| ray.t_max = f32::NAN,
         ];
         for spoil in spoil {
-            for i in 0..EIGHT {
+            for i in 0..PACKET {
                 let mut rays = side_by_side();
                 spoil(&mut rays[i]);
                 assert!(!is_fan(&rays), "{:?}", rays[i]);
             }
         }
         let mut wide = side_by_side();
-        wide[EIGHT - 1].direction.y = -0.2;
+        wide[PACKET - 1].direction.y = -0.2;
         assert!(!is_fan(&wide));
     }
 }

@@ -1,11 +1,11 @@
-//! Where the rays of a fan meet a triangle, in single precision.
+//! Where the rays of a packet meet a triangle, in single precision.
 
-use super::sight::{Corners, Sight};
-use crate::tree::eights::{EIGHT, Eights, Numbers, Single};
-use crate::tree::lanes::Hits;
+use super::triangles::{Corners, PacketTriangles};
+use crate::tree::intersector::Hits;
+use crate::tree::simd::{F32x8, Float, PACKET, Simd};
 
-impl<E: Eights> Sight<E> {
-    /// [`Flat::meet`](crate::coarse::Flat::meet) for each ray that has a bit and a triangle of
+impl<E: Simd> PacketTriangles<E> {
+    /// [`Flat::meet`](crate::f32_filter::Flat::meet) for each ray that has a bit and a triangle of
     /// a block; and those rays that pass it where rounding decides.
     #[inline(always)]
     pub(crate) fn meet_fast(
@@ -13,16 +13,16 @@ impl<E: Eights> Sight<E> {
         corners: &Corners,
         lane: usize,
         active: u32,
-        limits: &[f32; EIGHT],
-    ) -> Option<(Hits<EIGHT>, u32)> {
-        let edges = self.edges(corners, lane, E::Single::minus_product);
+        limits: &[f32; PACKET],
+    ) -> Option<(Hits<PACKET>, u32)> {
+        let edges = self.edges(corners, lane, E::F32x8::minus_product);
         let [of_a, of_b, of_c] = edges;
-        let (zero, limits) = (self.eights.splat(0.0), self.eights.load(*limits));
-        let a = self.eights.splat(corners[0][2][lane]) * self.reciprocal;
-        let b = self.eights.splat(corners[1][2][lane]) * self.reciprocal;
-        let c = self.eights.splat(corners[2][2][lane]) * self.reciprocal;
-        let (first, last) = (E::Single::least([a, b, c]), E::Single::greatest([a, b, c]));
-        let (least, greatest) = (E::Single::least(edges), E::Single::greatest(edges));
+        let (zero, limits) = (self.simd.splat(0.0), self.simd.load(*limits));
+        let a = self.simd.splat(corners[0][2][lane]) * self.reciprocal;
+        let b = self.simd.splat(corners[1][2][lane]) * self.reciprocal;
+        let c = self.simd.splat(corners[2][2][lane]) * self.reciprocal;
+        let (first, last) = (E::F32x8::least([a, b, c]), E::F32x8::greatest([a, b, c]));
+        let (least, greatest) = (E::F32x8::least(edges), E::F32x8::greatest(edges));
         let inside = zero.at_most(least) | greatest.at_most(zero);
         let passed = inside & zero.below(last) & first.below(limits) & active;
         if passed == 0 {

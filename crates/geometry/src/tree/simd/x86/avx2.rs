@@ -1,15 +1,15 @@
 //! For machines with AVX2 and FMA.
 
-use super::super::{Double, EIGHT, Eights, FOUR, Numbers, Single};
-use super::{Fours, Sse41Eights, Twice, register};
+use super::super::{F32x8, F64x8, FOUR, Float, PACKET, Simd};
+use super::{Fours, Sse41Simd, Twice, register};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// Shows that the machine has AVX2 and FMA.
 #[derive(Clone, Copy)]
-pub(crate) struct Avx2Eights(());
+pub(crate) struct Avx2Simd(());
 
-impl Avx2Eights {
+impl Avx2Simd {
     /// # Safety
     /// The machine must have AVX2 and FMA.
     #[inline(always)]
@@ -19,14 +19,14 @@ impl Avx2Eights {
 }
 
 #[derive(Clone, Copy)]
-pub(crate) struct Singles(__m256);
+pub(crate) struct Floats(__m256);
 
-/// Four in double precision.
+/// F32x4 in double precision.
 #[derive(Clone, Copy)]
 pub(crate) struct FourDoubles(__m256d);
 
 register!(
-    Singles,
+    Floats,
     8,
     [_mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div_ps],
     [_mm256_min_ps, _mm256_max_ps],
@@ -42,30 +42,30 @@ register!(
     _mm256_movemask_pd
 );
 
-impl Eights for Avx2Eights {
-    type Single = Singles;
-    type Four = Fours;
+impl Simd for Avx2Simd {
+    type F32x8 = Floats;
+    type F32x4 = Fours;
 
     #[inline(always)]
-    fn load(self, numbers: [f32; EIGHT]) -> Singles {
+    fn load(self, numbers: [f32; PACKET]) -> Floats {
         // SAFETY: `self` shows that the machine has AVX2; eight numbers are 32 bytes.
-        Singles(unsafe { _mm256_loadu_ps(numbers.as_ptr()) })
+        Floats(unsafe { _mm256_loadu_ps(numbers.as_ptr()) })
     }
 
     #[inline(always)]
-    fn splat(self, number: f32) -> Singles {
+    fn splat(self, number: f32) -> Floats {
         // SAFETY: as above.
-        Singles(unsafe { _mm256_set1_ps(number) })
+        Floats(unsafe { _mm256_set1_ps(number) })
     }
 
     #[inline(always)]
     fn load_four(self, numbers: [f32; FOUR]) -> Fours {
-        Sse41Eights.load_four(numbers)
+        Sse41Simd.load_four(numbers)
     }
 
     #[inline(always)]
     fn splat_four(self, number: f32) -> Fours {
-        Sse41Eights.splat_four(number)
+        Sse41Simd.splat_four(number)
     }
 
     #[inline(always)]
@@ -75,7 +75,7 @@ impl Eights for Avx2Eights {
     }
 }
 
-impl Singles {
+impl Floats {
     /// All combined to one.
     #[inline(always)]
     fn fold(self, combined: impl Fn(Fours, Fours) -> Fours) -> f32 {
@@ -87,8 +87,8 @@ impl Singles {
 }
 
 // SAFETY, below: numbers exist only where the machine has AVX2 and FMA.
-impl Single for Singles {
-    type Double = Twice<FourDoubles>;
+impl F32x8 for Floats {
+    type F64x8 = Twice<FourDoubles>;
 
     #[inline(always)]
     fn minus_about(self, a: Self, b: Self) -> Self {
@@ -125,8 +125,8 @@ impl Single for Singles {
     }
 
     #[inline(always)]
-    fn to_array(self) -> [f32; EIGHT] {
-        let mut numbers = [0.0; EIGHT];
+    fn to_array(self) -> [f32; PACKET] {
+        let mut numbers = [0.0; PACKET];
         // SAFETY: as said above; eight numbers are 32 bytes.
         unsafe { _mm256_storeu_ps(numbers.as_mut_ptr(), self.0) };
         numbers
@@ -143,13 +143,13 @@ impl Single for Singles {
     }
 }
 
-impl Double for Twice<FourDoubles> {
-    type Single = Singles;
+impl F64x8 for Twice<FourDoubles> {
+    type F32x8 = Floats;
 
     #[inline(always)]
-    fn narrow(self) -> Singles {
+    fn narrow(self) -> Floats {
         let [low, high] = self.0;
         // SAFETY: as said above.
-        Singles(unsafe { _mm256_set_m128(_mm256_cvtpd_ps(high.0), _mm256_cvtpd_ps(low.0)) })
+        Floats(unsafe { _mm256_set_m128(_mm256_cvtpd_ps(high.0), _mm256_cvtpd_ps(low.0)) })
     }
 }

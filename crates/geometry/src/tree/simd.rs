@@ -1,4 +1,4 @@
-//! Eight numbers at once, one for each ray of a fan; and four, one for each triangle of a
+//! Eight numbers at once, one for each ray of a packet; and four, one for each triangle of a
 //! block.
 
 mod portable;
@@ -7,40 +7,40 @@ mod x86;
 
 pub(crate) use portable::Portable;
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Avx2Eights, Sse41Eights};
+pub(crate) use x86::{Avx2Simd, Sse41Simd};
 
 use std::ops::{Add, Div, Mul, Sub};
 
 /// So many at once.
-pub(crate) const EIGHT: usize = 8;
+pub(crate) const PACKET: usize = 8;
 
 /// One for each triangle of a block.
 pub(crate) const FOUR: usize = 4;
 
 /// All eight have a bit.
-pub(crate) const ALL: u32 = u32::MAX >> (32 - EIGHT);
+pub(crate) const ALL: u32 = u32::MAX >> (32 - PACKET);
 
 /// An instruction set: where numbers come from.
-pub(crate) trait Eights: Copy {
-    type Single: Single;
-    type Four: Four;
+pub(crate) trait Simd: Copy {
+    type F32x8: F32x8;
+    type F32x4: F32x4;
 
-    fn load(self, numbers: [f32; EIGHT]) -> Self::Single;
+    fn load(self, numbers: [f32; PACKET]) -> Self::F32x8;
 
     /// The same number eight times.
-    fn splat(self, number: f32) -> Self::Single;
+    fn splat(self, number: f32) -> Self::F32x8;
 
-    fn load_four(self, numbers: [f32; FOUR]) -> Self::Four;
+    fn load_four(self, numbers: [f32; FOUR]) -> Self::F32x4;
 
     /// The same number four times.
-    fn splat_four(self, number: f32) -> Self::Four;
+    fn splat_four(self, number: f32) -> Self::F32x4;
 
     /// The same number eight times.
-    fn splat_double(self, number: f64) -> <Self::Single as Single>::Double;
+    fn splat_double(self, number: f64) -> <Self::F32x8 as F32x8>::F64x8;
 }
 
 /// What numbers of any kind can do. Masks have one bit for each.
-pub(crate) trait Numbers:
+pub(crate) trait Float:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// How many there are.
@@ -72,8 +72,8 @@ pub(crate) trait Numbers:
 }
 
 /// Eight numbers in single precision.
-pub(crate) trait Single: Numbers {
-    type Double: Double<Single = Self>;
+pub(crate) trait F32x8: Float {
+    type F64x8: F64x8<F32x8 = Self>;
 
     /// `self` − `a` `b`, rounded once or twice.
     fn minus_about(self, a: Self, b: Self) -> Self;
@@ -85,9 +85,9 @@ pub(crate) trait Single: Numbers {
     /// Which have a minus, zeros too.
     fn signs(self) -> u32;
 
-    fn widen(self) -> Self::Double;
+    fn widen(self) -> Self::F64x8;
 
-    fn to_array(self) -> [f32; EIGHT];
+    fn to_array(self) -> [f32; PACKET];
 
     /// The least of the eight, all numbers.
     fn smallest(self) -> f32;
@@ -102,16 +102,16 @@ pub(crate) trait Single: Numbers {
     }
 }
 
-/// Four numbers in single precision.
-pub(crate) trait Four: Numbers {
+/// F32x4 numbers in single precision.
+pub(crate) trait F32x4: Float {
     fn to_array(self) -> [f32; FOUR];
 }
 
 /// Eight numbers in double precision.
-pub(crate) trait Double: Numbers {
-    type Single: Single<Double = Self>;
+pub(crate) trait F64x8: Float {
+    type F32x8: F32x8<F64x8 = Self>;
 
-    fn narrow(self) -> Self::Single;
+    fn narrow(self) -> Self::F32x8;
 }
 
 #[cfg(all(test, target_arch = "x86_64", not(miri)))]

@@ -1,12 +1,12 @@
 //! Eight boxes in one register.
 
-use super::slopes::{PLANES, Slopes};
+use super::boxes::{PLANES, RayBoxes};
 use super::triangles::TriangleRay;
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::lanes::{Hits, Lanes, Passed, Triangles};
+use crate::tree::extents::QuantisedExtents;
+use crate::tree::intersector::{ChildIntersector, Hits, Passed, TriangleIntersector};
 use crate::tree::node::{Child, LEAF, Node, WIDTH};
-use crate::tree::sizes::Sizes;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
@@ -24,7 +24,7 @@ pub(crate) struct Avx2 {
     triangles: TriangleRay<true>,
 }
 
-/// For each set of lanes the numbers of those in it, one a byte, lowest first.
+/// For each set of intersector the numbers of those in it, one a byte, lowest first.
 static PACK: [u64; 256] = {
     let mut table = [0; 256];
     let mut mask = 0;
@@ -46,19 +46,19 @@ impl Avx2 {
     /// # Safety
     /// The machine must have AVX2 and FMA.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Ray, sizes: Sizes) -> Self {
+    pub(crate) unsafe fn new(ray: &Ray, extents: QuantisedExtents) -> Self {
         // SAFETY: the caller promises AVX2, which includes SSE4.1, and FMA.
         unsafe {
-            let slopes = Slopes::of(ray);
+            let boxes = RayBoxes::of(ray);
             let double = |v: [__m128; 3]| v.map(|x| _mm256_set_m128(x, x));
             Self {
                 origin: ray.origin.to_array().map(|x| _mm256_set1_ps(x)),
-                near: double(slopes.near()),
-                far: double(slopes.far()),
-                octant: slopes.octant,
-                planes: PLANES[slopes.octant as usize % 8],
-                order_shift: _mm256_set1_epi32(3 * slopes.octant),
-                triangles: TriangleRay::new(ray, sizes),
+                near: double(boxes.near()),
+                far: double(boxes.far()),
+                octant: boxes.octant,
+                planes: PLANES[boxes.octant as usize % 8],
+                order_shift: _mm256_set1_epi32(3 * boxes.octant),
+                triangles: TriangleRay::new(ray, extents),
             }
         }
     }
@@ -129,7 +129,7 @@ impl Avx2 {
     }
 }
 
-impl Lanes for Avx2 {
+impl ChildIntersector for Avx2 {
     #[inline(always)]
     fn open(
         &self,
@@ -167,14 +167,14 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn with_slopes(self, near: [f32; 3], far: [f32; 3]) -> Self {
+    fn with_reciprocals(self, near: [f32; 3], far: [f32; 3]) -> Self {
         // SAFETY: `self` shows that the machine has AVX2.
         let splat = |x: f32| unsafe { _mm256_set1_ps(x) };
         Self { near: near.map(splat), far: far.map(splat), ..self }
     }
 }
 
-impl Triangles for Avx2 {
+impl TriangleIntersector for Avx2 {
     #[inline(always)]
     fn candidates(&self, block: &Block, limit: f32) -> u32 {
         self.triangles.candidates(block, limit)

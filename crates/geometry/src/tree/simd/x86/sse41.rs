@@ -1,13 +1,13 @@
 //! For machines with SSE4.1, of which SSE2 is enough here.
 
-use super::super::{Double, EIGHT, Eights, FOUR, Four, Numbers, Single};
+use super::super::{F32x4, F32x8, F64x8, FOUR, Float, PACKET, Simd};
 use super::{Fours, Twice, register};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// Every x86-64 machine has the instructions.
 #[derive(Clone, Copy)]
-pub(crate) struct Sse41Eights;
+pub(crate) struct Sse41Simd;
 
 /// Two in double precision.
 #[derive(Clone, Copy)]
@@ -22,12 +22,12 @@ register!(
     _mm_movemask_pd
 );
 
-impl Eights for Sse41Eights {
-    type Single = Twice<Fours>;
-    type Four = Fours;
+impl Simd for Sse41Simd {
+    type F32x8 = Twice<Fours>;
+    type F32x4 = Fours;
 
     #[inline(always)]
-    fn load(self, [a, b, c, d, e, f, g, h]: [f32; EIGHT]) -> Twice<Fours> {
+    fn load(self, [a, b, c, d, e, f, g, h]: [f32; PACKET]) -> Twice<Fours> {
         Twice([self.load_four([a, b, c, d]), self.load_four([e, f, g, h])])
     }
 
@@ -55,8 +55,8 @@ impl Eights for Sse41Eights {
     }
 }
 
-impl Single for Twice<Fours> {
-    type Double = Twice<Twice<TwoDoubles>>;
+impl F32x8 for Twice<Fours> {
+    type F64x8 = Twice<Twice<TwoDoubles>>;
 
     #[inline(always)]
     fn minus_about(self, a: Self, b: Self) -> Self {
@@ -71,7 +71,7 @@ impl Single for Twice<Fours> {
 
     #[inline(always)]
     fn reciprocal(self) -> Self {
-        Sse41Eights.splat(1.0) / self
+        Sse41Simd.splat(1.0) / self
     }
 
     #[inline(always)]
@@ -88,7 +88,7 @@ impl Single for Twice<Fours> {
     }
 
     #[inline(always)]
-    fn to_array(self) -> [f32; EIGHT] {
+    fn to_array(self) -> [f32; PACKET] {
         let ([a, b, c, d], [e, f, g, h]) = (self.0[0].to_array(), self.0[1].to_array());
         [a, b, c, d, e, f, g, h]
     }
@@ -104,8 +104,8 @@ impl Single for Twice<Fours> {
     }
 }
 
-impl Double for Twice<Twice<TwoDoubles>> {
-    type Single = Twice<Fours>;
+impl F64x8 for Twice<Twice<TwoDoubles>> {
+    type F32x8 = Twice<Fours>;
 
     #[inline(always)]
     fn narrow(self) -> Twice<Fours> {

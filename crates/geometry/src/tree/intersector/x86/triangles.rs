@@ -1,11 +1,11 @@
 //! Four triangles in one register.
 
 use crate::Ray;
-use crate::coarse::Shear;
+use crate::f32_filter::Shear;
 use crate::tree::block::Block;
-use crate::tree::lanes::{FARTHER, Hits, Passed, Triangles, meet_in_turn};
+use crate::tree::extents::{CLASS_SHIFT, ERROR_BY_DEPTH, ERROR_BY_SIZE, QuantisedExtents};
+use crate::tree::intersector::{FARTHER, Hits, Passed, TriangleIntersector, meet_in_turn};
 use crate::tree::node::LEAF;
-use crate::tree::sizes::{CLASS_SHIFT, DOUBT_BY_DEPTH, DOUBT_BY_SIZE, Sizes};
 use std::arch::x86_64::*;
 
 /// Four triangles at once. Exists only where SSE4.1 does and, if `FUSED`, FMA.
@@ -21,7 +21,7 @@ pub(crate) struct TriangleRay<const FUSED: bool> {
     /// The direction, the longest coordinate last.
     pub(super) direction: [__m128; 3],
     /// From t to how far corners may be off by rounding, with room.
-    doubt: __m128,
+    error_bound: __m128,
     /// The bits of the size of the largest triangles of the tree.
     greatest: __m128i,
 }
@@ -36,7 +36,7 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
     /// # Safety
     /// The machine must have SSE4.1, and FMA if `FUSED`.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Ray, sizes: Sizes) -> Self {
+    pub(crate) unsafe fn new(ray: &Ray, extents: QuantisedExtents) -> Self {
         let shear = Shear::along(&ray.direction);
         // SAFETY: the caller promises SSE4.1.
         let splat = |x: f32| unsafe { _mm_set1_ps(x) };
@@ -48,9 +48,9 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
             slope: shear.slope.map(splat),
             reciprocal: splat(shear.reciprocal),
             direction: shear.axes.map(|axis| splat(direction[axis])),
-            doubt: splat(DOUBT_BY_DEPTH * direction[shear.axes[2]].abs()),
+            error_bound: splat(ERROR_BY_DEPTH * direction[shear.axes[2]].abs()),
             // SAFETY: as above.
-            greatest: unsafe { _mm_set1_epi32(sizes.greatest.cast_signed()) },
+            greatest: unsafe { _mm_set1_epi32(extents.greatest.cast_signed()) },
         }
     }
 
@@ -81,7 +81,7 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
     }
 }
 
-impl<const FUSED: bool> Triangles for TriangleRay<FUSED> {
+impl<const FUSED: bool> TriangleIntersector for TriangleRay<FUSED> {
     #[inline(always)]
     fn meet(&self, block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits<LEAF> {
         if FUSED {
@@ -91,7 +91,7 @@ impl<const FUSED: bool> Triangles for TriangleRay<FUSED> {
         }
     }
 
-    /// The triangles of which the edge functions, with all doubt, can have one sign.
+    /// The triangles of which the edge functions, with all error, can have one sign.
     ///
     /// With u the rounding of one operation, L the extent of a triangle along the axes and D
     /// its depth, corners are off by 5 u D + 9 u L at most, and corners of a triangle that the
@@ -108,16 +108,16 @@ impl<const FUSED: bool> Triangles for TriangleRay<FUSED> {
             let farthest = greatest(depths);
             let words = _mm_load_si128(block.words.as_ptr().cast());
             let class = _mm_srli_epi32::<{ CLASS_SHIFT }>(words);
-            let steps = _mm_slli_epi32::<{ Sizes::CLASS_IN_FLOAT }>(class);
+            let steps = _mm_slli_epi32::<{ QuantisedExtents::CLASS_IN_FLOAT }>(class);
             let size = _mm_castsi128_ps(_mm_sub_epi32(self.greatest, steps));
-            let by_depth = _mm_mul_ps(farthest, self.doubt);
-            let by_size = _mm_mul_ps(size, _mm_set1_ps(DOUBT_BY_SIZE));
-            let doubt = _mm_mul_ps(_mm_add_ps(size, by_depth), _mm_add_ps(by_size, by_depth));
-            // Products may vanish that are not zero; what is not a number stays in doubt.
+            let by_depth = _mm_mul_ps(farthest, self.error_bound);
+            let by_size = _mm_mul_ps(size, _mm_set1_ps(ERROR_BY_SIZE));
+            let error_bound = _mm_mul_ps(_mm_add_ps(size, by_depth), _mm_add_ps(by_size, by_depth));
+            // Products may vanish that are not zero; what is not a number is not decided.
             let nothing = _mm_set1_ps(-f32::MIN_POSITIVE);
             let inside = _mm_or_ps(
-                _mm_cmpnlt_ps(_mm_add_ps(least(edges), doubt), nothing),
-                _mm_cmpnlt_ps(_mm_sub_ps(doubt, greatest(edges)), nothing),
+                _mm_cmpnlt_ps(_mm_add_ps(least(edges), error_bound), nothing),
+                _mm_cmpnlt_ps(_mm_sub_ps(error_bound, greatest(edges)), nothing),
             );
             let limit = _mm_set1_ps(limit * FARTHER);
             let reached = _mm_and_ps(
@@ -128,7 +128,7 @@ impl<const FUSED: bool> Triangles for TriangleRay<FUSED> {
         }
     }
 
-    /// [`Flat::is_passed`](crate::coarse::Flat::is_passed) for the triangles of a block.
+    /// [`Flat::is_passed`](crate::f32_filter::Flat::is_passed) for the triangles of a block.
     #[inline(always)]
     fn pass(&self, block: &Block, limit: f32) -> Passed {
         // SAFETY: `self` shows that the machine has SSE4.1.
@@ -142,12 +142,12 @@ impl<const FUSED: bool> Triangles for TriangleRay<FUSED> {
                 _mm_cmplt_ps(least(depths), _mm_set1_ps(limit)),
             );
             let mask = _mm_movemask_ps(_mm_and_ps(inside, reached)) as u32;
-            let lanes = |row: __m128| {
-                let mut lanes = [0.0; LEAF];
-                _mm_storeu_ps(lanes.as_mut_ptr(), row);
-                lanes
+            let intersector = |row: __m128| {
+                let mut intersector = [0.0; LEAF];
+                _mm_storeu_ps(intersector.as_mut_ptr(), row);
+                intersector
             };
-            Passed { mask, edges: edges.map(lanes), depths: depths.map(lanes) }
+            Passed { mask, edges: edges.map(intersector), depths: depths.map(intersector) }
         }
     }
 }

@@ -3,10 +3,10 @@
 use crate::shape::ShapeHit;
 use crate::tree::batch::Batch;
 use crate::tree::block::Block;
-use crate::tree::eights::Eights;
-use crate::tree::fan::sight::Sight;
-use crate::tree::lanes::Triangles;
+use crate::tree::intersector::TriangleIntersector;
+use crate::tree::packet::triangles::PacketTriangles;
 use crate::tree::query::Query;
+use crate::tree::simd::Simd;
 use crate::tree::visitor::{Visitor, Visitors};
 use crate::{Hit, Ray};
 use std::ops::{ControlFlow, Range};
@@ -14,30 +14,30 @@ use std::ops::{ControlFlow, Range};
 /// What a [`Bvh`](crate::Bvh) can hold: [`Triangles`](crate::Triangles),
 /// [`Shapes`](crate::Shapes) or [`Instances`](crate::Instances).
 #[expect(private_bounds, reason = "there are these three; others come as shapes")]
-pub trait Contents: Holds {}
+pub trait LeafKind: Leaf {}
 
-impl<C: Holds> Contents for C {}
+impl<C: Leaf> LeafKind for C {}
 
-pub(crate) trait Holds: Send + Sync + Sized {
+pub(crate) trait Leaf: Send + Sync + Sized {
     /// Numbers of shapes are below this.
     fn count(&self) -> u32;
 
-    /// Offers the hits with the triangles of a block. `lanes` are those of the ray.
-    fn triangles<T: Triangles, Q: Query>(
+    /// Offers the hits with the triangles of a block. `intersector` is that of the ray.
+    fn triangles<T: TriangleIntersector, Q: Query>(
         &self,
         block: &Block,
-        lanes: &T,
+        intersector: &T,
         ray: &Ray,
         query: &mut Q,
     ) -> ControlFlow<()>;
 
-    /// Offers the hits with the triangles of a block to those rays of a fan that have a bit.
-    fn fan<E: Eights, Q: Query>(
+    /// Offers the hits with the triangles of a block to those rays of a packet that have a bit.
+    fn packet<E: Simd, Q: Query>(
         &self,
-        rays: &mut Visitors<Leaves<'_, Self, Q>>,
+        rays: &mut Visitors<LeafVisitor<'_, Self, Q>>,
         active: u32,
         block: &Block,
-        sight: &Sight<E>,
+        triangles: &PacketTriangles<E>,
     );
 
     /// Offers the hits with shape `number`, which is no triangle.
@@ -57,15 +57,15 @@ pub(super) fn offer<Q: Query>(
     }
 }
 
-/// Asks the contents of the leaves that a ray comes to.
-pub(crate) struct Leaves<'a, C, Q> {
-    pub(crate) contents: &'a C,
+/// Asks the primitives of the leaves that a ray comes to.
+pub(crate) struct LeafVisitor<'a, C, Q> {
+    pub(crate) primitives: &'a C,
     pub(crate) order: &'a [u32],
     pub(crate) ray: &'a Ray,
     pub(crate) query: Q,
 }
 
-impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
+impl<C: Leaf, Q: Query> LeafVisitor<'_, C, Q> {
     /// The ray as far as anything counts.
     #[inline]
     pub(super) fn ray(&self) -> Ray {
@@ -73,7 +73,7 @@ impl<C: Holds, Q: Query> Leaves<'_, C, Q> {
     }
 }
 
-impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
+impl<C: Leaf, Q: Query> Visitor for LeafVisitor<'_, C, Q> {
     const IN_ORDER: bool = Q::IN_ORDER;
 
     #[inline]
@@ -82,40 +82,49 @@ impl<C: Holds, Q: Query> Visitor for Leaves<'_, C, Q> {
     }
 
     #[inline(always)]
-    fn triangles<T: Triangles>(&mut self, block: &Block, lanes: &T) -> ControlFlow<()> {
-        self.contents.triangles(block, lanes, self.ray, &mut self.query)
+    fn triangles<T: TriangleIntersector>(
+        &mut self,
+        block: &Block,
+        intersector: &T,
+    ) -> ControlFlow<()> {
+        self.primitives.triangles(block, intersector, self.ray, &mut self.query)
     }
 
     #[inline(always)]
-    fn fan<E: Eights>(rays: &mut Visitors<Self>, active: u32, block: &Block, sight: &Sight<E>) {
-        rays.each[0].contents.fan(rays, active, block, sight);
+    fn packet<E: Simd>(
+        rays: &mut Visitors<Self>,
+        active: u32,
+        block: &Block,
+        triangles: &PacketTriangles<E>,
+    ) {
+        rays.each[0].primitives.packet(rays, active, block, triangles);
     }
 
     #[inline]
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()> {
         for &number in &self.order[places] {
             let ray = self.ray();
-            self.contents.shape(number, &ray, &mut self.query)?;
+            self.primitives.shape(number, &ray, &mut self.query)?;
         }
         ControlFlow::Continue(())
     }
 }
 
 /// Rays that all ask the same question, and what is done with the answers.
-pub(crate) struct Each<'a, B, A> {
+pub(crate) struct BatchQuery<'a, B, A> {
     pub(crate) rays: &'a [Ray],
     pub(crate) begin: B,
     pub(crate) answer: A,
 }
 
-impl<'a, C, Q, B, A> Batch<'a> for Each<'a, B, A>
+impl<'a, C, Q, B, A> Batch<'a> for BatchQuery<'a, B, A>
 where
-    C: Holds + 'a,
+    C: Leaf + 'a,
     Q: Query,
-    B: Fn(&'a Ray) -> Leaves<'a, C, Q>,
+    B: Fn(&'a Ray) -> LeafVisitor<'a, C, Q>,
     A: FnMut(usize, &Q),
 {
-    type Visitor = Leaves<'a, C, Q>;
+    type Visitor = LeafVisitor<'a, C, Q>;
 
     fn rays(&self) -> &'a [Ray] {
         self.rays

@@ -1,13 +1,13 @@
 //! From distances along the axes to t.
 
 use crate::Ray;
-use crate::tree::lanes::{FARTHER, NEARER};
+use crate::tree::intersector::{FARTHER, NEARER};
 use std::arch::x86_64::*;
 
 /// What a direction tells of boxes, in registers: through memory, where numbers would be
 /// written one by one and read together, it takes longer than all the rest.
 #[derive(Clone, Copy)]
-pub(super) struct Slopes {
+pub(super) struct RayBoxes {
     /// From a distance along an axis to t, for near and for far planes.
     near: __m128,
     far: __m128,
@@ -33,7 +33,7 @@ pub(super) static PLANES: [[usize; 6]; 8] = {
     table
 };
 
-impl Slopes {
+impl RayBoxes {
     /// # Safety
     /// The machine must have SSE4.1.
     #[inline(always)]
@@ -50,13 +50,13 @@ impl Slopes {
         }
     }
 
-    /// The slopes to near planes, each in all four places.
+    /// The reciprocals for near planes, each in all four places.
     #[inline(always)]
     pub(super) fn near(&self) -> [__m128; 3] {
         spread(self.near)
     }
 
-    /// The slopes to far planes, each in all four places.
+    /// The reciprocals for far planes, each in all four places.
     #[inline(always)]
     pub(super) fn far(&self) -> [__m128; 3] {
         spread(self.far)

@@ -1,6 +1,6 @@
 //! For x86-64: registers of four and two numbers, and how instructions become operators.
 //!
-//! Numbers exist only where their instructions do: an instruction set promises them, and
+//! Float exist only where their instructions do: an instruction set promises them, and
 //! numbers come from it or from others. Methods are inlined into a function that is compiled
 //! for those instructions.
 
@@ -11,10 +11,10 @@
 mod avx2;
 mod sse41;
 
-pub(crate) use avx2::Avx2Eights;
-pub(crate) use sse41::Sse41Eights;
+pub(crate) use avx2::Avx2Simd;
+pub(crate) use sse41::Sse41Simd;
 
-use super::{FOUR, Four, Numbers};
+use super::{F32x4, FOUR, Float};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -27,7 +27,7 @@ macro_rules! register {
         register!(@operator $register, Mul, mul, $mul);
         register!(@operator $register, Div, div, $div);
 
-        impl Numbers for $register {
+        impl Float for $register {
             const COUNT: u32 = $count;
 
             #[inline(always)]
@@ -69,7 +69,7 @@ macro_rules! register {
 }
 use register;
 
-/// Four in single precision.
+/// F32x4 in single precision.
 #[derive(Clone, Copy)]
 pub(crate) struct Fours(__m128);
 
@@ -101,7 +101,7 @@ impl Fours {
     }
 }
 
-impl Four for Fours {
+impl F32x4 for Fours {
     #[inline(always)]
     fn to_array(self) -> [f32; FOUR] {
         let mut numbers = [0.0; FOUR];
@@ -122,14 +122,14 @@ impl<N: Copy> Twice<N> {
     }
 }
 
-impl<N: Numbers> Twice<N> {
+impl<N: Float> Twice<N> {
     #[inline(always)]
     fn masks(low: u32, high: u32) -> u32 {
         low | high << N::COUNT
     }
 }
 
-impl<N: Numbers> Add for Twice<N> {
+impl<N: Float> Add for Twice<N> {
     type Output = Self;
 
     #[inline(always)]
@@ -138,7 +138,7 @@ impl<N: Numbers> Add for Twice<N> {
     }
 }
 
-impl<N: Numbers> Sub for Twice<N> {
+impl<N: Float> Sub for Twice<N> {
     type Output = Self;
 
     #[inline(always)]
@@ -147,7 +147,7 @@ impl<N: Numbers> Sub for Twice<N> {
     }
 }
 
-impl<N: Numbers> Mul for Twice<N> {
+impl<N: Float> Mul for Twice<N> {
     type Output = Self;
 
     #[inline(always)]
@@ -156,7 +156,7 @@ impl<N: Numbers> Mul for Twice<N> {
     }
 }
 
-impl<N: Numbers> Div for Twice<N> {
+impl<N: Float> Div for Twice<N> {
     type Output = Self;
 
     #[inline(always)]
@@ -165,7 +165,7 @@ impl<N: Numbers> Div for Twice<N> {
     }
 }
 
-impl<N: Numbers> Numbers for Twice<N> {
+impl<N: Float> Float for Twice<N> {
     const COUNT: u32 = 2 * N::COUNT;
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! For any machine.
 
-use super::{Double, EIGHT, Eights, FOUR, Four, Numbers, Single};
+use super::{F32x4, F32x8, F64x8, FOUR, Float, PACKET, Simd};
 use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -25,18 +25,18 @@ fn mask<const N: usize>(is_set: [bool; N]) -> u32 {
     bits.iter().fold(0, |mask, bit| mask | bit)
 }
 
-impl Eights for Portable {
-    type Single = Array<f32, EIGHT>;
-    type Four = Array<f32, FOUR>;
+impl Simd for Portable {
+    type F32x8 = Array<f32, PACKET>;
+    type F32x4 = Array<f32, FOUR>;
 
     #[inline(always)]
-    fn load(self, numbers: [f32; EIGHT]) -> Array<f32, EIGHT> {
+    fn load(self, numbers: [f32; PACKET]) -> Array<f32, PACKET> {
         Array(numbers)
     }
 
     #[inline(always)]
-    fn splat(self, number: f32) -> Array<f32, EIGHT> {
-        Array([number; EIGHT])
+    fn splat(self, number: f32) -> Array<f32, PACKET> {
+        Array([number; PACKET])
     }
 
     #[inline(always)]
@@ -50,8 +50,8 @@ impl Eights for Portable {
     }
 
     #[inline(always)]
-    fn splat_double(self, number: f64) -> Array<f64, EIGHT> {
-        Array([number; EIGHT])
+    fn splat_double(self, number: f64) -> Array<f64, PACKET> {
+        Array([number; PACKET])
     }
 }
 
@@ -91,7 +91,7 @@ impl<T: Copy + Div<Output = T>, const N: usize> Div for Array<T, N> {
     }
 }
 
-impl<T, const N: usize> Numbers for Array<T, N>
+impl<T, const N: usize> Float for Array<T, N>
 where
     T: Copy + PartialOrd + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
 {
@@ -118,8 +118,8 @@ where
     }
 }
 
-impl Single for Array<f32, EIGHT> {
-    type Double = Array<f64, EIGHT>;
+impl F32x8 for Array<f32, PACKET> {
+    type F64x8 = Array<f64, PACKET>;
 
     #[inline(always)]
     fn minus_about(self, a: Self, b: Self) -> Self {
@@ -142,12 +142,12 @@ impl Single for Array<f32, EIGHT> {
     }
 
     #[inline(always)]
-    fn widen(self) -> Array<f64, EIGHT> {
+    fn widen(self) -> Array<f64, PACKET> {
         Array(self.0.map(f64::from))
     }
 
     #[inline(always)]
-    fn to_array(self) -> [f32; EIGHT] {
+    fn to_array(self) -> [f32; PACKET] {
         self.0
     }
 
@@ -162,18 +162,18 @@ impl Single for Array<f32, EIGHT> {
     }
 }
 
-impl Four for Array<f32, FOUR> {
+impl F32x4 for Array<f32, FOUR> {
     #[inline(always)]
     fn to_array(self) -> [f32; FOUR] {
         self.0
     }
 }
 
-impl Double for Array<f64, EIGHT> {
-    type Single = Array<f32, EIGHT>;
+impl F64x8 for Array<f64, PACKET> {
+    type F32x8 = Array<f32, PACKET>;
 
     #[inline(always)]
-    fn narrow(self) -> Array<f32, EIGHT> {
+    fn narrow(self) -> Array<f32, PACKET> {
         Array(self.0.map(|x| x as f32))
     }
 }

@@ -15,7 +15,7 @@ use super::block::Block;
 use super::mask::ones;
 use super::node::{Child, LEAF, Node, WIDTH};
 use super::stack::Stack;
-use crate::coarse::Flat;
+use crate::f32_filter::Flat;
 use crate::shape::ShapeHit;
 use crate::{Ray, watertight};
 
@@ -27,7 +27,7 @@ pub(super) const NEARER: f32 = 1.0 - 64.0 * f32::EPSILON;
 pub(super) const FARTHER: f32 = 1.0 + 64.0 * f32::EPSILON;
 
 /// A ray prepared for tests of many boxes, and triangles, at once.
-pub(crate) trait Lanes: Triangles {
+pub(crate) trait ChildIntersector: TriangleIntersector {
     /// Puts the boxes that the ray meets before `limit` on the stack by these names, in
     /// the order of its octant; unless `in_order` is asked, perhaps in another.
     ///
@@ -46,7 +46,7 @@ pub(crate) trait Lanes: Triangles {
     /// For rays that go together: from a distance along each axis to t, for near planes
     /// with the reciprocal nearest to zero and for far planes with that farthest from it, so
     /// that boxes are open to all.
-    fn with_slopes(self, near: [f32; 3], far: [f32; 3]) -> Self;
+    fn with_reciprocals(self, near: [f32; 3], far: [f32; 3]) -> Self;
 
     /// [`open`](Self::open), and the box to open next.
     #[inline(always)]
@@ -63,7 +63,7 @@ pub(crate) trait Lanes: Triangles {
 }
 
 /// A ray prepared for tests of many triangles at once.
-pub(crate) trait Triangles: Copy {
+pub(crate) trait TriangleIntersector: Copy {
     /// One bit for each triangle that the ray may meet at 0 < t < `limit`, and perhaps for
     /// others: [`meet`](Self::meet) has the last word.
     fn candidates(&self, block: &Block, limit: f32) -> u32;
@@ -79,7 +79,7 @@ pub(crate) trait Triangles: Copy {
     }
 }
 
-/// Where a ray meets the triangles of a block, or the rays of a fan one triangle; one bit for
+/// Where a ray meets the triangles of a block, or the rays of a packet one triangle; one bit for
 /// each that does meet.
 pub(crate) struct Hits<const N: usize> {
     pub(crate) mask: u32,

@@ -3,7 +3,7 @@
 use super::triangles::TriangleRay;
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::lanes::{Hits, meet_in_turn};
+use crate::tree::intersector::{Hits, meet_in_turn};
 use crate::tree::node::LEAF;
 use std::arch::x86_64::*;
 
@@ -33,8 +33,8 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
                 [self.corners(block, 0), self.corners(block, 1), self.corners(block, 2)];
             let edges = [edge(&b, &c), edge(&c, &a), edge(&a, &b)];
             let is_zero = edges.map(|edge| _mm256_cmp_pd::<_CMP_EQ_OQ>(edge, zero));
-            let in_doubt = _mm256_or_pd(_mm256_or_pd(is_zero[0], is_zero[1]), is_zero[2]);
-            if _mm256_movemask_pd(in_doubt) as u32 & candidates != 0 {
+            let undecided = _mm256_or_pd(_mm256_or_pd(is_zero[0], is_zero[1]), is_zero[2]);
+            if _mm256_movemask_pd(undecided) as u32 & candidates != 0 {
                 return meet_in_turn_rarely(block, candidates, ray, limit);
             }
             let [of_a, of_b, of_c] = edges;
@@ -56,12 +56,17 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
             let counts =
                 _mm_and_ps(_mm_cmpgt_ps(t, _mm_setzero_ps()), _mm_cmplt_ps(t, _mm_set1_ps(limit)));
             let mask = _mm256_movemask_pd(inside) & _mm_movemask_ps(counts);
-            let lanes = |row: __m128| {
-                let mut lanes = [0.0; LEAF];
-                _mm_storeu_ps(lanes.as_mut_ptr(), row);
-                lanes
+            let intersector = |row: __m128| {
+                let mut intersector = [0.0; LEAF];
+                _mm_storeu_ps(intersector.as_mut_ptr(), row);
+                intersector
             };
-            Hits { mask: mask as u32 & candidates, t: lanes(t), u: lanes(u), v: lanes(v) }
+            Hits {
+                mask: mask as u32 & candidates,
+                t: intersector(t),
+                u: intersector(u),
+                v: intersector(v),
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! The kernels for x86-64: AVX2, and SSE4.1 for older machines.
 //!
-//! Each type exists only where its instructions do: that is the promise of its
+//! BatchQuery type exists only where its instructions do: that is the promise of its
 //! `new`, and what makes its methods sound. They are inlined into a function that
 //! is compiled for those instructions.
 
@@ -10,8 +10,8 @@
 #![allow(clippy::cast_ptr_alignment, clippy::wildcard_imports)]
 
 mod avx2;
+mod boxes;
 mod exact;
-mod slopes;
 mod sse41;
 mod triangles;
 

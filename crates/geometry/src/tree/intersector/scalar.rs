@@ -1,8 +1,10 @@
 //! The kernel for any machine, which is what the others are checked against.
 
-use super::{FARTHER, Lanes, NEARER, Passed, Triangles, greater, lesser, push};
+use super::{
+    ChildIntersector, FARTHER, NEARER, Passed, TriangleIntersector, greater, lesser, push,
+};
 use crate::Ray;
-use crate::coarse::Shear;
+use crate::f32_filter::Shear;
 use crate::tree::block::Block;
 use crate::tree::node::{Child, LEAF, Node, WIDTH};
 use crate::tree::stack::Stack;
@@ -40,7 +42,7 @@ impl<'a> Scalar<'a> {
     }
 }
 
-impl Lanes for Scalar<'_> {
+impl ChildIntersector for Scalar<'_> {
     #[inline]
     fn open(
         &self,
@@ -64,12 +66,12 @@ impl Lanes for Scalar<'_> {
     }
 
     #[inline]
-    fn with_slopes(self, near: [f32; 3], far: [f32; 3]) -> Self {
+    fn with_reciprocals(self, near: [f32; 3], far: [f32; 3]) -> Self {
         Self { near, far, ..self }
     }
 }
 
-impl Triangles for Scalar<'_> {
+impl TriangleIntersector for Scalar<'_> {
     /// All there are: what a ray may meet, asking will tell.
     #[inline]
     fn candidates(&self, block: &Block, _: f32) -> u32 {

@@ -1,7 +1,7 @@
 //! How large a triangle is at most, in four bits, and its sides, in one.
 //!
 //! Edge functions in single precision have errors that grow with the size of the triangle.
-//! A kernel that knows the size knows which signs are in doubt.
+//! A kernel that knows the size knows which signs are not certain.
 
 use crate::Sides;
 
@@ -15,9 +15,9 @@ pub(crate) const MOST: u32 = FRONT_ALONE;
 const ROUNDING: f32 = f32::EPSILON / 2.0;
 
 /// How far an edge function may be off for each unit of depth and of size, as
-/// [`Triangles::candidates`](super::lanes::Triangles::candidates) has it.
-pub(crate) const DOUBT_BY_DEPTH: f32 = 48.0 * ROUNDING;
-pub(crate) const DOUBT_BY_SIZE: f32 = 96.0 * ROUNDING;
+/// [`TriangleIntersector::candidates`](super::intersector::TriangleIntersector::candidates) has it.
+pub(crate) const ERROR_BY_DEPTH: f32 = 48.0 * ROUNDING;
+pub(crate) const ERROR_BY_SIZE: f32 = 96.0 * ROUNDING;
 
 /// Where in a word the class is.
 pub(crate) const CLASS_SHIFT: i32 = 28;
@@ -29,24 +29,24 @@ const SMALLEST: u32 = 14;
 /// Where in a float the power of two is.
 const EXPONENT_SHIFT: i32 = 23;
 
-/// The exponent, with bias, of the largest sizes of which edge functions do not overflow:
+/// The exponent, with bias, of the largest extents of which edge functions do not overflow:
 /// the corners of a triangle that is met are at most twice as far from the ray, and a
 /// product of two such distances is less than 2¹²⁷.
 const LARGEST: u32 = 127 + 62;
 
 /// That of the greatest float. With it and all classes from there errors overflow, which
-/// leaves all triangles in doubt.
+/// decides for no triangle.
 const GREATEST: u32 = 127 + 127;
 
 /// The classes of a tree: up to a power of two, up to a quarter of it, and so on.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sizes {
+pub(crate) struct QuantisedExtents {
     /// The bits of the greatest size as a float. Those of others are less by one at
     /// [`Self::CLASS_IN_FLOAT`] for each class.
     pub(crate) greatest: u32,
 }
 
-impl Sizes {
+impl QuantisedExtents {
     /// A class makes a size smaller by a factor of four: two steps of the exponent.
     pub(crate) const CLASS_IN_FLOAT: i32 = EXPONENT_SHIFT + 1;
 
@@ -100,13 +100,16 @@ mod tests {
     #[test]
     fn no_triangle_is_larger_than_its_class() {
         for greatest in [0.0, 1e-30, 0.3, 1.0, 1e30] {
-            let sizes = Sizes::up_to(greatest);
+            let extents = QuantisedExtents::up_to(greatest);
             for part in [1.0, 0.9, 0.5, 0.26, 0.25, 0.2, 1e-3, 1e-7, 1e-20, 0.0] {
                 let (number, extent) = (123_456_789, part * greatest);
                 let sides = if part == 0.5 { Sides::Front } else { Sides::Both };
-                let word = sizes.word(number, sides, extent);
-                assert_eq!((Sizes::number(word), Sizes::sides(word)), (number, sides));
-                let (class, size) = (word >> CLASS_SHIFT, sizes.size(word));
+                let word = extents.word(number, sides, extent);
+                assert_eq!(
+                    (QuantisedExtents::number(word), QuantisedExtents::sides(word)),
+                    (number, sides)
+                );
+                let (class, size) = (word >> CLASS_SHIFT, extents.size(word));
                 assert!(size >= extent && size > 0.0, "{size:e} {extent:e}");
                 assert!(class == SMALLEST || size <= 8.0 * extent.max(2.0_f32.powi(-90)));
             }

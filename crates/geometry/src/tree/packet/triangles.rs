@@ -1,45 +1,45 @@
-//! A fan before triangles.
+//! A packet before triangles.
 
 use super::rays::Rays;
 use crate::tree::block::Block;
-use crate::tree::eights::{Eights, Four, Single};
+use crate::tree::extents::QuantisedExtents;
 use crate::tree::node::LEAF;
-use crate::tree::sizes::Sizes;
+use crate::tree::simd::{F32x4, F32x8, Simd};
 
-/// A fan as triangles see it; the longest coordinate comes last.
+/// A packet as triangles see it; the longest coordinate comes last.
 #[derive(Clone, Copy)]
-pub(crate) struct Sight<E: Eights> {
-    pub(crate) eights: E,
+pub(crate) struct PacketTriangles<E: Simd> {
+    pub(crate) simd: E,
     pub(super) axes: [usize; 3],
     pub(super) origin: [f32; 3],
-    pub(super) direction: [E::Single; 3],
+    pub(super) direction: [E::F32x8; 3],
     /// How fast the rays move along the two that stay.
-    slope: [E::Single; 2],
+    slope: [E::F32x8; 2],
     /// From depth to t.
-    pub(super) reciprocal: E::Single,
-    /// From depth to how far it is ahead: 1 or −1.
-    pub(super) ahead: f32,
-    pub(super) sizes: Sizes,
+    pub(super) reciprocal: E::F32x8,
+    /// From depth to how far it is in front: 1 or −1.
+    pub(super) in_front: f32,
+    pub(super) extents: QuantisedExtents,
 }
 
 /// Coordinates of the corners of triangles: by corner, by axis, by triangle.
 pub(crate) type Corners = [[[f32; LEAF]; 3]; 3];
 
-impl<E: Eights> Sight<E> {
+impl<E: Simd> PacketTriangles<E> {
     #[inline(always)]
-    pub(super) fn of(rays: &Rays<E>, sizes: Sizes) -> Self {
+    pub(super) fn of(rays: &Rays<E>, extents: QuantisedExtents) -> Self {
         let axes = rays.axes;
         let direction = [0, 1, 2].map(|i| rays.directions[axes[i]]);
         let reciprocal = direction[2].reciprocal();
         Self {
-            eights: rays.eights,
+            simd: rays.simd,
             axes,
             origin: axes.map(|axis| rays.origin[axis]),
             direction,
             slope: [direction[0] * reciprocal, direction[1] * reciprocal],
             reciprocal,
-            ahead: if rays.backward[axes[2]] == 0 { 1.0 } else { -1.0 },
-            sizes,
+            in_front: if rays.backward[axes[2]] == 0 { 1.0 } else { -1.0 },
+            extents,
         }
     }
 
@@ -51,7 +51,7 @@ impl<E: Eights> Sight<E> {
 
     /// [`corners`](Self::corners) before they go to memory.
     #[inline(always)]
-    pub(super) fn relative(&self, block: &Block) -> [[E::Four; 3]; 3] {
+    pub(super) fn relative(&self, block: &Block) -> [[E::F32x4; 3]; 3] {
         let corner = |corner: usize| {
             [self.row(block, corner, 0), self.row(block, corner, 1), self.row(block, corner, 2)]
         };
@@ -59,23 +59,23 @@ impl<E: Eights> Sight<E> {
     }
 
     #[inline(always)]
-    fn row(&self, block: &Block, corner: usize, i: usize) -> E::Four {
+    fn row(&self, block: &Block, corner: usize, i: usize) -> E::F32x4 {
         let row = block.corners[corner][self.axes[i]];
-        self.eights.load_four(row) - self.eights.splat_four(self.origin[i])
+        self.simd.load_four(row) - self.simd.splat_four(self.origin[i])
     }
 
-    /// The edge functions of a triangle for each ray: see [`Flat`](crate::coarse::Flat).
+    /// The edge functions of a triangle for each ray: see [`Flat`](crate::f32_filter::Flat).
     #[inline(always)]
     pub(super) fn edges(
         &self,
         corners: &Corners,
         lane: usize,
-        minus_product: impl Fn(E::Single, E::Single, E::Single) -> E::Single,
-    ) -> [E::Single; 3] {
+        minus_product: impl Fn(E::F32x8, E::F32x8, E::F32x8) -> E::F32x8,
+    ) -> [E::F32x8; 3] {
         let a = self.place(&corners[0], lane, &minus_product);
         let b = self.place(&corners[1], lane, &minus_product);
         let c = self.place(&corners[2], lane, &minus_product);
-        let cross = |p: [E::Single; 2], q: [E::Single; 2]| minus_product(p[0] * q[1], p[1], q[0]);
+        let cross = |p: [E::F32x8; 2], q: [E::F32x8; 2]| minus_product(p[0] * q[1], p[1], q[0]);
         [cross(b, c), cross(c, a), cross(a, b)]
     }
 
@@ -85,18 +85,18 @@ impl<E: Eights> Sight<E> {
         &self,
         corner: &[[f32; LEAF]; 3],
         lane: usize,
-        minus_product: impl Fn(E::Single, E::Single, E::Single) -> E::Single,
-    ) -> [E::Single; 2] {
-        let x = self.eights.splat(corner[0][lane]);
-        let y = self.eights.splat(corner[1][lane]);
-        let depth = self.eights.splat(corner[2][lane]);
+        minus_product: impl Fn(E::F32x8, E::F32x8, E::F32x8) -> E::F32x8,
+    ) -> [E::F32x8; 2] {
+        let x = self.simd.splat(corner[0][lane]);
+        let y = self.simd.splat(corner[1][lane]);
+        let depth = self.simd.splat(corner[2][lane]);
         [minus_product(x, self.slope[0], depth), minus_product(y, self.slope[1], depth)]
     }
 }
 
 /// In memory, from where instructions take one number eight times.
 #[inline(always)]
-pub(super) fn arrays<F: Four>([a, b, c]: [[F; 3]; 3]) -> Corners {
+pub(super) fn arrays<F: F32x4>([a, b, c]: [[F; 3]; 3]) -> Corners {
     let rows = |[x, y, z]: [F; 3]| [x.to_array(), y.to_array(), z.to_array()];
     [rows(a), rows(b), rows(c)]
 }

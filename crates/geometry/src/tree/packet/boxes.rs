@@ -1,31 +1,31 @@
-//! A fan before boxes.
+//! A packet before boxes.
 
 use super::rays::Rays;
-use crate::tree::eights::{EIGHT, Eights, Numbers, Single};
-use crate::tree::lanes::{FARTHER, NEARER};
+use crate::tree::intersector::{FARTHER, NEARER};
 use crate::tree::node::Node;
+use crate::tree::simd::{F32x8, Float, PACKET, Simd};
 
-/// A fan as boxes see it.
+/// A packet as boxes see it.
 #[derive(Clone, Copy)]
-pub(super) struct Slopes<E: Eights> {
-    eights: E,
+pub(super) struct PacketBoxes<E: Simd> {
+    simd: E,
     origin: [f32; 3],
     /// For each axis 1 if they go backward along it.
     backward: [usize; 3],
     /// By axis: from a distance along it to t, for near and for far planes.
-    near: [E::Single; 3],
-    far: [E::Single; 3],
+    near: [E::F32x8; 3],
+    far: [E::F32x8; 3],
 }
 
-impl<E: Eights> Slopes<E> {
+impl<E: Simd> PacketBoxes<E> {
     #[inline(always)]
     pub(super) fn of(rays: &Rays<E>) -> Self {
-        let eights = rays.eights;
+        let simd = rays.simd;
         let [x, y, z] = rays.directions;
         let [x, y, z] = [x.reciprocal(), y.reciprocal(), z.reciprocal()];
-        let [nearer, farther] = [eights.splat(NEARER), eights.splat(FARTHER)];
+        let [nearer, farther] = [simd.splat(NEARER), simd.splat(FARTHER)];
         Self {
-            eights,
+            simd,
             origin: rays.origin.to_array(),
             backward: rays.backward,
             near: [x * nearer, y * nearer, z * nearer],
@@ -33,7 +33,7 @@ impl<E: Eights> Slopes<E> {
         }
     }
 
-    /// The slopes with which a box is open that is open to any of the rays: of each axis the
+    /// The reciprocals with which a box is open that is open to any of the rays: of each axis the
     /// nearest to zero for near planes, the farthest from it for far ones.
     #[inline(always)]
     pub(super) fn widest(&self) -> [[f32; 3]; 2] {
@@ -47,14 +47,14 @@ impl<E: Eights> Slopes<E> {
 
     /// One bit for each ray that meets a box of a node before its limit.
     #[inline(always)]
-    pub(super) fn meet(&self, node: &Node, lane: usize, limits: &[f32; EIGHT]) -> u32 {
+    pub(super) fn meet(&self, node: &Node, lane: usize, limits: &[f32; PACKET]) -> u32 {
         let plane = |axis: usize, side: usize| {
-            self.eights.splat(node.planes[2 * axis + side % 2][lane] - self.origin[axis])
+            self.simd.splat(node.planes[2 * axis + side % 2][lane] - self.origin[axis])
         };
-        let limits = self.eights.load(*limits);
+        let limits = self.simd.load(*limits);
         let near = |axis: usize| plane(axis, self.backward[axis]) * self.near[axis];
         let far = |axis: usize| plane(axis, 1 ^ self.backward[axis]) * self.far[axis];
-        let enter = near(0).greater(near(1)).greater(near(2).greater(self.eights.splat(0.0)));
+        let enter = near(0).greater(near(1)).greater(near(2).greater(self.simd.splat(0.0)));
         let leave = far(0).lesser(far(1)).lesser(far(2).lesser(limits));
         enter.at_most(leave)
     }

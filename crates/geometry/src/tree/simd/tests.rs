@@ -1,40 +1,40 @@
 //! All instruction sets compute the same.
 
-use super::{Avx2Eights, Double, EIGHT, Eights, Four, Numbers, Portable, Single, Sse41Eights};
+use super::{Avx2Simd, F32x4, F32x8, F64x8, Float, PACKET, Portable, Simd, Sse41Simd};
 use crate::testing::Random;
 use std::array::from_fn;
 
 /// What all operations make of two lists, as bits; what is not a number is the same whatever
 /// its bits.
-fn answers<E: Eights>(eights: E, a: [f32; EIGHT], b: [f32; EIGHT]) -> Vec<u64> {
-    let (x, y) = (eights.load(a), eights.load(b));
+fn answers<E: Simd>(simd: E, a: [f32; PACKET], b: [f32; PACKET]) -> Vec<u64> {
+    let (x, y) = (simd.load(a), simd.load(b));
     let of_both = [x + y, x - y, x * y, x / y, x.lesser(y), x.greater(y)];
     let of_one = [x.abs(), x.reciprocal()];
     let (v, w) = (x.widen(), y.widen());
     let doubles = [v + w, v - w, v * w, v / w, v.lesser(w), v.greater(w)];
-    let exactly = eights.splat_double(1e-60);
+    let exactly = simd.splat_double(1e-60);
     let narrow = doubles.map(|d| d.narrow().to_array()).into_iter().flatten();
-    let four = |all: [f32; EIGHT]| eights.load_four(from_fn(|i| all[i]));
+    let four = |all: [f32; PACKET]| simd.load_four(from_fn(|i| all[i]));
     let (f, g) = (four(a), four(b));
-    let fours = [f + g, f - g, f * g, f / g, f.lesser(g), f.greater(g), eights.splat_four(a[1])];
+    let fours = [f + g, f - g, f * g, f / g, f.lesser(g), f.greater(g), simd.splat_four(a[1])];
     let masks = [
         [x.below(y), x.at_most(y), x.signs(), y.signs()],
         [v.below(w), v.at_most(w), (v * exactly).below(w * exactly), w.at_most(v)],
         [f.below(g), f.at_most(g), g.below(f), g.at_most(f)],
     ];
-    let product = eights.splat(b[0]).minus_product(x, y).to_array();
-    let singles = of_both.into_iter().chain(of_one).flat_map(Single::to_array);
-    let fours = fours.map(Four::to_array).into_iter().flatten();
+    let product = simd.splat(b[0]).minus_product(x, y).to_array();
+    let singles = of_both.into_iter().chain(of_one).flat_map(F32x8::to_array);
+    let fours = fours.map(F32x4::to_array).into_iter().flatten();
     let numbers = singles.chain(narrow).chain(fours).chain(product);
     let numbers = numbers.map(|x| if x.is_nan() { u64::MAX } else { u64::from(x.to_bits()) });
     numbers.chain(masks.into_iter().flatten().map(u64::from)).collect()
 }
 
-fn avx2() -> Option<Avx2Eights> {
+fn avx2() -> Option<Avx2Simd> {
     let is_there = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
     // SAFETY: the machine has them.
     #[allow(unsafe_code)]
-    is_there.then(|| unsafe { Avx2Eights::new() })
+    is_there.then(|| unsafe { Avx2Simd::new() })
 }
 
 const SPECIAL: [f32; 12] = [
@@ -62,7 +62,7 @@ fn operations_give_the_same_bits() {
         };
         let (a, b) = (from_fn(|_| number()), from_fn(|_| number()));
         let expected = answers(Portable, a, b);
-        assert_eq!(answers(Sse41Eights, a, b), expected, "{round}: {a:?} {b:?}");
+        assert_eq!(answers(Sse41Simd, a, b), expected, "{round}: {a:?} {b:?}");
         if let Some(avx2) = avx2() {
             assert_eq!(answers(avx2, a, b), expected, "{round}: {a:?} {b:?}");
         }
@@ -71,26 +71,26 @@ fn operations_give_the_same_bits() {
 
 #[test]
 fn the_least_and_the_greatest_of_eight_are_found() {
-    fn check<E: Eights>(eights: E) {
-        for place in 0..EIGHT {
-            let numbers = eights.load(from_fn(|i| ((i + place) % EIGHT) as f32 - 3.0));
+    fn check<E: Simd>(simd: E) {
+        for place in 0..PACKET {
+            let numbers = simd.load(from_fn(|i| ((i + place) % PACKET) as f32 - 3.0));
             assert_eq!([numbers.smallest(), numbers.largest()], [-3.0, 4.0]);
         }
     }
     check(Portable);
-    check(Sse41Eights);
+    check(Sse41Simd);
     avx2().into_iter().for_each(check);
 }
 
 /// Once or twice rounded, it is within a rounding of the product and one of the result.
 #[test]
 fn a_difference_from_a_product_is_about_right() {
-    fn check<E: Eights>(eights: E) {
+    fn check<E: Simd>(simd: E) {
         let mut random = Random::new(4);
         for _ in 0..1000 {
             let [a, b, c] = from_fn(|_| from_fn(|_| random.number() * 2.0 - 1.0));
-            let about = eights.load(a).minus_about(eights.load(b), eights.load(c)).to_array();
-            for i in 0..EIGHT {
+            let about = simd.load(a).minus_about(simd.load(b), simd.load(c)).to_array();
+            for i in 0..PACKET {
                 let product = f64::from(b[i]) * f64::from(c[i]);
                 let exact = f64::from(a[i]) - product;
                 let room = f64::from(f32::EPSILON) * (product.abs() + exact.abs());
@@ -99,6 +99,6 @@ fn a_difference_from_a_product_is_about_right() {
         }
     }
     check(Portable);
-    check(Sse41Eights);
+    check(Sse41Simd);
     avx2().into_iter().for_each(check);
 }

@@ -1,12 +1,12 @@
 //! Eight boxes in two registers.
 
-use super::slopes::{PLANES, Slopes};
+use super::boxes::{PLANES, RayBoxes};
 use super::triangles::TriangleRay;
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::lanes::{Lanes, Passed, Triangles, push};
+use crate::tree::extents::QuantisedExtents;
+use crate::tree::intersector::{ChildIntersector, Passed, TriangleIntersector, push};
 use crate::tree::node::{Child, Node, WIDTH};
-use crate::tree::sizes::Sizes;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
@@ -24,16 +24,16 @@ impl Sse41 {
     /// # Safety
     /// The machine must have SSE4.1.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Ray, sizes: Sizes) -> Self {
+    pub(crate) unsafe fn new(ray: &Ray, extents: QuantisedExtents) -> Self {
         // SAFETY: the caller promises SSE4.1.
         unsafe {
-            let slopes = Slopes::of(ray);
+            let boxes = RayBoxes::of(ray);
             Self {
                 origin: ray.origin.to_array().map(|x| _mm_set1_ps(x)),
-                near: slopes.near(),
-                far: slopes.far(),
-                octant: slopes.octant,
-                triangles: TriangleRay::new(ray, sizes),
+                near: boxes.near(),
+                far: boxes.far(),
+                octant: boxes.octant,
+                triangles: TriangleRay::new(ray, extents),
             }
         }
     }
@@ -60,7 +60,7 @@ impl Sse41 {
     }
 }
 
-impl Lanes for Sse41 {
+impl ChildIntersector for Sse41 {
     #[inline(always)]
     fn open(
         &self,
@@ -83,14 +83,14 @@ impl Lanes for Sse41 {
     }
 
     #[inline(always)]
-    fn with_slopes(self, near: [f32; 3], far: [f32; 3]) -> Self {
+    fn with_reciprocals(self, near: [f32; 3], far: [f32; 3]) -> Self {
         // SAFETY: `self` shows that the machine has SSE4.1.
         let splat = |x: f32| unsafe { _mm_set1_ps(x) };
         Self { near: near.map(splat), far: far.map(splat), ..self }
     }
 }
 
-impl Triangles for Sse41 {
+impl TriangleIntersector for Sse41 {
     #[inline(always)]
     fn candidates(&self, block: &Block, limit: f32) -> u32 {
         self.triangles.candidates(block, limit)
