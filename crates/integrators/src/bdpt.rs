@@ -10,6 +10,7 @@
 //! would need a marginal density that nobody can evaluate.
 
 mod connect;
+mod connection_roulette;
 mod direct_sum;
 mod report;
 mod subset;
@@ -17,7 +18,6 @@ mod techniques;
 mod vertex;
 mod walk;
 mod weight;
-mod worth;
 
 pub use report::{Report, Technique};
 pub use subset::TechniqueSet;

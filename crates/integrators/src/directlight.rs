@@ -2,7 +2,7 @@
 
 use crate::direct::{LightSample, sample_light};
 use crate::step::next_step;
-use crate::tracer::{Met, Tracer};
+use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_geometry::Ray;
 use traylib_math::{
@@ -53,19 +53,19 @@ impl DirectLight {
         let mut arrival = Arrival::Alone;
         for edges in 1.. {
             let numbers = sampler.next_vertex();
-            let met = tracer.edge_from_camera(edges, &ray, numbers.passage);
-            let Some(Met { point, passed }) = met else { break };
-            throughput *= passed;
+            let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
+            let Some(SurfaceHit { point, transmittance }) = hit else { break };
+            throughput *= transmittance;
             let wo = -ray.direction;
             radiance += throughput * self.hit_emission(scene, &point, wo, arrival);
             if !self.limits.allow(edges + 1) {
                 break;
             }
             if let Some(light) = sample_light(scene, &point, wo, &numbers)
-                && let Some(part) = light.visible(tracer, &point)
+                && let Some(transmittance) = light.visible(tracer, &point)
             {
                 let weight = self.light_weight(scene, &point, &light);
-                radiance += throughput * light.radiance * part * weight;
+                radiance += throughput * light.radiance * transmittance * weight;
             }
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);

@@ -1,6 +1,6 @@
 //! How a light path starts.
 
-use crate::tracer::{Met, Tracer};
+use crate::tracer::{SurfaceHit, Tracer};
 use traylib_geometry::Ray;
 use traylib_math::{Rgb, Sampler, Vec2, Vec3, VertexNumbers};
 use traylib_scene::{LightDensities, LightPoint, SurfacePoint};
@@ -32,7 +32,7 @@ pub(crate) fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emi
         return None;
     }
     let ray = Ray::new(x0.ray_origin(direction), direction);
-    let Met { point: x1, passed } = tracer.bounce_ray(&ray, numbers.passage)?;
+    let SurfaceHit { point: x1, transmittance } = tracer.bounce_ray(&ray, numbers.pass_through)?;
     let x1_position = x1.site.position;
     let densities = tracer.scene.light_densities(choice.id, &x0, x1_position, direction);
     let density = densities.emission * densities.direction.0;
@@ -41,7 +41,7 @@ pub(crate) fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emi
         direction,
         x1,
         numbers,
-        throughput: x0.emitted * passed * (falloff / density),
+        throughput: x0.emitted * transmittance * (falloff / density),
         densities,
     })
 }

@@ -3,7 +3,7 @@
 use crate::emission::emit;
 use crate::splat::aim_at_camera;
 use crate::step::next_step;
-use crate::tracer::{Met, Tracer};
+use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_math::{Rgb, Sampler};
 use traylib_scene::{Scene, Walk};
@@ -23,10 +23,12 @@ impl Integrator for Particle {
 
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
-            let passage = sampler.next_vertex().passage;
+            let pass_through = sampler.next_vertex().pass_through;
             tracer
-                .camera_ray(&scene.camera().ray(film_point), passage)
-                .map_or(Rgb::BLACK, |Met { point, passed }| passed * scene.emitted(&point))
+                .camera_ray(&scene.camera().ray(film_point), pass_through)
+                .map_or(Rgb::BLACK, |SurfaceHit { point, transmittance }| {
+                    transmittance * scene.emitted(&point)
+                })
         });
         let mut tracer = Tracer::new(scene, chunk.control);
         let share = 1.0 / (scene.camera().width() * scene.camera().height()) as f32;
@@ -59,18 +61,18 @@ impl Particle {
                 return;
             }
             if let Some(splat) = aim_at_camera(scene, &point, wo)
-                && let Some(part) = tracer.seen_by_camera(&point)
+                && let Some(transmittance) = tracer.seen_by_camera(&point)
             {
-                out.add(splat.pixel(scene), throughput * splat.value * part);
+                out.add(splat.pixel(scene), throughput * splat.value * transmittance);
             }
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromLight, &point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { return };
             wo = -step.ray.direction;
             numbers = sampler.next_vertex();
-            let Some(met) = tracer.bounce_ray(&step.ray, numbers.passage) else { return };
-            throughput *= step.weight * met.passed;
-            point = met.point;
+            let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
+            throughput *= step.weight * hit.transmittance;
+            point = hit.point;
         }
     }
 }

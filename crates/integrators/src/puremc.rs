@@ -2,7 +2,7 @@
 
 use crate::direct::sample_light;
 use crate::step::next_step;
-use crate::tracer::{Met, Tracer};
+use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_geometry::Ray;
 use traylib_math::{Rgb, Sampler};
@@ -36,9 +36,9 @@ impl PureMc {
         let mut throughput = Rgb::WHITE;
         for edges in 1.. {
             let numbers = sampler.next_vertex();
-            let met = tracer.edge_from_camera(edges, &ray, numbers.passage);
-            let Some(Met { point, passed }) = met else { break };
-            throughput *= passed;
+            let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
+            let Some(SurfaceHit { point, transmittance }) = hit else { break };
+            throughput *= transmittance;
             let wo = -ray.direction;
             radiance += throughput * scene.emitted(&point);
             if !self.limits.allow(edges + 1) {
@@ -46,9 +46,9 @@ impl PureMc {
             }
             if let Some(light) = sample_light(scene, &point, wo, &numbers)
                 && light.x0.is_point
-                && let Some(part) = light.visible(tracer, &point)
+                && let Some(transmittance) = light.visible(tracer, &point)
             {
-                radiance += throughput * light.radiance * part;
+                radiance += throughput * light.radiance * transmittance;
             }
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);

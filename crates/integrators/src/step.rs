@@ -31,7 +31,7 @@ pub(crate) fn next_step(
     let unpaid = planted(Defect::RouletteUnpaid) && walk == Walk::FromLight;
     let chance = if unpaid { 1.0 } else { chance };
     // Radiance is compressed by refraction, power is not; roulette is for power.
-    let compression = if walk == Walk::FromCamera { sample.compression } else { 1.0 };
+    let eta_scale = if walk == Walk::FromCamera { sample.eta_scale } else { 1.0 };
     let ray = Ray::new(point.site.ray_origin(sample.wi), sample.wi);
-    Some(Step { ray, weight: weight * (compression / chance), sample })
+    Some(Step { ray, weight: weight * (eta_scale / chance), sample })
 }

@@ -42,15 +42,15 @@ fn radiance(tracer: &mut Tracer<'_>, film_point: Vec2) -> Rgb {
     let scene = tracer.scene;
     let mut ray = scene.camera().ray(film_point);
     tracer.statistics.camera_paths += 1;
-    let (mut radiance, mut passed) = (Rgb::BLACK, Rgb::WHITE);
+    let (mut radiance, mut transmittance) = (Rgb::BLACK, Rgb::WHITE);
     for _ in 0..MOST_PASSAGES {
         let Some(point) = tracer.look(&ray) else { break };
         let lit = sample_point_lights(scene, &point, -ray.direction)
             .filter_map(|sample| Some(sample.radiance * sample.visible(tracer, &point)?))
             .sum::<Rgb>();
-        radiance += passed * (scene.emitted(&point) + lit) * point.coverage;
-        passed *= point.through;
-        if passed.is_black() {
+        radiance += transmittance * (scene.emitted(&point) + lit) * point.opacity;
+        transmittance *= point.through;
+        if transmittance.is_black() {
             break;
         }
         ray.origin = point.site.ray_origin(ray.direction);

@@ -60,16 +60,25 @@ impl<'scene> Tracer<'scene> {
         self.control.is_cancelled()
     }
 
-    /// The first edge of a walk from the camera; `passage` as for
+    /// The first edge of a walk from the camera; `pass_through` as for
     /// [`bounce_ray`](Self::bounce_ray).
-    pub(crate) fn camera_ray(&mut self, ray: &Ray, passage: f32) -> Option<Met> {
+    pub(crate) fn camera_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
         self.statistics.camera_paths += 1;
-        self.meet(ray, passage, |statistics| statistics.camera_rays += 1)
+        self.meet(ray, pass_through, |statistics| statistics.camera_rays += 1)
     }
 
     /// The edge with number `edge` of a walk from the camera, counted from 1.
-    pub(crate) fn edge_from_camera(&mut self, edge: u32, ray: &Ray, passage: f32) -> Option<Met> {
-        if edge == 1 { self.camera_ray(ray, passage) } else { self.bounce_ray(ray, passage) }
+    pub(crate) fn edge_from_camera(
+        &mut self,
+        edge: u32,
+        ray: &Ray,
+        pass_through: f32,
+    ) -> Option<SurfaceHit> {
+        if edge == 1 {
+            self.camera_ray(ray, pass_through)
+        } else {
+            self.bounce_ray(ray, pass_through)
+        }
     }
 
     /// What stands first in a ray from the camera, be it see-through or not.
@@ -81,36 +90,36 @@ impl<'scene> Tracer<'scene> {
         self.scene.intersect(ray)
     }
 
-    /// Any later edge of a walk. The number `passage` decides where it ends if
+    /// Any later edge of a walk. The number `pass_through` decides where it ends if
     /// light can pass straight through surfaces on its way.
-    pub(crate) fn bounce_ray(&mut self, ray: &Ray, passage: f32) -> Option<Met> {
-        self.meet(ray, passage, |statistics| statistics.bounce_rays += 1)
+    pub(crate) fn bounce_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
+        self.meet(ray, pass_through, |statistics| statistics.bounce_rays += 1)
     }
 
     /// The surface that a walk goes on from. What lets light straight through is
-    /// passed with the chance of the band that it weakens least. A passage is no
+    /// passed with the chance of the band that it weakens least. A pass-through is no
     /// vertex: its chance scales the estimator alone, as roulette does, and is in
     /// no density and no weight.
     fn meet(
         &mut self,
         ray: &Ray,
-        mut passage: f32,
+        mut pass_through: f32,
         count: impl Fn(&mut Statistics),
-    ) -> Option<Met> {
+    ) -> Option<SurfaceHit> {
         if self.is_cancelled() {
             return None;
         }
-        let (mut passed, mut rest) = (Rgb::WHITE, *ray);
+        let (mut transmittance, mut rest) = (Rgb::WHITE, *ray);
         for _ in 0..MOST_PASSAGES {
             count(&mut self.statistics);
             let point = self.scene.intersect(&rest)?;
             let chance = point.through.max_band();
-            if passage >= chance {
-                let weight = point.coverage / (1.0 - chance);
-                return Some(Met { point, passed: passed * weight });
+            if pass_through >= chance {
+                let weight = point.opacity / (1.0 - chance);
+                return Some(SurfaceHit { point, transmittance: transmittance * weight });
             }
-            passed = passed * point.through / chance;
-            passage /= chance;
+            transmittance = transmittance * point.through / chance;
+            pass_through /= chance;
             rest.origin = point.site.ray_origin(rest.direction);
         }
         None
@@ -136,9 +145,9 @@ impl<'scene> Tracer<'scene> {
 
 /// Where an edge of a walk ends.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Met {
+pub(crate) struct SurfaceHit {
     pub(crate) point: SurfacePoint,
     /// What the throughput is multiplied with for what the edge passed on its
     /// way.
-    pub(crate) passed: Rgb,
+    pub(crate) transmittance: Rgb,
 }

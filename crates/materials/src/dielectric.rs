@@ -73,9 +73,9 @@ impl Dielectric {
     }
 }
 
-fn ideal(wi: Vec3, chance: f32, compression: f32) -> BsdfSample {
+fn ideal(wi: Vec3, chance: f32, eta_scale: f32) -> BsdfSample {
     let pdf = SolidAnglePdf(chance);
-    BsdfSample { wi, weight: Rgb::WHITE, pdf, pdf_reverse: pdf, is_delta: true, compression }
+    BsdfSample { wi, weight: Rgb::WHITE, pdf, pdf_reverse: pdf, is_delta: true, eta_scale }
 }
 
 #[cfg(test)]
@@ -110,7 +110,7 @@ mod tests {
             // Close to grazing a rounding of the direction weighs more.
             assert!((back.wi - wo).length() < 1e-6 / cosine, "{cosine}");
             assert!((back.pdf.0 - forth.pdf.0).abs() < 1e-6 / cosine, "{cosine}");
-            assert!((back.compression * forth.compression - 1.0).abs() < 1e-6);
+            assert!((back.eta_scale * forth.eta_scale - 1.0).abs() < 1e-6);
         }
     }
 

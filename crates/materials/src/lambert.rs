@@ -64,7 +64,7 @@ impl Lambert {
             pdf: SolidAnglePdf(warp::cosine_hemisphere_pdf(cos_i)),
             pdf_reverse: SolidAnglePdf(warp::cosine_hemisphere_pdf(cos_o)),
             is_delta: false,
-            compression: 1.0,
+            eta_scale: 1.0,
         })
     }
 }

@@ -26,7 +26,7 @@
 mod dielectric;
 mod error;
 mod lambert;
-mod lottery;
+mod lobe_choice;
 mod maps;
 mod material;
 mod max_phong;

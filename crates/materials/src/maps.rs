@@ -112,7 +112,7 @@ impl Maps {
     }
 
     /// How much of the surface is there.
-    pub(crate) fn coverage(&self, uv: Vec2) -> f32 {
+    pub(crate) fn opacity(&self, uv: Vec2) -> f32 {
         let opacity = self.opacity.as_ref();
         opacity.map_or(1.0, |l| l.over(Rgb::WHITE, uv).luminance().clamp(0.0, 1.0))
     }

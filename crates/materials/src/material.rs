@@ -33,7 +33,7 @@ pub struct Shading {
     /// How light is scattered where the surface is.
     pub model: SurfaceModel,
     /// How much of the surface is there, in 0..1.
-    pub coverage: f32,
+    pub opacity: f32,
     /// The part of the light that passes straight through, also where the
     /// surface is not.
     pub through: Rgb,
@@ -59,36 +59,36 @@ impl Material {
     }
 
     /// How much of the surface is there at a place, in 0..1.
-    pub fn coverage(&self, site: impl FnOnce() -> Option<Site>) -> f32 {
+    pub fn opacity(&self, site: impl FnOnce() -> Option<Site>) -> f32 {
         let Some(maps) = self.maps.as_ref().filter(|maps| maps.opacity.is_some()) else {
             return 1.0;
         };
-        site().map_or(1.0, |site| maps.coverage(site.uv))
+        site().map_or(1.0, |site| maps.opacity(site.uv))
     }
 
     /// The part of the light that passes straight through at a place, as in
     /// [`Shading::through`].
     #[inline]
     pub fn through_at(&self, site: impl FnOnce() -> Option<Site>) -> Rgb {
-        self.through_where(self.coverage(site))
+        self.through_where(self.opacity(site))
     }
 
-    fn through_where(&self, coverage: f32) -> Rgb {
-        self.through * coverage + Rgb::splat(1.0 - coverage)
+    fn through_where(&self, opacity: f32) -> Rgb {
+        self.through * opacity + Rgb::splat(1.0 - opacity)
     }
 
     /// The material at a place whose unit shading normal without relief is
     /// `normal`.
     #[inline]
     pub fn at(&self, normal: Vec3, site: impl FnOnce() -> Option<Site>) -> Shading {
-        let plain = Shading { model: self.model, coverage: 1.0, through: self.through, normal };
+        let plain = Shading { model: self.model, opacity: 1.0, through: self.through, normal };
         let Some(maps) = &self.maps else { return plain };
         let Some(site) = site() else { return plain };
-        let coverage = maps.coverage(site.uv);
+        let opacity = maps.opacity(site.uv);
         Shading {
             model: maps.apply(self.model, site.uv),
-            coverage,
-            through: self.through_where(coverage),
+            opacity,
+            through: self.through_where(opacity),
             normal: maps.shading_normal(normal, &site),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, check_energy};
 use crate::lambert::Lambert;
-use crate::lottery::specular_chance;
+use crate::lobe_choice::specular_chance;
 use crate::phong::mirror_direction;
 use crate::scattering::{BsdfSample, Scattering};
 use traylib_math::{Rgb, SolidAnglePdf, Vec3};
@@ -71,7 +71,7 @@ impl Mirror {
             pdf: SolidAnglePdf(self.delta_chance),
             pdf_reverse: SolidAnglePdf(self.delta_chance),
             is_delta: true,
-            compression: 1.0,
+            eta_scale: 1.0,
         })
     }
 }

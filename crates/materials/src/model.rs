@@ -66,7 +66,7 @@ impl SurfaceModel {
             pdf,
             pdf_reverse,
             is_delta: false,
-            compression: 1.0,
+            eta_scale: 1.0,
         })
     }
 

@@ -1,7 +1,7 @@
 //! The modified Phong model.
 
 use crate::error::{Error, check_energy, check_exponent};
-use crate::lottery::specular_chance;
+use crate::lobe_choice::specular_chance;
 use crate::scattering::Scattering;
 use std::f32::consts::{FRAC_1_PI, TAU};
 use traylib_math::{Defect, Rgb, SolidAnglePdf, Vec2, Vec3, planted, warp};

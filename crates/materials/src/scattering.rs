@@ -40,5 +40,5 @@ pub struct BsdfSample {
     /// What refraction multiplies radiance with on its way from the medium of
     /// `wi` into that of `wo`, (n_o/n_i)²; one for all else. It is not in
     /// `weight`: a walk from a light carries power, which is not changed.
-    pub compression: f32,
+    pub eta_scale: f32,
 }

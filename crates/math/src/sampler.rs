@@ -24,7 +24,7 @@ pub enum Purpose {
 pub struct VertexNumbers {
     /// Which of the surfaces that light can pass straight through the edge to
     /// this vertex ends at.
-    pub passage: f32,
+    pub pass_through: f32,
     /// Lobe, and two for the direction.
     pub bsdf: [f32; 3],
     /// Russian roulette.
@@ -80,7 +80,7 @@ impl Sampler {
     #[inline]
     pub fn next_vertex(&mut self) -> VertexNumbers {
         VertexNumbers {
-            passage: self.next_1d(),
+            pass_through: self.next_1d(),
             bsdf: [self.next_1d(), self.next_1d(), self.next_1d()],
             roulette: self.next_1d(),
             light_pick: self.next_fine(),

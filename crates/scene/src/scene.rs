@@ -105,7 +105,7 @@ impl Scene {
         let at = Vec2::new(hit.u, hit.v);
         let material = &self.materials[surface.material()];
         let shading = material.at(smooth, || surface.site_of_textures(at));
-        let Shading { model, coverage, through, normal: front_shading } = shading;
+        let Shading { model, opacity, through, normal: front_shading } = shading;
         let by_shading = planted(Defect::EmissionByShadingNormal);
         let front = if by_shading { front_shading } else { site.normal };
         let is_front = front.dot(ray.direction) <= 0.0;
@@ -115,7 +115,7 @@ impl Scene {
             normal: site.normal * side,
             shading_normal: front_shading * side,
             model: if is_front { model } else { model.seen_from_behind() },
-            coverage,
+            opacity,
             through,
             light: surface.light(),
         })
@@ -155,9 +155,9 @@ impl Scene {
 
     fn transmittance_of_panes(&self, segment: &Ray) -> Rgb {
         let end = segment.at(segment.t_max);
-        let (mut passed, mut rest) = (Rgb::WHITE, *segment);
+        let (mut transmittance, mut rest) = (Rgb::WHITE, *segment);
         for _ in 0..MOST_PASSAGES {
-            let Some(hit) = self.tree.nearest(&rest) else { return passed };
+            let Some(hit) = self.tree.nearest(&rest) else { return transmittance };
             let surface = self.surface(&hit);
             let material = &self.materials[surface.material()];
             // Most shadows are thrown by what lets nothing through anywhere.
@@ -165,11 +165,11 @@ impl Scene {
                 return Rgb::BLACK;
             }
             let at = Vec2::new(hit.u, hit.v);
-            passed *= material.through_at(|| surface.site_of_textures(at));
-            if passed.is_black() {
-                return passed;
+            transmittance *= material.through_at(|| surface.site_of_textures(at));
+            if transmittance.is_black() {
+                return transmittance;
             }
-            let Some(site) = surface.site(&rest, &hit) else { return passed };
+            let Some(site) = surface.site(&rest, &hit) else { return transmittance };
             rest = Ray::segment(site.ray_origin(rest.direction), end);
         }
         Rgb::BLACK

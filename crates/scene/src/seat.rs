@@ -79,6 +79,6 @@ impl Scene {
         }
         let surface = self.tree.shapes().get(index);
         let at = surface.sample_coordinates(u);
-        self.materials[surface.material()].coverage(|| surface.site_of_textures(at))
+        self.materials[surface.material()].opacity(|| surface.site_of_textures(at))
     }
 }

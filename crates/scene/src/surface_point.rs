@@ -31,7 +31,7 @@ pub struct SurfacePoint {
     /// How the surface scatters light here, seen from this side.
     pub model: SurfaceModel,
     /// How much of the surface is there, in 0..1.
-    pub coverage: f32,
+    pub opacity: f32,
     /// The part of the light that passes straight through.
     pub through: Rgb,
     /// The lamp this surface is.

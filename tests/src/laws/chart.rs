@@ -96,8 +96,9 @@ impl Chart {
             Kind::Triangle => (u * (1.0 - at[1]) + v * at[1]) * at[0].sqrt(),
             Kind::Disk => (u * cos + v * sin) * at[0].sqrt(),
             Kind::Cap(extent) => {
-                let lack = at[0] * extent;
-                up * (1.0 - lack) + (u * cos + v * sin) * (lack * (2.0 - lack)).sqrt()
+                let one_minus_cos = at[0] * extent;
+                up * (1.0 - one_minus_cos)
+                    + (u * cos + v * sin) * (one_minus_cos * (2.0 - one_minus_cos)).sqrt()
             }
             Kind::Cone([r, s]) => {
                 // Area grows with the square of the radius, or along the axis.
@@ -131,8 +132,9 @@ impl Chart {
             }
             Kind::Cap(extent) => {
                 // 1 − cos of the angle to the axis, without cancellation.
-                let lack = 0.5 * (from_origin.normalize() - up.normalize()).length().powi(2);
-                [lack / extent, turn(from_origin.dot(u), from_origin.dot(v))]
+                let one_minus_cos =
+                    0.5 * (from_origin.normalize() - up.normalize()).length().powi(2);
+                [one_minus_cos / extent, turn(from_origin.dot(u), from_origin.dot(v))]
             }
             Kind::Cone([r, s]) => {
                 let along = from_origin.dot(up) / up.length_squared();

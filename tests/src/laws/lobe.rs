@@ -54,9 +54,9 @@ impl Lobe {
         let [mirrored, first, second] = self.axes;
         let w = DVec3::from(w).normalize();
         // 1 − cosα without cancellation.
-        let lack = 0.5 * (w - mirrored).length().powi(2);
-        (lack < 1.0).then(|| {
-            let u = ((self.exponent + 1.0) * f64::ln_1p(-lack)).exp();
+        let one_minus_cos = 0.5 * (w - mirrored).length().powi(2);
+        (one_minus_cos < 1.0).then(|| {
+            let u = ((self.exponent + 1.0) * f64::ln_1p(-one_minus_cos)).exp();
             let azimuth = w.dot(second).atan2(w.dot(first));
             [azimuth / TAU + 0.5, u]
         })
@@ -65,14 +65,14 @@ impl Lobe {
     /// For each cell of the square of [`coordinates`](Self::coordinates) the
     /// part of the lobe there that is above the horizon.
     pub fn visible(&self) -> Vec<f64> {
-        self.rows(|u0, u1| crowded(u1, u0, 1.0 / TAU), |u| self.lack(u), Ring::length)
+        self.rows(|u0, u1| crowded(u1, u0, 1.0 / TAU), |u| self.one_minus_cos(u), Ring::length)
     }
 
     /// For each cell what a diffuse surface, cosθ/π, scatters there.
     pub fn diffuse(&self) -> Vec<f64> {
         self.rows(
-            |u0, u1| crowded(self.lack(u1), self.lack(u0), 1.0 / PI),
-            |lack| lack,
+            |u0, u1| crowded(self.one_minus_cos(u1), self.one_minus_cos(u0), 1.0 / PI),
+            |one_minus_cos| one_minus_cos,
             Ring::cosine,
         )
     }
@@ -84,7 +84,7 @@ impl Lobe {
         const STEPS: usize = 64 * FINE;
         let reached = self.sin.powf(self.exponent + 1.0);
         let step = reached / STEPS as f64;
-        let rings = (0..STEPS).map(|i| self.ring(self.lack((i as f64 + 0.5) * step)));
+        let rings = (0..STEPS).map(|i| self.ring(self.one_minus_cos((i as f64 + 0.5) * step)));
         rings.map(|ring| step * (1.0 - ring.half / PI)).sum()
     }
 
@@ -107,17 +107,18 @@ impl Lobe {
 
     /// The mean of `over` all azimuths, with the lobe's density, from so many u.
     fn mean(&self, steps: usize, over: impl Fn(&Ring, f64, f64) -> f64) -> f64 {
-        let rings = (0..steps).map(|i| self.ring(self.lack((i as f64 + 0.5) / steps as f64)));
+        let rings =
+            (0..steps).map(|i| self.ring(self.one_minus_cos((i as f64 + 0.5) / steps as f64)));
         rings.map(|ring| over(&ring, -PI, PI)).sum::<f64>() / (TAU * steps as f64)
     }
 
     /// Cell by cell, the sum over some points across a row of `over` the
-    /// azimuths of a cell. `points` has values, from which `lack` makes 1 − cosα,
+    /// azimuths of a cell. `points` has values, from which `one_minus_cos` makes 1 − cosα,
     /// and weights.
     fn rows(
         &self,
         points: impl Fn(f64, f64) -> Vec<(f64, f64)>,
-        lack: impl Fn(f64) -> f64,
+        one_minus_cos: impl Fn(f64) -> f64,
         over: impl Fn(&Ring, f64, f64) -> f64,
     ) -> Vec<f64> {
         let edge = |i: usize| i as f64 / SIDE as f64;
@@ -125,7 +126,7 @@ impl Lobe {
         let mut cells = vec![0.0; SIDE * SIDE];
         for (row, cells) in cells.chunks_exact_mut(SIDE).enumerate() {
             for (point, weight) in points(edge(row), edge(row + 1)) {
-                let ring = self.ring(lack(point));
+                let ring = self.ring(one_minus_cos(point));
                 for (column, cell) in cells.iter_mut().enumerate() {
                     *cell += weight * over(&ring, azimuth(column), azimuth(column + 1));
                 }
@@ -135,13 +136,13 @@ impl Lobe {
     }
 
     /// 1 − cosα at this u; one for u = 0.
-    fn lack(&self, u: f64) -> f64 {
+    fn one_minus_cos(&self, u: f64) -> f64 {
         -(u.ln() / (self.exponent + 1.0)).exp_m1()
     }
 
-    fn ring(&self, lack: f64) -> Ring {
-        let sin_alpha = (lack * (2.0 - lack)).sqrt();
-        let (constant, amplitude) = (self.cos * (1.0 - lack), self.sin * sin_alpha);
+    fn ring(&self, one_minus_cos: f64) -> Ring {
+        let sin_alpha = (one_minus_cos * (2.0 - one_minus_cos)).sqrt();
+        let (constant, amplitude) = (self.cos * (1.0 - one_minus_cos), self.sin * sin_alpha);
         // All azimuths, where the amplitude is too small to reach the horizon.
         let half = (-constant / amplitude.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0).acos();
         Ring { half, constant, amplitude }

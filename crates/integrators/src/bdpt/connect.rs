@@ -3,10 +3,10 @@
 //! Each way asks in order of cost: can light pass, how much, with what weight,
 //! and only then whether anything stands between.
 
+use super::connection_roulette::ConnectionRoulette;
 use super::direct_sum::{JoinedPath, Joint};
 use super::vertex::{End, Vertex};
 use super::walk::LightStart;
-use super::worth::Worth;
 use super::{Bdpt, LightPath, Weighting, weight};
 use crate::direct::sample_light;
 use crate::splat::aim_at_camera;
@@ -76,16 +76,17 @@ impl<'a> Joiner<'a> {
         let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { return };
         // Pair by pair; of very many only some, which count for the rest.
         let light_vertices = light.vertices.len();
-        let mut worth = Worth::beside(found, camera.len() * light_vertices, sampler);
-        let mut left_out = worth.pairs_left_out();
+        let mut roulette =
+            ConnectionRoulette::beside(found, camera.len() * light_vertices, sampler);
+        let mut left_out = roulette.pairs_left_out();
         for t in 1..=camera.len() {
             let mut s = 1 + left_out;
             while s <= light_vertices {
                 if self.limits().allow((s + t + 1) as u32) {
                     let light = (light.start, &light.vertices[..s]);
-                    self.connection(tracer, pixel, light, &camera[..t], &mut worth, out);
+                    self.connection(tracer, pixel, light, &camera[..t], &mut roulette, out);
                 }
-                s += 1 + worth.pairs_left_out();
+                s += 1 + roulette.pairs_left_out();
             }
             left_out = s - light_vertices - 1;
         }
@@ -150,8 +151,8 @@ impl<'a> Joiner<'a> {
         let weight = weight::light_sample(x1, &end, &densities, hit_pdf, techniques, heuristic);
         let joint = Joint::LightSample { end, hit_pdf };
         let path = JoinedPath { light: &[], camera, densities, is_point, joint };
-        let part = light.visible(tracer, &x1.point)?;
-        let value = x1.throughput * light.radiance * part;
+        let transmittance = light.visible(tracer, &x1.point)?;
+        let value = x1.throughput * light.radiance * transmittance;
         Some(self.add(pixel, &Found { path, value, weight }, out))
     }
 
@@ -162,7 +163,7 @@ impl<'a> Joiner<'a> {
         pixel: u32,
         (start, light): (&LightStart, &[Vertex]),
         camera: &[Vertex],
-        worth: &mut Worth<'_>,
+        roulette: &mut ConnectionRoulette<'_>,
         out: &mut ChunkOutput,
     ) {
         let ([.., y], [.., z]) = (light, camera) else { return };
@@ -191,11 +192,11 @@ impl<'a> Joiner<'a> {
         let cosines = y.point.cosine(Walk::FromLight, y.wo, direction)
             * z.point.cosine(Walk::FromCamera, z.wo, -direction);
         let value = y.throughput * z.throughput * f * (cosines / distance_squared);
-        let Some(chance) = worth.try_it(value * weight as f32) else { return };
-        if let Some(part) = tracer.sees(&z.point.site.segment_to(&y.point.site)) {
+        let Some(chance) = roulette.survives(value * weight as f32) else { return };
+        if let Some(transmittance) = tracer.sees(&z.point.site.segment_to(&y.point.site)) {
             let joint = Joint::Connection { light: light_end, camera: camera_end };
             let path = start.path(light, camera, joint);
-            self.add(pixel, &Found { path, value: value * part / chance, weight }, out);
+            self.add(pixel, &Found { path, value: value * transmittance / chance, weight }, out);
         }
     }
 
@@ -212,8 +213,9 @@ impl<'a> Joiner<'a> {
         let pdf_back = splat.scattering.pdf_reverse;
         let heuristic = self.bdpt.heuristic;
         let weight = weight::splat(y, camera_pdf, pdf_back, self.light_paths, heuristic);
-        if let Some(part) = tracer.seen_by_camera(&y.point) {
-            let value = y.throughput * splat.value * part * (1.0 / self.light_paths as f32);
+        if let Some(transmittance) = tracer.seen_by_camera(&y.point) {
+            let value =
+                y.throughput * splat.value * transmittance * (1.0 / self.light_paths as f32);
             let twice = planted(Defect::LightPathsDividedTwice);
             let value = if twice { value / self.light_paths as f32 } else { value };
             let path = start.path(light, &[], Joint::Splat { pdf_back, camera_pdf });

@@ -1,4 +1,4 @@
-//! Path vertices and the two numbers that make weights cheap.
+//! Path vertices and the partial weights that make weights cheap.
 //!
 //! After van Antwerpen (2011) and Georgiev, *Implementing Vertex Connection and
 //! Merging* (2012). F_i is the area density of x_i when walked from the light,
@@ -8,8 +8,11 @@
 //! Of the other techniques that could have found a path, those that connect
 //! inside this subpath are summed up in
 //!
-//! - `m` = 1/F_i, which stands for connecting x_{i−1} to x_i,
-//! - `c` = Σ over the connections further back, per P(pdf of going back).
+//! - `d_vcm` = 1/F_i, which stands for connecting x_{i−1} to x_i (M in comments),
+//! - `d_vc` = Σ over the connections further back, per P(pdf of going back) (C).
+//!
+//! They are Georgiev's dVCM and dVC before the heuristic raises the first: here it does
+//! where a weight is formed, so that both heuristics share one walk.
 
 use traylib_materials::{BsdfSample, Scattering};
 use traylib_math::{
@@ -40,13 +43,13 @@ pub(crate) struct Vertex {
     /// Whether the vertex before reflected ideally, so that no connection could
     /// have made this edge.
     pub(crate) after_delta: bool,
-    pub(crate) m: f64,
-    pub(crate) c: f64,
+    pub(crate) d_vcm: f64,
+    pub(crate) d_vc: f64,
 }
 
-/// What the next vertex needs to know of this one.
+/// A subpath on its way to the next vertex: what that needs to know of this one.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Tail {
+pub(crate) struct SubpathState {
     pub(crate) position: Vec3,
     /// Cosine of the leaving edge at this vertex; zero where no walk from the
     /// other end can arrive.
@@ -54,16 +57,16 @@ pub(crate) struct Tail {
     /// Density of the leaving direction.
     pub(crate) pdf: SolidAnglePdf,
     pub(crate) is_delta: bool,
-    /// `m` of the next vertex is this over its density.
-    pub(crate) m_factor: f64,
-    /// `c` of the next vertex is this times P(cosine/(pdf·its cosine)).
-    pub(crate) c_factor: f64,
+    /// `d_vcm` of the next vertex is this over its density.
+    pub(crate) d_vcm_factor: f64,
+    /// `d_vc` of the next vertex is this times P(cosine/(pdf·its cosine)).
+    pub(crate) d_vc_factor: f64,
 }
 
-impl Tail {
+impl SubpathState {
     /// The vertex at `point`, reached from this one.
     #[inline]
-    pub(crate) fn arrive(
+    pub(crate) fn extend_to(
         &self,
         point: SurfacePoint,
         wo: Vec3,
@@ -88,8 +91,8 @@ impl Tail {
             pdf_back: SolidAnglePdf(0.0),
             connectable: point.model.has_smooth_part(),
             after_delta: self.is_delta,
-            m: self.m_factor / f64::from(pdf.0),
-            c: heuristic.raise(back_over_forth) * self.c_factor,
+            d_vcm: self.d_vcm_factor / f64::from(pdf.0),
+            d_vc: heuristic.raise(back_over_forth) * self.d_vc_factor,
         }
     }
 }
@@ -106,34 +109,35 @@ impl Vertex {
         pdf_back: SolidAnglePdf,
         heuristic: Heuristic,
     ) -> f64 {
-        heuristic.raise(density_from_other_side * self.m)
-            + heuristic.raise(density_from_other_side * f64::from(pdf_back.0)) * self.c
+        heuristic.raise(density_from_other_side * self.d_vcm)
+            + heuristic.raise(density_from_other_side * f64::from(pdf_back.0)) * self.d_vc
     }
 
-    /// Notes how the walk went on, and what the next vertex needs to know.
+    /// Notes how the walk goes on by this sample, and updates the partial weights for the
+    /// next vertex (Georgiev, equations 34 to 36, without vertex merging).
     /// `connections` is whether connecting at the next edge takes part at all.
     #[inline]
-    pub(crate) fn leave(
+    pub(crate) fn scatter(
         &mut self,
         sample: &BsdfSample,
         connections: bool,
         heuristic: Heuristic,
-    ) -> Tail {
+    ) -> SubpathState {
         let BsdfSample { wi, pdf, pdf_reverse, is_delta, .. } = *sample;
         let is_delta = is_delta || (self.after_delta && planted(Defect::DeltaFlagStays));
         self.pdf_back = pdf_reverse;
-        let c_factor = if is_delta {
-            self.c
+        let d_vc_factor = if is_delta {
+            self.d_vc
         } else {
-            heuristic.raise(self.m) + heuristic.raise(f64::from(pdf_reverse.0)) * self.c
+            heuristic.raise(self.d_vcm) + heuristic.raise(f64::from(pdf_reverse.0)) * self.d_vc
         };
-        Tail {
+        SubpathState {
             position: self.point.site.position,
             cosine: self.point.normal.dot(wi).abs(),
             pdf,
             is_delta,
-            m_factor: if connections && !is_delta { 1.0 } else { 0.0 },
-            c_factor,
+            d_vcm_factor: if connections && !is_delta { 1.0 } else { 0.0 },
+            d_vc_factor,
         }
     }
 }

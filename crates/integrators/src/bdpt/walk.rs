@@ -1,13 +1,13 @@
 //! The two walks.
 
-use super::vertex::{Tail, Vertex};
+use super::vertex::{SubpathState, Vertex};
 use super::weight::splats_in_weights;
 use super::{Bdpt, Techniques};
 use crate::Limits;
 use crate::chunk::pixel_corner;
 use crate::emission::{Emitted, emit};
 use crate::step::next_step;
-use crate::tracer::{Met, Tracer};
+use crate::tracer::{SurfaceHit, Tracer};
 use traylib_math::{Heuristic, Sampler};
 use traylib_scene::{LightDensities, LightPoint, Walk};
 
@@ -41,9 +41,9 @@ impl Walker {
         vertices: &mut Vec<Vertex>,
     ) -> Option<LightStart> {
         let emitted = emit(tracer, sampler)?;
-        let tail = self.light_tail(&emitted);
+        let state = self.light_state(&emitted);
         let Emitted { x0, direction, x1, numbers, throughput, densities } = emitted;
-        vertices.push(tail.arrive(x1, -direction, throughput, numbers, self.heuristic));
+        vertices.push(state.extend_to(x1, -direction, throughput, numbers, self.heuristic));
         // One more edge must fit behind each vertex, to join it to the camera.
         self.walk_on(Walk::FromLight, 1, tracer, sampler, vertices);
         Some(LightStart { x0, densities })
@@ -51,18 +51,18 @@ impl Walker {
 
     /// What the first surface needs to know of x₀: the techniques that could have
     /// found it otherwise are light sampling and, if the lamp has an area, a hit.
-    pub(crate) fn light_tail(&self, emitted: &Emitted) -> Tail {
+    pub(crate) fn light_state(&self, emitted: &Emitted) -> SubpathState {
         let Emitted { x0, direction, densities, .. } = emitted;
         let emission = f64::from(densities.emission);
         let sampled = self.techniques.samples_light(x0.is_point);
         let hit = self.techniques.hits && !x0.is_point;
-        Tail {
+        SubpathState {
             position: x0.site.position,
             cosine: if x0.is_point { 0.0 } else { x0.cosine(*direction) },
             pdf: densities.direction,
             is_delta: false,
-            m_factor: if sampled { f64::from(densities.toward) / emission } else { 0.0 },
-            c_factor: if hit { self.heuristic.raise(1.0 / emission) } else { 0.0 },
+            d_vcm_factor: if sampled { f64::from(densities.toward) / emission } else { 0.0 },
+            d_vc_factor: if hit { self.heuristic.raise(1.0 / emission) } else { 0.0 },
         }
     }
 
@@ -77,17 +77,27 @@ impl Walker {
         let camera = *tracer.scene.camera();
         let ray = camera.ray(pixel_corner(tracer.scene, pixel) + sampler.next_2d());
         let numbers = sampler.next_vertex();
-        let Some(Met { point, passed }) = tracer.camera_ray(&ray, numbers.passage) else { return };
+        let Some(SurfaceHit { point, transmittance }) =
+            tracer.camera_ray(&ray, numbers.pass_through)
+        else {
+            return;
+        };
         let splats = if self.techniques.splats { splats_in_weights(self.light_paths) } else { 0.0 };
-        let tail = Tail {
+        let state = SubpathState {
             position: camera.position(),
             cosine: 0.0,
             pdf: camera.pdf(ray.direction),
             is_delta: false,
-            m_factor: splats,
-            c_factor: 0.0,
+            d_vcm_factor: splats,
+            d_vc_factor: 0.0,
         };
-        vertices.push(tail.arrive(point, -ray.direction, passed, numbers, self.heuristic));
+        vertices.push(state.extend_to(
+            point,
+            -ray.direction,
+            transmittance,
+            numbers,
+            self.heuristic,
+        ));
         self.walk_on(Walk::FromCamera, 0, tracer, sampler, vertices);
     }
 
@@ -110,12 +120,12 @@ impl Walker {
             let step = next_step(walk, &last.point, last.wo, &last.numbers, roulette, edge);
             let Some(step) = step else { return };
             let sample = step.sample;
-            let tail = last.leave(&sample, self.techniques.connections, self.heuristic);
+            let state = last.scatter(&sample, self.techniques.connections, self.heuristic);
             let throughput = last.throughput * step.weight;
             let numbers = sampler.next_vertex();
-            let Some(met) = tracer.bounce_ray(&step.ray, numbers.passage) else { return };
-            let (wo, throughput) = (-sample.wi, throughput * met.passed);
-            vertices.push(tail.arrive(met.point, wo, throughput, numbers, self.heuristic));
+            let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
+            let (wo, throughput) = (-sample.wi, throughput * hit.transmittance);
+            vertices.push(state.extend_to(hit.point, wo, throughput, numbers, self.heuristic));
         }
     }
 }

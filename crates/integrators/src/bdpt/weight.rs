@@ -24,7 +24,7 @@ pub(crate) fn hit(
         heuristic.raise(f64::from(densities.toward) / f64::from(x0.pdf.0))
     };
     let walked = f64::from(densities.emission) * f64::from(densities.direction.0);
-    1.0 / (1.0 + sampled + heuristic.raise(walked) * x0.c)
+    1.0 / (1.0 + sampled + heuristic.raise(walked) * x0.d_vc)
 }
 
 /// s = 1: a lamp's point was sampled from the camera path's last vertex x₁.
@@ -39,8 +39,8 @@ pub(crate) fn light_sample(
 ) -> f64 {
     let toward = f64::from(densities.toward);
     let hit = if techniques.hits { f64::from(hit_pdf) / toward } else { 0.0 };
-    let arrive = f64::from(densities.direction.0) * f64::from(end.conversion);
-    let walked = f64::from(densities.emission) * arrive / toward;
+    let arrival = f64::from(densities.direction.0) * f64::from(end.conversion);
+    let walked = f64::from(densities.emission) * arrival / toward;
     let back = end.scattering.pdf_reverse;
     1.0 / (1.0 + heuristic.raise(hit) + x1.competition(walked, back, heuristic))
 }
@@ -52,8 +52,8 @@ pub(crate) fn connection(
     heuristic: Heuristic,
 ) -> f64 {
     let side = |(vertex, end): (&Vertex, &End), other: &End| {
-        let arrive = f64::from(other.scattering.pdf.0) * f64::from(end.conversion);
-        vertex.competition(arrive, end.scattering.pdf_reverse, heuristic)
+        let arrival = f64::from(other.scattering.pdf.0) * f64::from(end.conversion);
+        vertex.competition(arrival, end.scattering.pdf_reverse, heuristic)
     };
     1.0 / (1.0 + side(light, camera.1) + side(camera, light.1))
 }
@@ -72,6 +72,6 @@ pub(crate) fn splat(
     light_paths: u32,
     heuristic: Heuristic,
 ) -> f64 {
-    let arrive = f64::from(camera_pdf) / splats_in_weights(light_paths);
-    1.0 / (1.0 + vertex.competition(arrive, pdf_back, heuristic))
+    let arrival = f64::from(camera_pdf) / splats_in_weights(light_paths);
+    1.0 / (1.0 + vertex.competition(arrival, pdf_back, heuristic))
 }

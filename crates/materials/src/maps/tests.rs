@@ -35,7 +35,7 @@ fn textures_never_reflect_more_than_arrives() {
 fn beyond_a_picture_that_is_there_once_the_base_shows() {
     let once = Layer { tiling: Tiling::Once, ..layer([0.0; 4]) };
     let maps = Maps { opacity: Some(once), ..Maps::default() };
-    assert_eq!((maps.coverage(place(0.5)), maps.coverage(place(1.5))), (0.0, 1.0));
+    assert_eq!((maps.opacity(place(0.5)), maps.opacity(place(1.5))), (0.0, 1.0));
 }
 
 /// A slope of height along u in a picture over a square of side 2.

@@ -36,15 +36,15 @@ impl SpotCone {
 
     /// The part of the full intensity that goes into the unit `direction`.
     pub fn falloff(&self, direction: Vec3) -> f32 {
-        let lack = self.lack(direction);
-        if lack <= 1.0 - self.cos_full {
+        let one_minus_cos = self.one_minus_cos(direction);
+        if one_minus_cos <= 1.0 - self.cos_full {
             return 1.0;
         }
-        if lack >= 1.0 - self.cos_dark {
+        if one_minus_cos >= 1.0 - self.cos_dark {
             return 0.0;
         }
         let dark = angle(1.0 - self.cos_dark);
-        let t = (dark - angle(lack)) / (dark - angle(1.0 - self.cos_full));
+        let t = (dark - angle(one_minus_cos)) / (dark - angle(1.0 - self.cos_full));
         t * t * (3.0 - 2.0 * t)
     }
 
@@ -56,7 +56,7 @@ impl SpotCone {
     /// Density of [`sample`](Self::sample).
     pub(super) fn pdf(&self, direction: Vec3) -> SolidAnglePdf {
         let width = 1.0 - self.cos_dark;
-        let inside = self.lack(direction) <= width;
+        let inside = self.one_minus_cos(direction) <= width;
         SolidAnglePdf(if inside { 1.0 / (std::f32::consts::TAU * width) } else { 0.0 })
     }
 
@@ -72,14 +72,14 @@ impl SpotCone {
 
     /// 1 − cosθ, without cancellation: half the square of the distance between
     /// unit vectors.
-    fn lack(&self, direction: Vec3) -> f32 {
+    fn one_minus_cos(&self, direction: Vec3) -> f32 {
         0.5 * (direction - self.axis).length_squared()
     }
 }
 
 /// θ from 1 − cosθ = 2·sin²(θ/2).
-fn angle(lack: f32) -> f32 {
-    2.0 * (0.5 * lack).sqrt().min(1.0).asin()
+fn angle(one_minus_cos: f32) -> f32 {
+    2.0 * (0.5 * one_minus_cos).sqrt().min(1.0).asin()
 }
 
 /// 3·(sin h − h·cos h)/h³; near zero, where that cancels, by its series, whose next

@@ -35,7 +35,7 @@ fn bump(model: SurfaceModel, slope: f32, sampler: &mut Sampler) -> SurfacePoint 
         normal: Vec3::Z,
         shading_normal,
         model,
-        coverage: 1.0,
+        opacity: 1.0,
         through: Rgb::BLACK,
         light: None,
     }

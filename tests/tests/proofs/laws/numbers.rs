@@ -39,12 +39,12 @@ fn warp_laws(samples: u64) {
     let mut findings = vec![
         // sin²θ = (1 − cosθ)(1 + cosθ).
         warp_finding("a cosine hemisphere", samples, |u| {
-            let [lack, phi] = around(axis, warp::cosine_hemisphere(axis, u));
-            [lack * (2.0 - lack), phi]
+            let [one_minus_cos, phi] = around(axis, warp::cosine_hemisphere(axis, u));
+            [one_minus_cos * (2.0 - one_minus_cos), phi]
         }),
         warp_finding("a sphere", samples, |u| {
-            let [lack, phi] = around(axis, warp::uniform_sphere(u));
-            [0.5 * lack, phi]
+            let [one_minus_cos, phi] = around(axis, warp::uniform_sphere(u));
+            [0.5 * one_minus_cos, phi]
         }),
         warp_finding("a disk", samples, |u| {
             let [x, y] = warp::uniform_disk(u).to_array().map(f64::from);
@@ -58,14 +58,14 @@ fn warp_laws(samples: u64) {
     ];
     findings.extend([1.5, 1e-2, 1e-6].map(|width| {
         warp_finding(&format!("a cone, 1 − cos = {width}"), samples, |u| {
-            let [lack, phi] = around(axis, warp::uniform_cone(axis, width, u));
-            [lack / f64::from(width), phi]
+            let [one_minus_cos, phi] = around(axis, warp::uniform_cone(axis, width, u));
+            [one_minus_cos / f64::from(width), phi]
         })
     }));
     findings.extend([0.0, 1.0, 50.0, 1e6].map(|n| {
         warp_finding(&format!("a lobe of exponent {n}"), samples, |u| {
-            let [lack, phi] = around(axis, warp::cosine_power_lobe(axis, n, u));
-            [((f64::from(n) + 1.0) * f64::ln_1p(-lack.min(1.0))).exp(), phi]
+            let [one_minus_cos, phi] = around(axis, warp::cosine_power_lobe(axis, n, u));
+            [((f64::from(n) + 1.0) * f64::ln_1p(-one_minus_cos.min(1.0))).exp(), phi]
         })
     }));
     settle(&findings);
@@ -84,9 +84,10 @@ fn warps_follow_their_densities_at_length() {
 
 /// All eight numbers of a vertex, by name.
 fn eight(numbers: &VertexNumbers) -> [f64; 8] {
-    let VertexNumbers { passage, bsdf: [lobe, x, y], roulette, light_pick, light_point } = *numbers;
-    let [passage, lobe, x, y, roulette] = [passage, lobe, x, y, roulette].map(f64::from);
-    [passage, lobe, x, y, roulette, light_pick, light_point.x.into(), light_point.y.into()]
+    let VertexNumbers { pass_through, bsdf: [lobe, x, y], roulette, light_pick, light_point } =
+        *numbers;
+    let [pass_through, lobe, x, y, roulette] = [pass_through, lobe, x, y, roulette].map(f64::from);
+    [pass_through, lobe, x, y, roulette, light_pick, light_point.x.into(), light_point.y.into()]
 }
 
 /// Every pair of the numbers of one vertex, and each number with the same of the

@@ -1,6 +1,6 @@
 //! A whole path, walked again from both ends.
 
-use super::super::vertex::{End, Tail, Vertex};
+use super::super::vertex::{End, SubpathState, Vertex};
 use super::super::walk::{LightStart, Walker};
 use super::super::{Bdpt, weight};
 use crate::emission::Emitted;
@@ -137,7 +137,7 @@ impl FullPath {
             densities: self.densities(scene),
         };
         let events = self.surfaces.iter().copied().zip(self.is_delta.iter().copied());
-        walk(walker.light_tail(&emitted), direction, &events.collect::<Vec<_>>(), bdpt)
+        walk(walker.light_state(&emitted), direction, &events.collect::<Vec<_>>(), bdpt)
     }
 
     fn camera_vertices(&self, scene: &Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex> {
@@ -146,15 +146,15 @@ impl FullPath {
         events.reverse();
         let camera = scene.camera();
         let direction = (events[0].0.site.position - camera.position()).normalize();
-        let tail = Tail {
+        let state = SubpathState {
             position: camera.position(),
             cosine: 0.0,
             pdf: camera.pdf(direction),
             is_delta: false,
-            m_factor: f64::from(light_paths),
-            c_factor: 0.0,
+            d_vcm_factor: f64::from(light_paths),
+            d_vc_factor: 0.0,
         };
-        walk(tail, direction, &events, bdpt)
+        walk(state, direction, &events, bdpt)
     }
 
     /// x₀ as the camera subpath would have reached it.
@@ -165,14 +165,14 @@ impl FullPath {
         let mut x1 = *camera.last()?;
         let wi = -self.first_direction();
         let sample = event(&x1.point, x1.wo, wi, self.is_delta[0]);
-        let tail = x1.leave(&sample, true, bdpt.heuristic);
+        let state = x1.scatter(&sample, true, bdpt.heuristic);
         let lamp = self.lamp.unwrap_or(SurfacePoint {
             site: self.x0.site,
             normal: self.x0.site.normal,
             shading_normal: self.x0.site.normal,
             ..x1.point
         });
-        Some(tail.arrive(lamp, -wi, Rgb::WHITE, numbers(), bdpt.heuristic))
+        Some(state.extend_to(lamp, -wi, Rgb::WHITE, numbers(), bdpt.heuristic))
     }
 
     fn light_sample(&self, scene: &Scene, x1: &Vertex, bdpt: &Bdpt) -> f64 {
@@ -214,7 +214,7 @@ fn event(point: &SurfacePoint, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSample
     let chance = SolidAnglePdf(0.5);
     let (pdf, pdf_reverse) =
         if is_delta { (chance, chance) } else { (scattering.pdf, scattering.pdf_reverse) };
-    BsdfSample { wi, weight: Rgb::WHITE, pdf, pdf_reverse, is_delta, compression: 1.0 }
+    BsdfSample { wi, weight: Rgb::WHITE, pdf, pdf_reverse, is_delta, eta_scale: 1.0 }
 }
 
 /// No walk here draws anything.
@@ -233,7 +233,7 @@ fn seen_from(mut point: SurfacePoint, wo: Vec3) -> SurfacePoint {
 }
 
 fn walk(
-    mut tail: Tail,
+    mut state: SubpathState,
     first_direction: Vec3,
     events: &[(SurfacePoint, bool)],
     bdpt: &Bdpt,
@@ -241,7 +241,7 @@ fn walk(
     let mut direction = first_direction;
     let mut vertices = Vec::new();
     for (i, &(point, is_delta)) in events.iter().enumerate() {
-        let mut vertex = tail.arrive(
+        let mut vertex = state.extend_to(
             seen_from(point, -direction),
             -direction,
             Rgb::WHITE,
@@ -251,7 +251,7 @@ fn walk(
         if let Some((next, _)) = events.get(i + 1) {
             direction = (next.site.position - point.site.position).normalize();
             let sample = event(&vertex.point, vertex.wo, direction, is_delta);
-            tail = vertex.leave(&sample, true, bdpt.heuristic);
+            state = vertex.scatter(&sample, true, bdpt.heuristic);
         }
         vertices.push(vertex);
     }

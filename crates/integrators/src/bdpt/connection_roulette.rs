@@ -8,7 +8,7 @@ use traylib_math::{Rgb, Sampler};
 /// On `cornell` this takes the shadow rays of a pair of paths from 14.0 to 6.9
 /// and adds 0.4 % to the error of as many passes; 0.1 would leave 8.6 and add
 /// 0.1 %.
-const HARDLY: f32 = 0.3;
+const THRESHOLD: f32 = 0.3;
 
 /// Connections that are looked at for a pair of paths, on average: all of those of two
 /// paths with 64 edges each. Time grows with the length of longer ones, not its square.
@@ -22,18 +22,18 @@ const MOST_PAIRS: f32 = 64.0 * 64.0;
 /// that found nothing has no threshold.
 ///
 /// Of very many pairs of vertices only some are looked at in the first place.
-pub(super) struct Worth<'a> {
+pub(super) struct ConnectionRoulette<'a> {
     threshold: f32,
     /// The chance with which a pair is looked at.
     looked_at: f32,
     sampler: &'a mut Sampler,
 }
 
-impl<'a> Worth<'a> {
+impl<'a> ConnectionRoulette<'a> {
     /// For so many connections of a camera path that has `found` this by itself.
     pub(super) fn beside(found: Rgb, pairs: usize, sampler: &'a mut Sampler) -> Self {
         let looked_at = (MOST_PAIRS / pairs as f32).min(1.0);
-        Self { threshold: HARDLY * found.max_band(), looked_at, sampler }
+        Self { threshold: THRESHOLD * found.max_band(), looked_at, sampler }
     }
 
     /// How many pairs of vertices to leave out before the next that is looked at:
@@ -49,7 +49,7 @@ impl<'a> Worth<'a> {
 
     /// The chance with which a connection that would add this is looked at and tried;
     /// `None` if it is not tried. It draws one number whatever the answer.
-    pub(super) fn try_it(&mut self, would_add: Rgb) -> Option<f32> {
+    pub(super) fn survives(&mut self, would_add: Rgb) -> Option<f32> {
         let u = self.sampler.next_1d();
         let amount = would_add.max_band() / self.looked_at;
         if amount >= self.threshold {
@@ -68,13 +68,13 @@ mod tests {
     #[test]
     fn what_is_tried_makes_up_for_what_is_not() {
         let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
-        let mut worth = Worth::beside(Rgb::WHITE, 1, &mut sampler);
+        let mut roulette = ConnectionRoulette::beside(Rgb::WHITE, 1, &mut sampler);
         for part in [0.1, 0.5, 2.0] {
-            let light = Rgb::splat(part * HARDLY);
+            let light = Rgb::splat(part * THRESHOLD);
             let n = 100_000;
-            let tried = (0..n).filter_map(|_| worth.try_it(light));
+            let tried = (0..n).filter_map(|_| roulette.survives(light));
             let sum: f64 = tried.map(|chance| f64::from(light.g / chance)).sum();
-            let mean = sum / (f64::from(n) * f64::from(HARDLY));
+            let mean = sum / (f64::from(n) * f64::from(THRESHOLD));
             // Five standard errors of a Bernoulli mean, and rounding.
             let part = f64::from(part);
             let slack = 5.0 * (part * (1.0 - part)).max(0.0).sqrt() / f64::from(n).sqrt();
@@ -88,13 +88,13 @@ mod tests {
     fn some_of_many_pairs_stand_for_all() {
         let mut sampler = Sampler::new(1, Purpose::Test, 0, 0);
         for pairs in [10, 4096, 5000, 1_000_000] {
-            let mut worth = Worth::beside(Rgb::BLACK, pairs, &mut sampler);
+            let mut roulette = ConnectionRoulette::beside(Rgb::BLACK, pairs, &mut sampler);
             let (mut looked_at, mut sum) = (0.0, 0.0);
-            let mut next = worth.pairs_left_out();
+            let mut next = roulette.pairs_left_out();
             while next < pairs {
                 looked_at += 1.0;
-                sum += 1.0 / f64::from(worth.try_it(Rgb::WHITE).unwrap());
-                next += 1 + worth.pairs_left_out();
+                sum += 1.0 / f64::from(roulette.survives(Rgb::WHITE).unwrap());
+                next += 1 + roulette.pairs_left_out();
             }
             let mean = f64::from(MOST_PAIRS).min(pairs as f64);
             // Five standard deviations of a binomial number.
@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn a_path_that_found_nothing_tries_everything() {
         let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
-        let mut worth = Worth::beside(Rgb::BLACK, 1, &mut sampler);
-        assert_eq!(worth.try_it(Rgb::splat(1e-30)), Some(1.0));
+        let mut roulette = ConnectionRoulette::beside(Rgb::BLACK, 1, &mut sampler);
+        assert_eq!(roulette.survives(Rgb::splat(1e-30)), Some(1.0));
     }
 }
