@@ -34,7 +34,7 @@ impl Chunk<'_> {
 
     /// Gives each pixel of the chunk one sample: `estimate` of a film point drawn
     /// uniformly in the pixel, with the random numbers of its path.
-    pub(crate) fn sample_pixels(
+    pub fn sample_pixels(
         &self,
         scene: &Scene,
         out: &mut ChunkOutput,
@@ -51,8 +51,8 @@ impl Chunk<'_> {
     }
 }
 
-/// The film point at the top left corner of a pixel.
-pub(crate) fn pixel_corner(scene: &Scene, pixel: u32) -> Vec2 {
+/// The film point at the top left corner of a pixel with this row-major index.
+pub fn pixel_corner(scene: &Scene, pixel: u32) -> Vec2 {
     let width = scene.camera().width();
     Vec2::new((pixel % width) as f32, (pixel / width) as f32)
 }
@@ -67,7 +67,7 @@ pub struct ChunkOutput {
     /// Text that a report asked for.
     pub(crate) notes: Vec<String>,
     /// Tally of the work.
-    pub(crate) statistics: Statistics,
+    pub statistics: Statistics,
 }
 
 impl ChunkOutput {

@@ -6,22 +6,27 @@ use traylib_math::{Defect, Rgb, Vec2, Vec3, VertexNumbers, planted, solid_angle_
 use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
 /// A way from a lamp to a vertex that carries light, if nothing stands in it.
-pub(crate) struct LightSample {
-    pub(crate) id: LightId,
+#[derive(Clone, Copy, Debug)]
+pub struct LightSample {
+    /// Which lamp.
+    pub id: LightId,
     /// The chance with which this lamp was drawn for the vertex.
     chance: f32,
-    pub(crate) x0: LightPoint,
+    /// The point on it.
+    pub x0: LightPoint,
     /// Unit direction from the vertex to the lamp.
-    pub(crate) wi: Vec3,
-    pub(crate) distance_squared: f32,
+    pub wi: Vec3,
+    /// Of the two points, in m².
+    pub distance_squared: f32,
     /// What the vertex makes of this direction.
-    pub(crate) scattering: Scattering,
+    pub scattering: Scattering,
     /// Radiance toward `wo` that this sample estimates.
-    pub(crate) radiance: Rgb,
+    pub radiance: Rgb,
 }
 
-/// Draws a lamp and a point on it. `None` where no light can come that way.
-pub(crate) fn sample_light(
+/// Draws a lamp and a point on it for a vertex seen from the unit direction `wo`, with the
+/// vertex's own numbers. `None` where no light can come that way.
+pub fn sample_light(
     scene: &Scene,
     point: &SurfacePoint,
     wo: Vec3,
@@ -50,7 +55,7 @@ pub(crate) fn sample_light(
 }
 
 /// What every point light gives a vertex, one sample each.
-pub(crate) fn sample_point_lights<'a>(
+pub fn sample_point_lights<'a>(
     scene: &'a Scene,
     point: &'a SurfacePoint,
     wo: Vec3,
@@ -89,13 +94,13 @@ fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<Li
 
 impl LightSample {
     /// The part of the light that arrives at the vertex, if any.
-    pub(crate) fn visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint) -> Option<Rgb> {
+    pub fn visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint) -> Option<Rgb> {
         tracer.sees(&self.x0.segment_from(&point.site))
     }
 
     /// Density with which the vertex's own sampling would have found the lamp's
     /// point, per m²; zero for a point light.
-    pub(crate) fn hit_pdf(&self) -> f32 {
+    pub fn hit_pdf(&self) -> f32 {
         if self.x0.is_point {
             return 0.0;
         }
@@ -105,7 +110,7 @@ impl LightSample {
 
     /// The densities of the lamp's point for the vertex at `x1`, which it was drawn
     /// for.
-    pub(crate) fn densities(&self, scene: &Scene, x1: Vec3) -> LightDensities {
+    pub fn densities(&self, scene: &Scene, x1: Vec3) -> LightDensities {
         scene.chosen_light_densities(self.id, self.chance, &self.x0, x1, -self.wi)
     }
 }

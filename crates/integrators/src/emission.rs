@@ -6,20 +6,25 @@ use traylib_math::{Rgb, Sampler, Vec2, Vec3, VertexNumbers};
 use traylib_scene::{LightDensities, LightPoint, SurfacePoint};
 
 /// The first edge of a light path and the surface it met.
-pub(crate) struct Emitted {
-    pub(crate) x0: LightPoint,
-    pub(crate) direction: Vec3,
-    pub(crate) x1: SurfacePoint,
+#[derive(Clone, Copy, Debug)]
+pub struct Emitted {
+    /// The point of the lamp where it starts.
+    pub x0: LightPoint,
+    /// The unit direction that it takes.
+    pub direction: Vec3,
+    /// The first surface.
+    pub x1: SurfacePoint,
     /// The random numbers of x₁.
-    pub(crate) numbers: VertexNumbers,
+    pub numbers: VertexNumbers,
     /// Le·cos₀/(F₀·p), with the densities of start and direction, and what the
     /// edge passed; of a point light its intensity in place of Le·cos₀.
-    pub(crate) throughput: Rgb,
-    pub(crate) densities: LightDensities,
+    pub throughput: Rgb,
+    /// Those of its start, as a weight needs them.
+    pub densities: LightDensities,
 }
 
 /// Emits a light path; `None` if it leaves the scene at once.
-pub(crate) fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emitted> {
+pub fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emitted> {
     tracer.statistics.light_paths += 1;
     let start = sampler.next_vertex();
     let choice = tracer.scene.choose_light(start.light_pick);

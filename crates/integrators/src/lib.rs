@@ -21,6 +21,7 @@ mod directlight;
 mod emission;
 mod limits;
 mod particle;
+mod pass;
 mod puremc;
 mod render;
 mod splat;
@@ -35,10 +36,29 @@ pub use control::Control;
 pub use directlight::DirectLight;
 pub use limits::{Limits, Roulette};
 pub use particle::Particle;
+pub use pass::{Pass, RenderChunk};
 pub use puremc::PureMc;
-pub use render::{Progress, Rendering, Settings, ThreadError, render};
+pub use render::{Progress, Rendering, Settings, ThreadError, render, render_to_end};
 pub use trace::Trace;
 pub use tracer::Statistics;
+
+/// What algorithms are made of, for those that are not here yet.
+///
+/// A [`Tracer`](toolkit::Tracer) casts rays and counts them. A walk from the camera begins
+/// with [`Chunk::sample_pixels`], one from a light with [`emit`](toolkit::emit); both go on by
+/// [`next_step`](toolkit::next_step), which samples the surface and plays roulette. At each
+/// vertex [`sample_light`](toolkit::sample_light) aims at a light and
+/// [`aim_at_camera`](toolkit::aim_at_camera) at the camera.
+///
+/// Two algorithms made of these alone are in `crates/demos/examples`.
+pub mod toolkit {
+    pub use crate::chunk::pixel_corner;
+    pub use crate::direct::{LightSample, sample_light, sample_point_lights};
+    pub use crate::emission::{Emitted, emit};
+    pub use crate::splat::{Splat, aim_at_camera};
+    pub use crate::step::{Step, next_step};
+    pub use crate::tracer::{SurfaceHit, Tracer};
+}
 
 use traylib_scene::Scene;
 
@@ -56,8 +76,19 @@ pub trait Integrator: Sync {
     }
 
     /// Renders one chunk of a pass. What comes of it is thrown away if the chunk's
-    /// control was cancelled meanwhile.
-    fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput);
+    /// control was cancelled meanwhile. Does nothing unless it is given; it need not be where
+    /// [`begin_pass`](Self::begin_pass) is.
+    fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
+        let _ = (scene, chunk, out);
+    }
+
+    /// For algorithms whose camera work needs the light work of the whole pass, as photon
+    /// maps do: does that, with [`Pass::chunks`], and gives what then renders each chunk.
+    /// `None`, which costs nothing, stands for [`render_chunk`](Self::render_chunk).
+    fn begin_pass<'a>(&'a self, scene: &'a Scene, pass: &Pass<'_>) -> Option<RenderChunk<'a>> {
+        let _ = (scene, pass);
+        None
+    }
 
     /// The kinds of light that this integrator cannot produce in such a scene,
     /// however long it renders.

@@ -1,6 +1,6 @@
 //! The driver: passes, threads, the film. The only place that starts threads.
 
-use crate::{Chunk, ChunkOutput, Control, Integrator, Statistics};
+use crate::{Chunk, ChunkOutput, Control, Integrator, Pass, Statistics};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
@@ -108,7 +108,20 @@ pub fn render(
     Ok(rendering)
 }
 
-/// What the chunks of a pass add to it, in their order; `None` if it was given up.
+/// [`render`] with nobody to watch it or to stop it.
+///
+/// # Errors
+/// As `render`.
+pub fn render_to_end(
+    scene: &Scene,
+    integrator: &dyn Integrator,
+    settings: &Settings,
+) -> Result<Rendering, ThreadError> {
+    render(scene, integrator, settings, &Control::default(), &mut |_| ControlFlow::Continue(()))
+}
+
+/// What the chunks of a pass add to it, in their order; `None` if it was given up. The
+/// light work that comes before them is told with the first.
 fn render_pass(
     scene: &Scene,
     integrator: &dyn Integrator,
@@ -116,10 +129,16 @@ fn render_pass(
 ) -> Option<Vec<ChunkOutput>> {
     let (chunks, control) = (chunks(whole), whole.control);
     control.begin_pass(chunks.len());
-    let render_chunk = |chunk: Chunk<'_>| {
+    // Light work that all chunks share comes first.
+    let pass = Pass::new(scene, &chunks);
+    let with_memory = integrator.begin_pass(scene, &pass);
+    let light_work = pass.into_statistics();
+    let render_chunk = |chunk: &Chunk<'_>| {
         let mut out = ChunkOutput::default();
-        if !control.is_cancelled() {
-            integrator.render_chunk(scene, &chunk, &mut out);
+        match &with_memory {
+            _ if control.is_cancelled() => {}
+            Some(render_chunk) => render_chunk(chunk, &mut out),
+            None => integrator.render_chunk(scene, chunk, &mut out),
         }
         // What was cancelled on its way may lack anything.
         if control.is_cancelled() {
@@ -128,7 +147,12 @@ fn render_pass(
         control.end_chunk();
         Some(out)
     };
-    chunks.into_par_iter().map(render_chunk).collect()
+    let mut outputs: Vec<ChunkOutput> =
+        chunks.par_iter().map(render_chunk).collect::<Option<_>>()?;
+    if let Some(first) = outputs.first_mut() {
+        first.statistics += light_work;
+    }
+    Some(outputs)
 }
 
 /// Cuts a pass into chunks, its light paths in proportion to its pixels.

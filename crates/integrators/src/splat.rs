@@ -6,18 +6,20 @@ use traylib_scene::{Projection, Scene, SurfacePoint, Walk};
 
 /// A way from a vertex to the camera that carries light, if nothing stands in
 /// it.
-pub(crate) struct Splat {
-    pub(crate) projection: Projection,
+#[derive(Clone, Copy, Debug)]
+pub struct Splat {
+    /// Where on the film, and how the camera sees it.
+    pub projection: Projection,
     /// What the vertex makes of the direction to the camera.
-    pub(crate) scattering: Scattering,
+    pub scattering: Scattering,
     /// What the throughput of one of one light path is multiplied with to give
     /// the radiance of the pixel: f·cos·We.
-    pub(crate) value: Rgb,
+    pub value: Rgb,
 }
 
 /// Aims at the camera from a vertex that a light path reached from `wo`. In
 /// front of the camera, inside the picture, facing: the shadow ray comes last.
-pub(crate) fn aim_at_camera(scene: &Scene, point: &SurfacePoint, wo: Vec3) -> Option<Splat> {
+pub fn aim_at_camera(scene: &Scene, point: &SurfacePoint, wo: Vec3) -> Option<Splat> {
     if !point.model.has_smooth_part() {
         return None;
     }
@@ -35,7 +37,7 @@ pub(crate) fn aim_at_camera(scene: &Scene, point: &SurfacePoint, wo: Vec3) -> Op
 
 impl Splat {
     /// Row-major index of the pixel.
-    pub(crate) fn pixel(&self, scene: &Scene) -> u32 {
+    pub fn pixel(&self, scene: &Scene) -> u32 {
         let Projection { x, y, .. } = self.projection;
         let width = scene.camera().width();
         let x = if planted(Defect::RasterShifted) { (x + 1) % width } else { x };
@@ -43,7 +45,7 @@ impl Splat {
     }
 
     /// Density with which a camera path would have found the vertex, per m².
-    pub(crate) fn camera_pdf(&self, point: &SurfacePoint) -> f32 {
+    pub fn camera_pdf(&self, point: &SurfacePoint) -> f32 {
         let cosine = point.normal.dot(self.projection.to_camera).abs();
         let conversion = solid_angle_per_area(cosine, self.projection.distance_squared);
         self.projection.pdf.to_area(conversion).0

@@ -7,17 +7,21 @@ use traylib_math::{Defect, Rgb, Vec3, VertexNumbers, planted};
 use traylib_scene::{SurfacePoint, Walk};
 
 /// The next edge of a walk.
-pub(crate) struct Step {
-    pub(crate) ray: Ray,
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    /// Where to look for the next vertex.
+    pub ray: Ray,
     /// What the throughput is multiplied with, roulette included.
-    pub(crate) weight: Rgb,
-    pub(crate) sample: BsdfSample,
+    pub weight: Rgb,
+    /// The direction as the surface sampled it, with its densities.
+    pub sample: BsdfSample,
 }
 
 /// The edge with number `edge` of a walk that arrived at `point` from `wo`;
-/// `None` where the walk ends.
+/// `None` where the walk ends. `wo` is unit and leads back; `numbers` are those of this
+/// vertex.
 #[inline]
-pub(crate) fn next_step(
+pub fn next_step(
     walk: Walk,
     point: &SurfacePoint,
     wo: Vec3,

@@ -43,32 +43,36 @@ impl AddAssign for Statistics {
 
 /// A scene that counts the rays cast into it.
 #[derive(Debug)]
-pub(crate) struct Tracer<'scene> {
-    pub(crate) scene: &'scene Scene,
-    pub(crate) statistics: Statistics,
+pub struct Tracer<'scene> {
+    /// The scene itself, for questions that are no rays.
+    pub scene: &'scene Scene,
+    /// What was asked so far. A chunk adds it to its [`ChunkOutput`](crate::ChunkOutput).
+    pub statistics: Statistics,
     control: &'scene Control,
 }
 
 impl<'scene> Tracer<'scene> {
-    pub(crate) fn new(scene: &'scene Scene, control: &'scene Control) -> Self {
+    /// A tracer that has asked nothing. Once `control` is cancelled it finds nothing
+    /// either.
+    pub fn new(scene: &'scene Scene, control: &'scene Control) -> Self {
         Self { scene, statistics: Statistics::default(), control }
     }
 
     /// Whether nobody wants the answers any more: no ray meets anything then, and no
     /// point sees another, so that walks end.
-    pub(crate) fn is_cancelled(&self) -> bool {
+    pub fn is_cancelled(&self) -> bool {
         self.control.is_cancelled()
     }
 
     /// The first edge of a walk from the camera; `pass_through` as for
     /// [`bounce_ray`](Self::bounce_ray).
-    pub(crate) fn camera_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
+    pub fn camera_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
         self.statistics.camera_paths += 1;
         self.meet(ray, pass_through, |statistics| statistics.camera_rays += 1)
     }
 
     /// The edge with number `edge` of a walk from the camera, counted from 1.
-    pub(crate) fn edge_from_camera(
+    pub fn edge_from_camera(
         &mut self,
         edge: u32,
         ray: &Ray,
@@ -82,7 +86,7 @@ impl<'scene> Tracer<'scene> {
     }
 
     /// What stands first in a ray from the camera, be it see-through or not.
-    pub(crate) fn look(&mut self, ray: &Ray) -> Option<SurfacePoint> {
+    pub fn look(&mut self, ray: &Ray) -> Option<SurfacePoint> {
         if self.is_cancelled() {
             return None;
         }
@@ -92,7 +96,7 @@ impl<'scene> Tracer<'scene> {
 
     /// Any later edge of a walk. The number `pass_through` decides where it ends if
     /// light can pass straight through surfaces on its way.
-    pub(crate) fn bounce_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
+    pub fn bounce_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
         self.meet(ray, pass_through, |statistics| statistics.bounce_rays += 1)
     }
 
@@ -128,13 +132,13 @@ impl<'scene> Tracer<'scene> {
     /// How much of the light of a point the camera sees. Asked from the camera,
     /// as all questions of the kind are from the side of the eye: through the
     /// back of a one-sided surface light passes that way only.
-    pub(crate) fn seen_by_camera(&mut self, point: &SurfacePoint) -> Option<Rgb> {
+    pub fn seen_by_camera(&mut self, point: &SurfacePoint) -> Option<Rgb> {
         let pinhole = self.scene.camera().position();
         self.sees(&point.site.segment_from_point(pinhole))
     }
 
     /// The part of the light that a segment lets through, if any.
-    pub(crate) fn sees(&mut self, segment: &Ray) -> Option<Rgb> {
+    pub fn sees(&mut self, segment: &Ray) -> Option<Rgb> {
         if self.is_cancelled() {
             return None;
         }
@@ -145,9 +149,10 @@ impl<'scene> Tracer<'scene> {
 
 /// Where an edge of a walk ends.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SurfaceHit {
-    pub(crate) point: SurfacePoint,
+pub struct SurfaceHit {
+    /// The surface, seen from the side that the ray came from.
+    pub point: SurfacePoint,
     /// What the throughput is multiplied with for what the edge passed on its
     /// way.
-    pub(crate) transmittance: Rgb,
+    pub transmittance: Rgb,
 }

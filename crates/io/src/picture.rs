@@ -25,7 +25,7 @@ type Cause = Box<dyn std::error::Error + Send + Sync>;
 ///
 /// It goes into EXR and PNG files, by the names of [`attributes`](Self::attributes).
 /// The other formats have no place for it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PictureInfo {
     /// Factor on radiance in 8-bit pictures.
     pub exposure: f32,
