@@ -85,6 +85,7 @@ impl LightPaths {
 
     /// The path that a camera path is joined with, by its place in the chunk.
     fn partner(&self, camera_path: usize) -> Option<LightPath<'_>> {
+        // With fewer light paths than pixels, one is joined more than once.
         let index = camera_path.checked_rem(self.paths.len())?;
         let (start, range) = self.paths[index].as_ref()?;
         Some(LightPath { start, vertices: &self.vertices[range.clone()] })
@@ -113,6 +114,7 @@ impl Integrator for Bdpt {
         let walker = Walker::new(self, light_paths);
         let joiner = Joiner::new(self, light_paths);
 
+        // Light walks first: each is splatted, and kept for the camera paths.
         let mut light = LightPaths::with_room(chunk.light_paths.len());
         for path in chunk.light_paths.clone() {
             let first = light.vertices.len();
@@ -124,6 +126,7 @@ impl Integrator for Bdpt {
             }
         }
 
+        // Then a camera walk a pixel, joined with its partner among the light walks.
         let mut camera = Vec::new();
         for (i, pixel) in chunk.pixels.clone().enumerate() {
             camera.clear();

@@ -43,6 +43,7 @@ impl Chunk<'_> {
         let mut tracer = Tracer::new(scene, self.control);
         for pixel in self.pixels.clone() {
             let mut sampler = self.camera_sampler(pixel);
+            // Uniform in the pixel: the film has a box filter.
             let film_point = pixel_corner(scene, pixel) + sampler.next_2d();
             let radiance = estimate(&mut tracer, film_point, &mut sampler);
             out.add(pixel, radiance);

@@ -35,17 +35,20 @@ pub fn sample_light(
     if !point.model.has_smooth_part() {
         return None;
     }
+    // A lamp by what it may give this vertex.
     let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
     // Rounding decides from which side a point of a convex lamp sees the rest of it.
     let is_own = point.light == Some(choice.id) && !planted(Defect::LampLightsItself);
     if is_own && !choice.light.lights_itself() {
         return None;
     }
+    // A point on it.
     let (x0, pdf) = scene.sample_light(choice.id, point.site.position, numbers.light_point);
     // At the rim of a sphere rounding can turn the point away from here.
     if pdf.0 <= 0.0 {
         return None;
     }
+    // f·cos_s·Le·cos₀/d² over chance and density.
     let mut sample = aim(point, wo, choice.id, x0)?;
     let forgotten = planted(Defect::LightChoiceForgotten);
     let probability = if forgotten { 1.0 } else { choice.probability };
@@ -70,6 +73,7 @@ pub fn sample_point_lights<'a>(
 /// of the lamp: f·cos_s·Le·cos₀/d².
 #[inline]
 fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<LightSample> {
+    // The geometry term, as far as the lamp's side of it.
     let offset = x0.site.position - point.site.position;
     let distance_squared = offset.length_squared();
     let wi = offset.try_normalize()?;
@@ -77,6 +81,7 @@ fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<Li
     if falloff <= 0.0 {
         return None;
     }
+    // What the surface makes of it.
     let scattering = point.evaluate(wo, wi);
     let cosine = point.cosine(Walk::FromCamera, wo, wi);
     let radiance =

@@ -52,25 +52,30 @@ impl DirectLight {
         let mut throughput = Rgb::WHITE;
         let mut arrival = Arrival::Alone;
         for edges in 1.. {
+            // The next vertex, and what the edge to it lets through.
             let numbers = sampler.next_vertex();
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
             let Some(SurfaceHit { point, transmittance }) = hit else { break };
             throughput *= transmittance;
             let wo = -ray.direction;
+            // A lamp that the walk hit: s = 0.
             radiance += throughput * self.hit_emission(scene, &point, wo, arrival);
             if !self.limits.allow(edges + 1) {
                 break;
             }
+            // A point of a lamp that is aimed at: s = 1.
             if let Some(light) = sample_light(scene, &point, wo, &numbers)
                 && let Some(transmittance) = light.visible(tracer, &point)
             {
                 let weight = self.light_weight(scene, &point, &light);
                 radiance += throughput * light.radiance * transmittance * weight;
             }
+            // On by the surface's own sampling, if roulette lets it.
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { break };
             throughput *= step.weight;
+            // Where the next hit could have been aimed at from, and with what density.
             arrival = if step.sample.is_delta {
                 Arrival::Alone
             } else {
@@ -83,12 +88,14 @@ impl DirectLight {
 
     /// Emission of a lamp that the walk hit, times the weight of having hit it.
     fn hit_emission(&self, scene: &Scene, point: &SurfacePoint, wo: Vec3, arrival: Arrival) -> Rgb {
+        // Only the front of a lamp shines.
         let Some((id, x0)) = scene.emitting_point(point) else { return Rgb::BLACK };
         let weight = match (arrival, self.combine) {
             (Arrival::Alone, _) => 1.0,
             (Arrival::Sampled(..), None) if planted(Defect::HitsCountedTwice) => 1.0,
             (Arrival::Sampled(..), None) => 0.0,
             (Arrival::Sampled(from, pdf), Some(heuristic)) => {
+                // Both densities per area of the lamp, at the point that was hit.
                 let distance_squared = (x0.site.position - from).length_squared();
                 let forgotten = planted(Defect::DistanceForgotten);
                 let distance_squared = if forgotten { 1.0 } else { distance_squared };
@@ -103,6 +110,7 @@ impl DirectLight {
     /// The weight of a light sample against hitting the same point.
     fn light_weight(&self, scene: &Scene, point: &SurfacePoint, light: &LightSample) -> f32 {
         self.combine.map_or(1.0, |heuristic| {
+            // The same two densities, of a point that was aimed at.
             let toward = light.densities(scene, point.site.position).toward;
             heuristic.weight(toward, light.hit_pdf())
         })

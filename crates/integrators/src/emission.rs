@@ -26,6 +26,7 @@ pub struct Emitted {
 /// Emits a light path; `None` if it leaves the scene at once.
 pub fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emitted> {
     tracer.statistics.light_paths += 1;
+    // A lamp by its power, a point on it, and a direction.
     let start = sampler.next_vertex();
     let choice = tracer.scene.choose_light(start.light_pick);
     let u_direction = Vec2::new(start.bsdf[1], start.bsdf[2]);
@@ -36,8 +37,10 @@ pub fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emitted> {
     if falloff <= 0.0 || x0.emitted.is_black() {
         return None;
     }
+    // The first surface.
     let ray = Ray::new(x0.ray_origin(direction), direction);
     let SurfaceHit { point: x1, transmittance } = tracer.bounce_ray(&ray, numbers.pass_through)?;
+    // Le·cos₀ over the density of all that.
     let x1_position = x1.site.position;
     let densities = tracer.scene.light_densities(choice.id, &x0, x1_position, direction);
     let density = densities.emission * densities.direction.0;

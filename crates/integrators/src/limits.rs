@@ -53,6 +53,7 @@ impl Roulette {
         if edge < self.from_edge {
             return Some(1.0);
         }
+        // By the band that kept most: no band is ended that carries light.
         let chance = weight.max_band().clamp(SMALLEST_CHANCE, longest_chance(edge));
         let unpaid = planted(Defect::LongPathsUnpaid) && edge > LONG;
         (u < chance).then_some(if unpaid { 1.0 } else { chance })

@@ -30,7 +30,9 @@ impl Integrator for Particle {
                     transmittance * scene.emitted(&point)
                 })
         });
+        // Then the light walks, whose light may land on any pixel.
         let mut tracer = Tracer::new(scene, chunk.control);
+        // Each light path stands for as much of the power as one pixel is of the film.
         let share = 1.0 / (scene.camera().width() * scene.camera().height()) as f32;
         for path in chunk.light_paths.clone() {
             self.trace_light_path(&mut tracer, share, &mut chunk.light_sampler(path), out);
@@ -60,11 +62,13 @@ impl Particle {
             if !self.limits.allow(edges + 1) {
                 return;
             }
+            // What this vertex sends into the camera.
             if let Some(splat) = aim_at_camera(scene, &point, wo)
                 && let Some(transmittance) = tracer.seen_by_camera(&point)
             {
                 out.add(splat.pixel(scene), throughput * splat.value * transmittance);
             }
+            // On to the next vertex.
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromLight, &point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { return };

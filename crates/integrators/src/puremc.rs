@@ -35,21 +35,25 @@ impl PureMc {
         let mut radiance = Rgb::BLACK;
         let mut throughput = Rgb::WHITE;
         for edges in 1.. {
+            // The next vertex, and what the edge to it lets through.
             let numbers = sampler.next_vertex();
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
             let Some(SurfaceHit { point, transmittance }) = hit else { break };
             throughput *= transmittance;
             let wo = -ray.direction;
+            // What the walk happens to hit.
             radiance += throughput * scene.emitted(&point);
             if !self.limits.allow(edges + 1) {
                 break;
             }
+            // Point lights alone: lamps with an area are hit.
             if let Some(light) = sample_light(scene, &point, wo, &numbers)
                 && light.x0.is_point
                 && let Some(transmittance) = light.visible(tracer, &point)
             {
                 radiance += throughput * light.radiance * transmittance;
             }
+            // On by the surface's own sampling, if roulette lets it.
             let roulette = self.limits.roulette;
             let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { break };

@@ -75,6 +75,7 @@ pub fn render(
     control: &Control,
     observe: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Rendering, ThreadError> {
+    // Threads of its own, so that the number asked for is kept.
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(settings.threads)
         .build()
@@ -96,8 +97,11 @@ pub fn render(
             light_paths: 0..light_paths,
             control,
         };
+        // All chunks, by any thread in any order.
         let outputs = pool.install(|| render_pass(scene, integrator, &whole));
+        // A pass that was given up leaves no trace.
         let Some(outputs) = outputs else { break };
+        // Sums are formed in the order of the chunks.
         rendering.add_pass(outputs, width, height);
         let progress =
             Progress { film: &rendering.film, statistics: rendering.statistics, spp: settings.spp };
@@ -128,6 +132,7 @@ fn render_pass(
     whole: &Chunk<'_>,
 ) -> Option<Vec<ChunkOutput>> {
     let (chunks, control) = (chunks(whole), whole.control);
+    // Whoever waits can see how far it is.
     control.begin_pass(chunks.len());
     // Light work that all chunks share comes first.
     let pass = Pass::new(scene, &chunks);
@@ -135,6 +140,7 @@ fn render_pass(
     let light_work = pass.into_statistics();
     let render_chunk = |chunk: &Chunk<'_>| {
         let mut out = ChunkOutput::default();
+        // From what the light work left, or from the chunk alone.
         match &with_memory {
             _ if control.is_cancelled() => {}
             Some(render_chunk) => render_chunk(chunk, &mut out),
@@ -158,6 +164,7 @@ fn render_pass(
 /// Cuts a pass into chunks, its light paths in proportion to its pixels.
 fn chunks<'a>(whole: &Chunk<'a>) -> Vec<Chunk<'a>> {
     let (pixels, light_paths) = (whole.pixels.end, whole.light_paths.end);
+    // In proportion, and without a gap whatever the two numbers.
     let share = |pixel: u32| {
         (u64::from(pixel) * u64::from(light_paths)).div_euclid(u64::from(pixels)) as u32
     };
@@ -180,6 +187,7 @@ impl Rendering {
             outputs.rotate_left(places);
         }
         for mut output in outputs {
+            // Light for any pixel: a chunk's own, or splats.
             for (pixel, radiance) in output.light {
                 image.add(pixel, radiance);
             }
@@ -190,6 +198,7 @@ impl Rendering {
             self.notes.append(&mut output.notes);
             self.statistics += output.statistics;
         }
+        // The film keeps squares of passes, which are independent; samples are not.
         self.film.add_pass(&image);
     }
 }

@@ -23,7 +23,9 @@ pub fn aim_at_camera(scene: &Scene, point: &SurfacePoint, wo: Vec3) -> Option<Sp
     if !point.model.has_smooth_part() {
         return None;
     }
+    // Where on the film, if it is in view.
     let projection = scene.camera().project(point.site.position)?;
+    // f toward the camera.
     let scattering = point.evaluate(wo, projection.to_camera);
     if scattering.f.is_black() {
         return None;

@@ -29,8 +29,10 @@ pub fn next_step(
     roulette: Roulette,
     edge: u32,
 ) -> Option<Step> {
+    // A direction of the surface's own, with f·cos/p.
     let sample = point.sample(wo, numbers.bsdf)?;
     let weight = point.walk_weight(walk, wo, &sample);
+    // The chance to go on is paid for by the weight.
     let chance = roulette.survive(edge, weight, numbers.roulette)?;
     let unpaid = planted(Defect::RouletteUnpaid) && walk == Walk::FromLight;
     let chance = if unpaid { 1.0 } else { chance };

@@ -44,11 +44,14 @@ fn radiance(tracer: &mut Tracer<'_>, film_point: Vec2) -> Rgb {
     tracer.statistics.camera_paths += 1;
     let (mut radiance, mut transmittance) = (Rgb::BLACK, Rgb::WHITE);
     for _ in 0..MOST_PASSAGES {
+        // What stands next in the way.
         let Some(point) = tracer.look(&ray) else { break };
         let lit = sample_point_lights(scene, &point, -ray.direction)
             .filter_map(|sample| Some(sample.radiance * sample.visible(tracer, &point)?))
             .sum::<Rgb>();
+        // As much of its light as there is of it.
         radiance += transmittance * (scene.emitted(&point) + lit) * point.opacity;
+        // And straight on with the rest.
         transmittance *= point.through;
         if transmittance.is_black() {
             break;

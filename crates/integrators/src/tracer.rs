@@ -113,10 +113,12 @@ impl<'scene> Tracer<'scene> {
         if self.is_cancelled() {
             return None;
         }
+        // From surface to surface, for as long as chance says straight on.
         let (mut transmittance, mut rest) = (Rgb::WHITE, *ray);
         for _ in 0..MOST_PASSAGES {
             count(&mut self.statistics);
             let point = self.scene.intersect(&rest)?;
+            // One number decides for all: what is left of it is uniform again.
             let chance = point.through.max_band();
             if pass_through >= chance {
                 let weight = point.opacity / (1.0 - chance);
@@ -133,6 +135,7 @@ impl<'scene> Tracer<'scene> {
     /// as all questions of the kind are from the side of the eye: through the
     /// back of a one-sided surface light passes that way only.
     pub fn seen_by_camera(&mut self, point: &SurfacePoint) -> Option<Rgb> {
+        // The pinhole is in free space: only the surface's end is lifted.
         let pinhole = self.scene.camera().position();
         self.sees(&point.site.segment_from_point(pinhole))
     }
@@ -142,6 +145,7 @@ impl<'scene> Tracer<'scene> {
         if self.is_cancelled() {
             return None;
         }
+        // One shadow ray, however many panes are in its way.
         self.statistics.shadow_rays += 1;
         Some(self.scene.transmittance(segment)).filter(|part| !part.is_black())
     }

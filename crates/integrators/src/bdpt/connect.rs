@@ -64,6 +64,7 @@ impl<'a> Joiner<'a> {
         sampler: &mut Sampler,
         out: &mut ChunkOutput,
     ) {
+        // What the camera path finds by itself: hits and light samples.
         let mut found = Rgb::BLACK;
         for last in 0..camera.len() {
             let camera = &camera[..=last];
@@ -106,14 +107,17 @@ impl<'a> Joiner<'a> {
     ) -> Option<Rgb> {
         let x0 = camera.last()?;
         let (id, on_lamp) = tracer.scene.emitting_point(&x0.point)?;
+        // Nothing competes for a lamp that the camera sees.
         let seen_directly = camera.len() == 1;
         if !seen_directly && !self.bdpt.techniques.hits {
             return None;
         }
+        // The vertex before, which a light sample would have been drawn for.
         let x1 = camera
             .len()
             .checked_sub(2)
             .map_or(tracer.scene.camera().position(), |before| camera[before].point.site.position);
+        // How else the point could have been found.
         let densities = tracer.scene.light_densities(id, &on_lamp, x1, x0.wo);
         let weight = if seen_directly {
             1.0
@@ -135,11 +139,14 @@ impl<'a> Joiner<'a> {
     ) -> Option<Rgb> {
         let x1 = camera.last()?;
         let scene = tracer.scene;
+        // Can light pass, and how much?
         let light = sample_light(scene, &x1.point, x1.wo, &x1.numbers)?;
+        // Points are always aimed at: nothing else finds them.
         let is_point = light.x0.is_point;
         if !self.bdpt.techniques.samples_light(is_point) {
             return None;
         }
+        // With what weight?
         let densities = light.densities(scene, x1.point.site.position);
         let cosine = x1.point.normal.dot(light.wi).abs();
         let end = End {
@@ -151,6 +158,7 @@ impl<'a> Joiner<'a> {
         let weight = weight::light_sample(x1, &end, &densities, hit_pdf, techniques, heuristic);
         let joint = Joint::LightSample { end, hit_pdf };
         let path = JoinedPath { light: &[], camera, densities, is_point, joint };
+        // Does anything stand between?
         let transmittance = light.visible(tracer, &x1.point)?;
         let value = x1.throughput * light.radiance * transmittance;
         Some(self.add(pixel, &Found { path, value, weight }, out))
@@ -170,12 +178,14 @@ impl<'a> Joiner<'a> {
         if !(y.connectable && z.connectable) {
             return;
         }
+        // Can light pass? Both surfaces must scatter into the edge.
         let offset = z.point.site.position - y.point.site.position;
         let possible = y.point.may_scatter_to(offset) && z.point.may_scatter_to(-offset);
         let distance_squared = offset.length_squared();
         if !possible || distance_squared == 0.0 {
             return;
         }
+        // How much: f at both ends, both cosines, one over the square of the distance.
         let direction = offset / distance_squared.sqrt();
         let from_light = y.point.evaluate(y.wo, direction);
         let from_camera = z.point.evaluate(z.wo, -direction);
@@ -183,16 +193,20 @@ impl<'a> Joiner<'a> {
         if f.is_black() {
             return;
         }
+        // With what weight?
         let end = |vertex: &Vertex, scattering| {
             let cosine = vertex.point.normal.dot(direction).abs();
             End { scattering, conversion: solid_angle_per_area(cosine, distance_squared) }
         };
         let (light_end, camera_end) = (end(y, from_light), end(z, from_camera));
         let weight = weight::connection((y, &light_end), (z, &camera_end), self.bdpt.heuristic);
+        // With shading normals the two ends carry different cosines: see `SurfacePoint::cosine`.
         let cosines = y.point.cosine(Walk::FromLight, y.wo, direction)
             * z.point.cosine(Walk::FromCamera, z.wo, -direction);
         let value = y.throughput * z.throughput * f * (cosines / distance_squared);
+        // Is it worth a shadow ray?
         let Some(chance) = roulette.survives(value * weight as f32) else { return };
+        // Does anything stand between?
         if let Some(transmittance) = tracer.sees(&z.point.site.segment_to(&y.point.site)) {
             let joint = Joint::Connection { light: light_end, camera: camera_end };
             let path = start.path(light, camera, joint);
@@ -208,12 +222,15 @@ impl<'a> Joiner<'a> {
         out: &mut ChunkOutput,
     ) {
         let [.., y] = light else { return };
+        // Does the camera see it, and with what weight?
         let Some(splat) = aim_at_camera(tracer.scene, &y.point, y.wo) else { return };
         let camera_pdf = splat.camera_pdf(&y.point);
         let pdf_back = splat.scattering.pdf_reverse;
         let heuristic = self.bdpt.heuristic;
         let weight = weight::splat(y, camera_pdf, pdf_back, self.light_paths, heuristic);
+        // Does anything stand between?
         if let Some(transmittance) = tracer.seen_by_camera(&y.point) {
+            // The mean over all light paths of the pass.
             let value =
                 y.throughput * splat.value * transmittance * (1.0 / self.light_paths as f32);
             let twice = planted(Defect::LightPathsDividedTwice);
@@ -234,6 +251,7 @@ impl<'a> Joiner<'a> {
         if !weighting.includes(s, t) {
             return alone;
         }
+        // Other weights than the recursive one are formed from all densities of the path.
         let takes_part = |s, t| techniques.allow(s, t, path.is_point) && weighting.includes(s, t);
         let all_weights = || path.path_densities().weights(self.light_paths, heuristic, takes_part);
         let weight = match weighting {

@@ -43,6 +43,7 @@ impl<'a> ConnectionRoulette<'a> {
         if self.looked_at >= 1.0 {
             return 0;
         }
+        // A geometric distribution, by its inverse.
         let u = 1.0 - f64::from(self.sampler.next_1d());
         (u.ln() / (-f64::from(self.looked_at)).ln_1p()) as usize
     }
@@ -55,6 +56,7 @@ impl<'a> ConnectionRoulette<'a> {
         if amount >= self.threshold {
             return Some(self.looked_at);
         }
+        // Tried in proportion, and then counted as the threshold.
         let chance = amount / self.threshold;
         (u < chance).then_some(chance * self.looked_at)
     }

@@ -69,14 +69,17 @@ impl JoinedPath<'_> {
             toward: f64::from(self.densities.toward),
             is_point: self.is_point,
         };
+        // x_k is the pinhole, which is there for certain.
         path.backward[k] = 1.0;
         let (light_back, camera_back) = self.end_densities();
+        // x₁ … x_{s−1} from the light walk: forward as walked, backward as it would be.
         for (j, vertex) in self.light.iter().enumerate() {
             let next = self.light.get(j + 1);
             path.forward[j + 1] = f64::from(vertex.pdf.0);
             path.backward[j] = back_area_pdf(vertex, next, light_back);
             path.is_delta[j + 1] = next.is_some_and(|next| next.after_delta);
         }
+        // x_{k−1} … x_s from the camera walk, counted from its end.
         for (j, vertex) in self.camera.iter().enumerate() {
             let next = self.camera.get(j + 1);
             let i = k - 1 - j;
@@ -84,6 +87,7 @@ impl JoinedPath<'_> {
             path.forward[i + 1] = back_area_pdf(vertex, next, camera_back);
             path.is_delta[i] = next.is_some_and(|next| next.after_delta);
         }
+        // What is left is x₀ and the edge that joins the two.
         path.forward[0] = f64::from(self.densities.emission);
         self.add_joint(&mut path, s);
         path
@@ -137,6 +141,7 @@ impl PathDensities {
         takes_part: impl Fn(usize, usize) -> bool,
     ) -> Vec<f64> {
         let k = self.forward.len() - 1;
+        // Logarithms: products of many densities leave the range of numbers.
         let logs: Vec<f64> = (0..=k)
             .map(|s| {
                 if self.is_possible(s) && takes_part(s, k + 1 - s) {
@@ -151,6 +156,7 @@ impl PathDensities {
             Heuristic::Balance => 1.0,
             Heuristic::Power => 2.0,
         };
+        // Relative to the largest, raised, and made to sum up to one.
         let powers: Vec<f64> = logs.iter().map(|log| (exponent * (log - largest)).exp()).collect();
         let sum: f64 = powers.iter().sum();
         powers.iter().map(|power| power / sum).collect()
@@ -168,6 +174,8 @@ impl PathDensities {
 
     fn log_density(&self, s: usize, light_paths: u32) -> f64 {
         let k = self.forward.len() - 1;
+        // x₀ … x_{s−1} walked from the light, the others from the camera; each of the light
+        // paths could have been splatted.
         let start = if s == 1 { self.toward } else { self.forward[0] };
         let forward: f64 =
             (0..s).map(|i| if i == 0 { start } else { self.forward[i] }).map(f64::ln).sum();

@@ -59,6 +59,7 @@ impl Report {
             Self::Techniques => {
                 let (s, t) = path.technique();
                 let [s, t] = [s, t].map(|n| n.min(MOST_VERTICES) as u8);
+                // The picture of the technique alone, and as much of it as counts.
                 for (weighted, factor) in [(false, 1.0), (true, weight as f32)] {
                     let layer = Technique { s, t, weighted }.layer();
                     out.layers.push((layer, pixel, value * factor));

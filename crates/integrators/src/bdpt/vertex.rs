@@ -74,12 +74,14 @@ impl SubpathState {
         numbers: VertexNumbers,
         heuristic: Heuristic,
     ) -> Vertex {
+        // The density of the direction, per area of the new vertex.
         let distance_squared = (point.site.position - self.position).length_squared();
         let cosine = point.normal.dot(wo).abs();
         let pdf = self.pdf.to_area(solid_angle_per_area(cosine, distance_squared));
         // Both densities of an ideal reflection carry the same chance; without
         // it only the cosines are left.
         let choice = if self.is_delta { 1.0 } else { f64::from(self.pdf.0) };
+        // p_back/p_forth of the edge: cosine over density, equations 34 to 36.
         let back_over_forth = f64::from(self.cosine) / (choice * f64::from(cosine));
         Vertex {
             point,
@@ -109,6 +111,7 @@ impl Vertex {
         pdf_back: SolidAnglePdf,
         heuristic: Heuristic,
     ) -> f64 {
+        // Connecting at the edge before this vertex, and at all edges further back.
         heuristic.raise(density_from_other_side * self.d_vcm)
             + heuristic.raise(density_from_other_side * f64::from(pdf_back.0)) * self.d_vc
     }
@@ -125,7 +128,9 @@ impl Vertex {
     ) -> SubpathState {
         let BsdfSample { wi, pdf, pdf_reverse, is_delta, .. } = *sample;
         let is_delta = is_delta || (self.after_delta && planted(Defect::DeltaFlagStays));
+        // Known only now: how a walk from the other end would have gone on.
         self.pdf_back = pdf_reverse;
+        // An ideal reflection cannot be connected to: nothing is added.
         let d_vc_factor = if is_delta {
             self.d_vc
         } else {
@@ -136,6 +141,7 @@ impl Vertex {
             cosine: self.point.normal.dot(wi).abs(),
             pdf,
             is_delta,
+            // An ideal reflection, or an edge that nobody connects, is no technique.
             d_vcm_factor: if connections && !is_delta { 1.0 } else { 0.0 },
             d_vc_factor,
         }

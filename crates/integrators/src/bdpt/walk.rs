@@ -40,12 +40,14 @@ impl Walker {
         sampler: &mut Sampler,
         vertices: &mut Vec<Vertex>,
     ) -> Option<LightStart> {
+        // x₀, the direction from it, and x₁.
         let emitted = emit(tracer, sampler)?;
         let state = self.light_state(&emitted);
         let Emitted { x0, direction, x1, numbers, throughput, densities } = emitted;
         vertices.push(state.extend_to(x1, -direction, throughput, numbers, self.heuristic));
         // One more edge must fit behind each vertex, to join it to the camera.
         self.walk_on(Walk::FromLight, 1, tracer, sampler, vertices);
+        // x₀ itself is a vertex of every technique that begins there.
         Some(LightStart { x0, densities })
     }
 
@@ -53,6 +55,7 @@ impl Walker {
     /// found it otherwise are light sampling and, if the lamp has an area, a hit.
     pub(crate) fn light_state(&self, emitted: &Emitted) -> SubpathState {
         let Emitted { x0, direction, densities, .. } = emitted;
+        // Georgiev, equations 31 to 33, without vertex merging.
         let emission = f64::from(densities.emission);
         let sampled = self.techniques.samples_light(x0.is_point);
         let hit = self.techniques.hits && !x0.is_point;
@@ -74,14 +77,17 @@ impl Walker {
         sampler: &mut Sampler,
         vertices: &mut Vec<Vertex>,
     ) {
+        // A point of the film, drawn uniformly in the pixel.
         let camera = *tracer.scene.camera();
         let ray = camera.ray(pixel_corner(tracer.scene, pixel) + sampler.next_2d());
+        // x_{k−1}, the first surface.
         let numbers = sampler.next_vertex();
         let Some(SurfaceHit { point, transmittance }) =
             tracer.camera_ray(&ray, numbers.pass_through)
         else {
             return;
         };
+        // Only splats could have found x₁ otherwise: equation 31 for the camera.
         let splats = if self.techniques.splats { splats_in_weights(self.light_paths) } else { 0.0 };
         let state = SubpathState {
             position: camera.position(),
@@ -114,14 +120,18 @@ impl Walker {
         let roulette = self.limits.roulette;
         for edge in 2.. {
             let Some(last) = vertices.last_mut() else { return };
+            // There must be room for this edge and for those that join it.
             if !self.limits.allow(edge + joining) {
                 return;
             }
+            // A direction from the last vertex.
             let step = next_step(walk, &last.point, last.wo, &last.numbers, roulette, edge);
             let Some(step) = step else { return };
             let sample = step.sample;
+            // Its partial weights, for whoever connects further on.
             let state = last.scatter(&sample, self.techniques.connections, self.heuristic);
             let throughput = last.throughput * step.weight;
+            // The vertex that it leads to.
             let numbers = sampler.next_vertex();
             let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
             let (wo, throughput) = (-sample.wi, throughput * hit.transmittance);

@@ -3,7 +3,8 @@
 //!
 //! All four take the numbers of the two subpath ends alone; see
 //! [`vertex`](super::vertex) for M and C. Held equal to
-//! [`direct_sum`](super::direct_sum) in tests.
+//! [`direct_sum`](super::direct_sum) in tests. Equations are those of Georgiev,
+//! *Implementing Vertex Connection and Merging*, 2012.
 
 use super::Techniques;
 use super::vertex::{End, Vertex};
@@ -18,6 +19,7 @@ pub(crate) fn hit(
     techniques: Techniques,
     heuristic: Heuristic,
 ) -> f64 {
+    // Against a light sample for x₁, then against all that begin at the lamp: equation 43.
     let sampled = if x0.after_delta || !techniques.samples_light(false) {
         0.0
     } else {
@@ -37,8 +39,10 @@ pub(crate) fn light_sample(
     techniques: Techniques,
     heuristic: Heuristic,
 ) -> f64 {
+    // Against a hit of the same point: equation 44.
     let toward = f64::from(densities.toward);
     let hit = if techniques.hits { f64::from(hit_pdf) / toward } else { 0.0 };
+    // Against light walks that reach x₁, and all behind it: equation 45.
     let arrival = f64::from(densities.direction.0) * f64::from(end.conversion);
     let walked = f64::from(densities.emission) * arrival / toward;
     let back = end.scattering.pdf_reverse;
@@ -51,6 +55,7 @@ pub(crate) fn connection(
     camera: (&Vertex, &End),
     heuristic: Heuristic,
 ) -> f64 {
+    // Equations 40 and 41, which are one formula read from either end.
     let side = |(vertex, end): (&Vertex, &End), other: &End| {
         let arrival = f64::from(other.scattering.pdf.0) * f64::from(end.conversion);
         vertex.competition(arrival, end.scattering.pdf_reverse, heuristic)
@@ -72,6 +77,7 @@ pub(crate) fn splat(
     light_paths: u32,
     heuristic: Heuristic,
 ) -> f64 {
+    // Each of the light paths could have been splatted here: equation 46.
     let arrival = f64::from(camera_pdf) / splats_in_weights(light_paths);
     1.0 / (1.0 + vertex.competition(arrival, pdf_back, heuristic))
 }
