@@ -1,13 +1,14 @@
 //! From parts to a scene.
 
-use crate::coincidence::{self, Coincidences};
+use crate::coincidence;
 use crate::light::check_emission;
 use crate::light_tree::LightTree;
-use crate::scene::LightId;
-use crate::seat::{self, Seat};
+use crate::scene::{LightId, Stage};
+use crate::seat::Seat;
 use crate::surfaces::{Form, Surfaces};
 use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
-use traylib_geometry::{Bvh, Mesh, Primitive, Sides, SurfaceSite};
+use std::sync::Arc;
+use traylib_geometry::{Bvh, Mesh, Primitive, Sides};
 use traylib_materials::Material;
 use traylib_math::{Defect, DiscreteDistribution, Rgb, Vec3, planted};
 
@@ -150,27 +151,19 @@ impl SceneBuilder {
         let tree = Bvh::of_shapes(self.surfaces)?;
         let (tree, lifted_lamps) = coincidence::lift_lamps(tree, &mut lights)?;
         let seats = seats(&lights, &self.materials, tree.shapes());
-        let is_within = |seat: &&Seat| matches!(seat, Seat::Within(_));
-        let points_in_surfaces = seats.iter().filter(is_within).count();
         let light_tree = LightTree::new(&lights);
-        let camera_in: Vec<SurfaceSite> =
-            seat::touching(self.camera.position(), tree.shapes()).collect();
         let see_through = self.materials.iter().any(Material::is_see_through);
-        Ok(Scene {
-            camera: camera_in.iter().fold(self.camera, Camera::lifted),
+        let stage = Stage {
             tree,
             materials: self.materials,
             see_through,
             lights,
             seats,
-            coincidences: Coincidences {
-                lifted_lamps,
-                points_in_surfaces,
-                surfaces_at_camera: camera_in.len(),
-            },
+            lifted_lamps,
             light_by_power,
             light_tree,
-        })
+        };
+        Ok(Scene::new(Arc::new(stage), self.camera))
     }
 }
 

@@ -112,6 +112,7 @@ mod tests {
     use super::*;
     use crate::scene::LightId;
     use crate::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder};
+    use std::sync::Arc;
     use traylib_geometry::{Facing, Primitive, Quad, Sphere, SurfaceSite};
     use traylib_materials::{Lambert, SurfaceModel};
     use traylib_math::{Purpose, Rgb, Sampler, Vec3, warp};
@@ -233,6 +234,28 @@ mod tests {
                 }
                 assert!((100..900).contains(&met), "{met}");
             }
+        }
+    }
+
+    /// Nothing is built again for another camera, and it sees what it would have seen
+    /// from the start, also from within a surface.
+    #[test]
+    fn another_camera_shares_all_but_itself() {
+        let floor = (square(3.0, 0.3), Sides::Both, 1.0);
+        let camera = |position| {
+            let target = Vec3::new(0.3, 2.0, 0.2);
+            let (up, fov_degrees) = (Vec3::Z, 60.0);
+            let settings =
+                CameraSettings { position, target, up, fov_degrees, width: 16, height: 16 };
+            Camera::new(settings).unwrap()
+        };
+        let first = seen_by(camera(Vec3::new(0.0, 5.0, 0.0)), &[floor], None);
+        for position in [Vec3::new(1.0, -3.0, 0.5), Vec3::new(-1.0, 1.7, 0.0)] {
+            let moved = first.seen_by(camera(position));
+            assert!(Arc::ptr_eq(&moved.stage, &first.stage));
+            let anew = seen_by(camera(position), &[floor], None);
+            assert_eq!(moved.camera(), anew.camera());
+            assert_eq!(moved.coincidences(), anew.coincidences());
         }
     }
 

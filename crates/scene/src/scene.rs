@@ -2,9 +2,10 @@
 
 use crate::coincidence::Coincidences;
 use crate::light_tree::LightTree;
-use crate::seat::Seat;
+use crate::seat::{self, Seat};
 use crate::surfaces::{Surface, Surfaces};
 use crate::{Camera, Light, LightPoint, SurfacePoint};
+use std::sync::Arc;
 use traylib_geometry::{Bvh, Hit, Ray, ShapeList, Shapes, SurfaceSite};
 use traylib_materials::{Material, Shading};
 use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3, planted};
@@ -14,9 +15,18 @@ use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3,
 pub struct LightId(pub(crate) u32);
 
 /// Camera, lamps and surfaces, ready to be rendered. Immutable.
-#[derive(Debug)]
+///
+/// All but the camera is shared: a scene seen by [another](Self::seen_by) costs nothing.
+#[derive(Clone, Debug)]
 pub struct Scene {
-    pub(crate) camera: Camera,
+    camera: Camera,
+    surfaces_at_camera: usize,
+    pub(crate) stage: Arc<Stage>,
+}
+
+/// What stands where, whoever looks at it.
+#[derive(Debug)]
+pub(crate) struct Stage {
     pub(crate) tree: Bvh<Shapes<Surfaces>>,
     pub(crate) materials: Vec<Material>,
     /// Whether light passes straight through any of them.
@@ -24,7 +34,7 @@ pub struct Scene {
     pub(crate) lights: Vec<Light>,
     /// What each lamp lies on; none where that matters for no lamp.
     pub(crate) seats: Vec<Seat>,
-    pub(crate) coincidences: Coincidences,
+    pub(crate) lifted_lamps: usize,
     pub(crate) light_by_power: DiscreteDistribution,
     pub(crate) light_tree: LightTree,
 }
@@ -63,6 +73,23 @@ pub const MOST_PASSAGES: u32 = 1000;
 const EDGE: f32 = 1.0 / (1 << 18) as f32;
 
 impl Scene {
+    pub(crate) fn new(stage: Arc<Stage>, camera: Camera) -> Self {
+        let camera_in: Vec<SurfaceSite> =
+            seat::touching(camera.position(), stage.tree.shapes()).collect();
+        Self {
+            camera: camera_in.iter().fold(camera, Camera::lifted),
+            surfaces_at_camera: camera_in.len(),
+            stage,
+        }
+    }
+
+    /// The same scene with another camera, as a window needs it that is walked through:
+    /// nothing is built again.
+    #[must_use]
+    pub fn seen_by(&self, camera: Camera) -> Self {
+        Self::new(Arc::clone(&self.stage), camera)
+    }
+
     /// The camera.
     pub fn camera(&self) -> &Camera {
         &self.camera
@@ -70,28 +97,33 @@ impl Scene {
 
     /// All lamps; every emitting primitive is one.
     pub fn lights(&self) -> &[Light] {
-        &self.lights
+        &self.stage.lights
     }
 
     /// All materials.
     pub fn materials(&self) -> &[Material] {
-        &self.materials
+        &self.stage.materials
     }
 
     /// What lay in one place and was told apart.
     pub fn coincidences(&self) -> Coincidences {
-        self.coincidences
+        let is_within = |seat: &&Seat| matches!(seat, Seat::Within(_));
+        Coincidences {
+            lifted_lamps: self.stage.lifted_lamps,
+            points_in_surfaces: self.stage.seats.iter().filter(is_within).count(),
+            surfaces_at_camera: self.surfaces_at_camera,
+        }
     }
 
     /// How many primitives there are.
     pub fn primitive_count(&self) -> usize {
-        self.tree.shapes().count()
+        self.stage.tree.shapes().count()
     }
 
     /// The first surface that a ray or a segment meets, be it one that light passes
     /// straight through or not.
     pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint> {
-        let mut hit = self.tree.nearest(ray)?;
+        let mut hit = self.stage.tree.nearest(ray)?;
         let mut surface = self.surface(&hit);
         let mut site = surface.site(ray, &hit)?;
         let from_behind = site.normal.dot(ray.direction) > 0.0;
@@ -103,7 +135,7 @@ impl Scene {
         }
         let smooth = surface.smooth_normal(&hit).unwrap_or(site.normal);
         let at = Vec2::new(hit.u, hit.v);
-        let material = &self.materials[surface.material()];
+        let material = &self.stage.materials[surface.material()];
         let shading = material.at(smooth, || surface.site_of_textures(at));
         let Shading { model, opacity, through, normal: front_shading } = shading;
         let by_shading = planted(Defect::EmissionByShadingNormal);
@@ -126,7 +158,7 @@ impl Scene {
     #[cold]
     fn front_at_edge(&self, ray: &Ray, hit: &Hit) -> Option<(Hit, SurfaceSite)> {
         let here = Ray { t_max: ray.t_max.min(hit.t * (1.0 + EDGE)), ..*ray };
-        let sites = self.tree.all_hits(&here).into_iter().filter_map(|other| {
+        let sites = self.stage.tree.all_hits(&here).into_iter().filter_map(|other| {
             let site = self.surface(&other).site(ray, &other)?;
             Some((other, site))
         });
@@ -136,7 +168,7 @@ impl Scene {
     /// What a ray has met.
     #[inline]
     fn surface(&self, hit: &Hit) -> Surface<'_> {
-        self.tree.shapes().get(hit.primitive)
+        self.stage.tree.shapes().get(hit.primitive)
     }
 
     /// The part of the light that a segment lets through: white where nothing
@@ -144,9 +176,9 @@ impl Scene {
     /// [`SurfaceSite::segment_to`](traylib_geometry::SurfaceSite::segment_to)
     /// or its like: it has no slack of its own.
     pub fn transmittance(&self, segment: &Ray) -> Rgb {
-        if self.see_through {
+        if self.stage.see_through {
             self.transmittance_of_panes(segment)
-        } else if self.tree.any_hit(segment) {
+        } else if self.stage.tree.any_hit(segment) {
             Rgb::BLACK
         } else {
             Rgb::WHITE
@@ -157,9 +189,9 @@ impl Scene {
         let end = segment.at(segment.t_max);
         let (mut transmittance, mut rest) = (Rgb::WHITE, *segment);
         for _ in 0..MOST_PASSAGES {
-            let Some(hit) = self.tree.nearest(&rest) else { return transmittance };
+            let Some(hit) = self.stage.tree.nearest(&rest) else { return transmittance };
             let surface = self.surface(&hit);
-            let material = &self.materials[surface.material()];
+            let material = &self.stage.materials[surface.material()];
             // Most shadows are thrown by what lets nothing through anywhere.
             if !material.is_see_through() {
                 return Rgb::BLACK;
@@ -178,8 +210,8 @@ impl Scene {
     /// A lamp to start a light path, drawn in proportion to its power, but none more
     /// than some 16 times as rarely as if all had the same.
     pub fn choose_light(&self, u: f64) -> LightChoice<'_> {
-        let (index, probability) = self.light_by_power.choose(u);
-        LightChoice { id: LightId(index as u32), light: &self.lights[index], probability }
+        let (index, probability) = self.stage.light_by_power.choose(u);
+        LightChoice { id: LightId(index as u32), light: &self.stage.lights[index], probability }
     }
 
     /// A lamp to light a surface at `x1`: rather one that is strong, near and
@@ -188,18 +220,18 @@ impl Scene {
     /// turn of the tree.
     #[inline]
     pub fn choose_light_for(&self, x1: Vec3, u: f64) -> LightChoice<'_> {
-        let (index, probability) = self.light_tree.choose(x1, u);
-        LightChoice { id: LightId(index), light: &self.lights[index as usize], probability }
+        let (index, probability) = self.stage.light_tree.choose(x1, u);
+        LightChoice { id: LightId(index), light: &self.stage.lights[index as usize], probability }
     }
 
     /// The names of all lamps.
     pub fn light_ids(&self) -> impl Iterator<Item = LightId> + use<> {
-        (0..self.lights.len() as u32).map(LightId)
+        (0..self.stage.lights.len() as u32).map(LightId)
     }
 
     /// The lamp of this name.
     pub fn light(&self, id: LightId) -> &Light {
-        &self.lights[id.0 as usize]
+        &self.stage.lights[id.0 as usize]
     }
 
     /// The point as one of a lamp, if it emits toward the side it is seen from.
@@ -227,7 +259,7 @@ impl Scene {
         x1: Vec3,
         direction: Vec3,
     ) -> LightDensities {
-        let chosen_for_x1 = self.light_tree.probability(id.0, x1);
+        let chosen_for_x1 = self.stage.light_tree.probability(id.0, x1);
         self.chosen_light_densities(id, chosen_for_x1, x0, x1, direction)
     }
 
@@ -242,7 +274,8 @@ impl Scene {
         direction: Vec3,
     ) -> LightDensities {
         let light = self.light(id);
-        let emission = self.light_by_power.probability(id.0 as usize) * light.emission_pdf().0;
+        let emission =
+            self.stage.light_by_power.probability(id.0 as usize) * light.emission_pdf().0;
         let toward = chosen_for_x1 * light.toward_pdf(x1, x0).0;
         LightDensities {
             emission,

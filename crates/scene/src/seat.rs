@@ -63,7 +63,7 @@ impl Scene {
     /// Gives the point that `u` made of a lamp what the lamp lies on.
     #[inline]
     fn seat(&self, id: LightId, point: &mut LightPoint, u: Vec2) {
-        match self.seats.get(id.0 as usize) {
+        match self.stage.seats.get(id.0 as usize) {
             None | Some(Seat::Plain) => {}
             Some(Seat::Masked(surface)) => point.emitted *= self.coverage_of_sample(*surface, u),
             Some(Seat::Within(site)) => point.site = *site,
@@ -77,8 +77,8 @@ impl Scene {
         if planted(Defect::LampOpacityForgotten) {
             return 1.0;
         }
-        let surface = self.tree.shapes().get(index);
+        let surface = self.stage.tree.shapes().get(index);
         let at = surface.sample_coordinates(u);
-        self.materials[surface.material()].opacity(|| surface.site_of_textures(at))
+        self.stage.materials[surface.material()].opacity(|| surface.site_of_textures(at))
     }
 }
