@@ -4,6 +4,7 @@
 //! reported together.
 
 mod coincidence;
+mod counter;
 mod files;
 mod frame;
 mod lights;
@@ -16,7 +17,6 @@ mod one_sided;
 mod place;
 mod placement;
 mod shape;
-mod tally;
 mod textures;
 mod thing;
 mod whole;

@@ -1,6 +1,6 @@
 //! What lay in one place in a scene.
 
-use super::tally::Tally;
+use super::counter::Counter;
 use crate::Warning;
 use traylib_scene::{Coincidences, Scene};
 
@@ -9,22 +9,22 @@ use traylib_scene::{Coincidences, Scene};
 pub(super) fn warnings(scene: &Scene, file: &str) -> impl Iterator<Item = Warning> {
     let Coincidences { lifted_lamps, points_in_surfaces, surfaces_at_camera } =
         scene.coincidences();
-    let mut tally = Tally::default();
-    tally.add_many(
+    let mut counter = Counter::default();
+    counter.add_many(
         "lamp in one place with another surface: lifted off it, so that it shines \
          (of lamps in one place the first in the file does)",
         count(lifted_lamps),
     );
-    tally.add_many(
+    counter.add_many(
         "point light that lies in a surface: it shines on both sides of it",
         count(points_in_surfaces),
     );
-    tally.add_many(
+    counter.add_many(
         "surface in which the camera lies: it is seen from a little off it, on the side \
          into which the camera looks",
         count(surfaces_at_camera),
     );
-    tally.into_warnings(file)
+    counter.into_warnings(file)
 }
 
 fn count(number: usize) -> u32 {

@@ -1,12 +1,12 @@
 //! Objects whose shape comes from a file.
 
+use super::counter::Counter;
 use super::files::SceneFile;
 use super::frame;
 use super::material::Materials;
 use super::model::{Half, Look, ModelFile, ModelFiles, NumberedFile, is_model};
 use super::place::Place;
 use super::placement::Placement;
-use super::tally::Tally;
 use super::thing::{Thing, ThingMaterial};
 use crate::report::{Problem, Problems};
 use crate::ron_scene::locate::Step;
@@ -46,10 +46,10 @@ impl MeshImporter<'_> {
             model.map_err(|error| self.problems.push(self.not_usable(error, &location))).ok();
         let (Ok(placement), Some(model)) = (placement, model) else { return Vec::new() };
         let replaced = self.replaced(&model.file.looks);
-        let mut tally = Tally::default();
-        let parts = shape.note(model.file.parts(&placement, &mut tally), self.problems);
-        self.note_unused(&model.file, &mut tally);
-        models.warn(&location, tally);
+        let mut counter = Counter::default();
+        let parts = shape.note(model.file.parts(&placement, &mut counter), self.problems);
+        self.note_unused(&model.file, &mut counter);
+        models.warn(&location, counter);
         let glow = glow.unwrap_or(if model.file.is_physical() { 1.0 } else { 0.0 });
         let mut things = Vec::new();
         for part in parts.unwrap_or_default() {
@@ -78,13 +78,13 @@ impl MeshImporter<'_> {
     }
 
     /// What could shine if the object wanted it.
-    fn note_unused(&self, file: &ModelFile, tally: &mut Tally) {
+    fn note_unused(&self, file: &ModelFile, counter: &mut Counter) {
         let (lights, glows) = file.unused_light();
         if lights > 0 && self.mesh.lights == 0.0 {
-            tally.add_many("light not taken (`lights: 1` takes it)", lights as u32);
+            counter.add_many("light not taken (`lights: 1` takes it)", lights as u32);
         }
         if glows && self.mesh.glow.is_none() {
-            tally.add("self-illumination not taken (`glow: 1` takes it)");
+            counter.add("self-illumination not taken (`glow: 1` takes it)");
         }
     }
 

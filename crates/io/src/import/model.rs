@@ -3,8 +3,8 @@
 mod mgf;
 mod three_ds;
 
+use super::counter::Counter;
 use super::placement::Placement;
-use super::tally::Tally;
 use crate::load::LoadOptions;
 use crate::source::{Location, why};
 use crate::{Error, Warning};
@@ -92,14 +92,14 @@ impl ModelFile {
         location: &Location,
         options: LoadOptions<'_>,
     ) -> Result<(Self, Vec<Warning>), Error> {
-        let mut tally = Tally::default();
+        let mut counter = Counter::default();
         let (file, mut warnings) = match location {
-            Location::Disk(path) if is_mgf(path) => mgf::read(path, options, &mut tally)?,
+            Location::Disk(path) if is_mgf(path) => mgf::read(path, options, &mut counter)?,
             Location::Disk(_) | Location::BuiltIn(_) => {
-                three_ds::read(location, options.limits, &mut tally)?
+                three_ds::read(location, options.limits, &mut counter)?
             }
         };
-        warnings.extend(tally.into_warnings(&location.to_string()));
+        warnings.extend(counter.into_warnings(&location.to_string()));
         Ok((file, warnings))
     }
 
@@ -107,10 +107,10 @@ impl ModelFile {
     pub(super) fn parts(
         &self,
         placement: &Placement,
-        tally: &mut Tally,
+        counter: &mut Counter,
     ) -> Result<Vec<ModelPart>, geometry::Error> {
         match &self.content {
-            Content::Mgf(surfaces) => mgf::parts(surfaces, &self.looks, placement, tally),
+            Content::Mgf(surfaces) => mgf::parts(surfaces, &self.looks, placement, counter),
             Content::ThreeDs(content) => content.parts(placement),
         }
     }
@@ -216,8 +216,8 @@ impl<'a> ModelFiles<'a> {
     }
 
     /// Takes note of what was met while shapes were made.
-    pub(super) fn warn(&mut self, location: &Location, tally: Tally) {
-        self.warnings.extend(tally.into_warnings(&location.to_string()));
+    pub(super) fn warn(&mut self, location: &Location, counter: Counter) {
+        self.warnings.extend(counter.into_warnings(&location.to_string()));
     }
 
     /// Adds lights that a scene wants from a file.

@@ -7,8 +7,8 @@
 
 mod harmless;
 
+use super::counter::Counter;
 use super::model::Half;
-use super::tally::Tally;
 use super::thing::Thing;
 use crate::Warning;
 use harmless::Surroundings;
@@ -33,14 +33,14 @@ pub(super) struct Described<'a> {
 /// One warning for each material of such a surface. `points` are the camera and the
 /// lights that are no things.
 pub(super) fn warnings(things: &[Described<'_>], points: Vec<Vec3>) -> Vec<Warning> {
-    let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
+    let mut tallies: BTreeMap<&str, Counter> = BTreeMap::new();
     let mut surroundings = Surroundings::new(things, points);
     for (index, thing) in things.iter().enumerate() {
         if thing.is_suspect() && !surroundings.is_harmless(index) {
             tallies.entry(thing.file).or_default().add(thing.warning());
         }
     }
-    tallies.into_iter().flat_map(|(file, tally)| tally.into_warnings(file)).collect()
+    tallies.into_iter().flat_map(|(file, counter)| counter.into_warnings(file)).collect()
 }
 
 impl Described<'_> {

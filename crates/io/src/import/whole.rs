@@ -2,13 +2,13 @@
 
 use super::Imported;
 use super::coincidence;
+use super::counter::Counter;
 use super::frame;
 use super::lights::add_light;
 use super::meter;
 use super::model::{ModelCamera, ModelFile, ModelPart};
 use super::one_sided::{self, Described};
 use super::placement::Placement;
-use super::tally::Tally;
 use super::thing::{Thing, ThingMaterial};
 use crate::load::{Headlight, LoadOptions, SceneSettings};
 use crate::ron_scene;
@@ -33,9 +33,9 @@ pub(crate) fn import_whole(
 ) -> Result<Imported, Error> {
     let (file, mut warnings) = ModelFile::read(location, options)?;
     let name = location.to_string();
-    let mut tally = Tally::default();
+    let mut counter = Counter::default();
     let failed = |cause| Error::Model { file: name.clone(), cause };
-    let things = things(&file, &mut tally).map_err(|cause| failed(cause.into()))?;
+    let things = things(&file, &mut counter).map_err(|cause| failed(cause.into()))?;
     let bounds = frame::bounds(&things);
     if bounds.is_empty() {
         return Err(Error::NothingToSee(name));
@@ -47,13 +47,13 @@ pub(crate) fn import_whole(
         if options.headlight == Headlight::Never {
             return Err(Error::Unlit(name));
         }
-        tally.add(format!("{lack}, lit by a point light at the camera"));
+        counter.add(format!("{lack}, lit by a point light at the camera"));
         lights.push(headlight(&view, bounds.centre()));
     }
     let places = lights.iter().map(|light| light.position).chain([view.position]);
     let one_sided = one_sided(&file, &name, &things, places.collect());
     let camera = Camera::new(view).map_err(failed)?;
-    let scene = build(camera, &file, things, lights, &mut tally).map_err(failed)?;
+    let scene = build(camera, &file, things, lights, &mut counter).map_err(failed)?;
     let exposure = match options.exposure {
         Some(exposure) => exposure,
         // Under the light at the camera surfaces show their colours as they are.
@@ -66,7 +66,7 @@ pub(crate) fn import_whole(
             exposure
         }
     };
-    warnings.extend(tally.into_warnings(&name));
+    warnings.extend(counter.into_warnings(&name));
     warnings.extend(one_sided);
     warnings.extend(coincidence::warnings(&scene, &name));
     Ok(Imported { scene, settings: SceneSettings { spp: 64, exposure }, warnings, notes })
@@ -87,8 +87,8 @@ fn lack_of_light(
     }
 }
 
-fn things(file: &ModelFile, tally: &mut Tally) -> Result<Vec<Thing>, traylib_geometry::Error> {
-    let parts = file.parts(&Placement::NONE, tally)?;
+fn things(file: &ModelFile, counter: &mut Counter) -> Result<Vec<Thing>, traylib_geometry::Error> {
+    let parts = file.parts(&Placement::NONE, counter)?;
     let look = |part: &ModelPart| &file.looks[part.look];
     Ok(parts.into_iter().map(|part| Thing::of_model(look(&part), part, 0, 1.0)).collect())
 }
@@ -158,7 +158,7 @@ fn build(
     file: &ModelFile,
     things: Vec<Thing>,
     lights: Vec<PointLight>,
-    tally: &mut Tally,
+    counter: &mut Counter,
 ) -> Result<Scene, scene::Error> {
     let mut builder = SceneBuilder::new(camera);
     let materials = file.looks.iter().map(|look| look.material.clone());
@@ -167,7 +167,7 @@ fn build(
         let (ThingMaterial::Own(number) | ThingMaterial::Named(number)) = material;
         let object = Object { shape, sides, material: ids[number], emission };
         match builder.add_object(object) {
-            Err(scene::Error::EmptyMesh) => tally.add("mesh dropped: it has no area"),
+            Err(scene::Error::EmptyMesh) => counter.add("mesh dropped: it has no area"),
             other => other?,
         }
     }

@@ -1,8 +1,8 @@
 //! What is current: a colour, a material and a vertex.
 
 use super::colour::Colour;
-use super::draft::Draft;
 use super::keyword::Keyword;
+use super::material_builder::MaterialBuilder;
 use super::names::Names;
 use super::words::{exactly, number, numbers};
 use super::{Cause, Vertex};
@@ -11,7 +11,7 @@ use traylib_math::glam::DVec3;
 /// The three contexts, each kind with names of its own.
 pub(super) struct Contexts {
     pub(super) colours: Names<Colour>,
-    pub(super) materials: Names<Draft>,
+    pub(super) materials: Names<MaterialBuilder>,
     pub(super) vertices: Names<Vertex>,
 }
 

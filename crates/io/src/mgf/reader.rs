@@ -8,7 +8,7 @@ use super::contexts::Contexts;
 use super::files::Files;
 use super::frames::Frames;
 use super::keyword::Keyword;
-use super::palette::Palette;
+use super::material_table::MaterialTable;
 use super::source::Source;
 use super::{
     Cause, Counts, Document, Error, Options, Place, Shape, Surface, Vertex, WarningKind, Warnings,
@@ -28,7 +28,7 @@ pub(super) struct Reader<'a> {
     line: u32,
     contexts: Contexts,
     frames: Frames,
-    palette: Palette,
+    material_table: MaterialTable,
     surfaces: Vec<Surface>,
     work: Budget,
     memory: Budget,
@@ -78,7 +78,7 @@ impl<'a> Reader<'a> {
             line: 0,
             contexts: Contexts::new(),
             frames: Frames::new(options),
-            palette: Palette::default(),
+            material_table: MaterialTable::default(),
             surfaces: Vec::new(),
             work: Budget::new("bytes of text and other work", options.max_work, Limit::Work),
             memory: Budget::new("bytes of memory", options.max_memory, Limit::Memory),
@@ -107,7 +107,7 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn finish(self) -> Document {
-        let Self { surfaces, palette, warnings, mut counts, .. } = self;
+        let Self { surfaces, material_table, warnings, mut counts, .. } = self;
         for keyword in Keyword::all().filter(|&keyword| self.entities[keyword as usize] > 0) {
             let count = self.entities[keyword as usize];
             counts.entities_after_include_and_array.insert(keyword.name(), count);
@@ -115,7 +115,7 @@ impl<'a> Reader<'a> {
         counts.material_definitions = self.contexts.materials.definitions;
         counts.color_definitions = self.contexts.colours.definitions;
         counts.vertex_definitions = self.contexts.vertices.definitions;
-        let materials = palette.materials;
+        let materials = material_table.materials;
         let document = Document { surfaces, materials, warnings, counts: Counts::default() };
         counts.add_surfaces(&document);
         Document { counts, ..document }
@@ -238,19 +238,19 @@ impl<'a> Reader<'a> {
     }
 
     fn material(&mut self) -> Result<usize, Cause> {
-        let known = self.palette.materials.len();
-        let (index, repairs) = self.palette.index(self.contexts.materials.current());
+        let known = self.material_table.materials.len();
+        let (index, repairs) = self.material_table.index(self.contexts.materials.current());
         if index < known {
             return Ok(index);
         }
         self.work.take(MATERIAL_COST)?;
-        self.memory.take(Palette::MEMORY)?;
+        self.memory.take(MaterialTable::MEMORY)?;
         let told = [
             (repairs.scaled_down, WarningKind::ScattersTooMuch),
             (repairs.without_luminance, WarningKind::ColourWithoutLuminance),
         ];
         for (_, kind) in told.into_iter().filter(|(met, _)| *met) {
-            let name = Arc::clone(&self.palette.materials[index].name);
+            let name = Arc::clone(&self.material_table.materials[index].name);
             self.warn(kind, &name);
         }
         Ok(index)

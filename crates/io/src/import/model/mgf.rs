@@ -5,8 +5,8 @@ mod place;
 mod triangles;
 
 use super::{Content, Half, Look, ModelFile, ModelPart};
+use crate::import::counter::Counter;
 use crate::import::placement::Placement;
-use crate::import::tally::Tally;
 use crate::load::LoadOptions;
 use crate::mgf::{self, Shape, Surface};
 use crate::{Error, Warning};
@@ -20,11 +20,11 @@ use triangles::Triangles;
 pub(super) fn read(
     path: &Path,
     options: LoadOptions<'_>,
-    tally: &mut Tally,
+    counter: &mut Counter,
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
     let bounds = options.limits.mgf(options.root);
     let document = mgf::decode(&[path.to_path_buf()], &bounds)?;
-    let look = |material| material::look(material, tally);
+    let look = |material| material::look(material, counter);
     let looks = document.materials.iter().map(look).collect::<Result<_, _>>();
     let looks =
         looks.map_err(|cause| Error::Material { file: path.display().to_string(), cause })?;
@@ -37,7 +37,7 @@ pub(super) fn parts(
     surfaces: &[Surface],
     looks: &[Look],
     placement: &Placement,
-    tally: &mut Tally,
+    counter: &mut Counter,
 ) -> Result<Vec<ModelPart>, geometry::Error> {
     let mut parts = Vec::new();
     let mut triangles = Triangles::default();
@@ -52,7 +52,7 @@ pub(super) fn parts(
                     let shape = ObjectShape::Primitive(primitive);
                     parts.push(ModelPart { shape, look, half });
                 }
-                Some(Err(_)) => tally.add("surface dropped: single precision cannot hold it"),
+                Some(Err(_)) => counter.add("surface dropped: single precision cannot hold it"),
                 None => triangles.add(shape, look, half),
             }
         }

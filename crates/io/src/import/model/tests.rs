@@ -11,9 +11,9 @@ fn parts_of(test: &str, text: &str) -> (Vec<ModelPart>, Vec<Look>, usize) {
     fs::remove_file(&path).unwrap();
     let (file, warnings) = read.unwrap();
     assert_eq!(warnings, []);
-    let mut tally = Tally::default();
-    let parts = file.parts(&Placement::NONE, &mut tally).unwrap();
-    (parts, file.looks, tally.into_warnings("").count())
+    let mut counter = Counter::default();
+    let parts = file.parts(&Placement::NONE, &mut counter).unwrap();
+    (parts, file.looks, counter.into_warnings("").count())
 }
 
 const POINTS: &str = "v a =\n p 0 0 0\nv b =\n p 1 0 0\nv c =\n p 1 1 0\nv d =\n p 0 1 0\n\

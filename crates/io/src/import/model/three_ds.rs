@@ -8,8 +8,8 @@ mod skipped;
 mod welder;
 
 use super::{Half, Look, ModelCamera, ModelFile, ModelPart};
+use crate::import::counter::Counter;
 use crate::import::placement::Placement;
-use crate::import::tally::Tally;
 use crate::import::textures::Textures;
 use crate::source::Location;
 use crate::three_ds::smoothing::corner_normals;
@@ -38,7 +38,7 @@ pub(super) struct Content {
 pub(super) fn read(
     location: &Location,
     limits: ReadLimits,
-    tally: &mut Tally,
+    counter: &mut Counter,
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
     let file = location.to_string();
     let bytes =
@@ -50,7 +50,7 @@ pub(super) fn read(
     }
     let mut textures = Textures::new(limits);
     let folder = Folder::of(location);
-    let mut importer = MapImporter { folder, textures: &mut textures, tally };
+    let mut importer = MapImporter { folder, textures: &mut textures, counter };
     let model = model(document, &mut importer).map_err(|cause| Error::Material { file, cause })?;
     Ok((model, textures.into_warnings()))
 }
@@ -63,23 +63,23 @@ fn model(
     let materials = document.materials.iter().chain([&plain]);
     let looks = materials.map(|material| material::look(material, importer));
     let looks: Vec<Look> = looks.collect::<Result<_, _>>()?;
-    let tally = &mut *importer.tally;
-    let content = Content::new(document, looks.len() - 1, tally);
+    let counter = &mut *importer.counter;
+    let content = Content::new(document, looks.len() - 1, counter);
     Ok(ModelFile { looks, content: super::Content::ThreeDs(content) })
 }
 
 impl Content {
-    fn new(document: Document, plain: usize, tally: &mut Tally) -> Self {
+    fn new(document: Document, plain: usize, counter: &mut Counter) -> Self {
         let skipped = skipped::skipped(&document);
         let meshes = meshes(&document);
         let camera = document.cameras.iter().find_map(camera);
         let mut warnings = document.warnings;
         let normals = meshes.iter().map(|mesh| corner_normals(mesh, &mut warnings)).collect();
         for (kind, count) in warnings.iter() {
-            tally.add_many(kind.to_string(), count);
+            counter.add_many(kind.to_string(), count);
         }
         for (what, count) in skipped {
-            tally.add_many(what, count);
+            counter.add_many(what, count);
         }
         Self { meshes, normals, lights: document.lights, camera, plain }
     }

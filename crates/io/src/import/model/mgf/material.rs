@@ -14,8 +14,8 @@
 //! vector at θ: about its middle that of cosⁿ with n = 2/a², and for the mirror
 //! direction, which turns by twice the angle, n = 1/(2a²).
 
+use crate::import::counter::Counter;
 use crate::import::model::Look;
-use crate::import::tally::Tally;
 use crate::mgf::{self, Part};
 use std::f32::consts::PI;
 use traylib_geometry::Sides;
@@ -30,37 +30,39 @@ const SHARPEST: f32 = 1e6;
 const LUMENS_PER_WATT: f32 = 179.0;
 
 /// A material as it can be rendered.
-pub(super) fn look(material: &mgf::Material, tally: &mut Tally) -> Result<Look, Error> {
+pub(super) fn look(material: &mgf::Material, counter: &mut Counter) -> Result<Look, Error> {
     let emission = positive(material.ed.rgb()) / (PI * LUMENS_PER_WATT);
     let name = material.name.to_string();
-    if let Some(glass) = solid_glass(material, tally) {
+    if let Some(glass) = solid_glass(material, counter) {
         let material = SurfaceModel::Dielectric(glass).into();
         return Ok(Look { name, material, sides: Sides::Both, emission });
     }
-    let fractions = fractions(material, tally);
+    let fractions = fractions(material, counter);
     let roughness = [material.rs_roughness, material.ts_roughness];
     let sides = if material.two_sided { Sides::Both } else { Sides::Front };
     Ok(Look { name, material: scattering(fractions, roughness)?, sides, emission })
 }
 
 /// The boundary of a solid. What glass absorbs is not rendered.
-fn solid_glass(material: &mgf::Material, tally: &mut Tally) -> Option<Dielectric> {
+fn solid_glass(material: &mgf::Material, counter: &mut Counter) -> Option<Dielectric> {
     let [n, k] = material.ir;
     let clear = material.ts.amount > 0.0 && material.ts_roughness < SMOOTH;
     if material.two_sided || !clear || k != 0.0 || n <= 1.0 {
         return None;
     }
     let glass = Dielectric::new(n).ok()?;
-    tally.add(format!("material `{}` taken for clear glass, with its index alone", material.name));
+    counter
+        .add(format!("material `{}` taken for clear glass, with its index alone", material.name));
     Some(glass)
 }
 
 /// rd, td, rs and ts, in each band no more than arrives.
-fn fractions(material: &mgf::Material, tally: &mut Tally) -> [Rgb; 4] {
+fn fractions(material: &mgf::Material, counter: &mut Counter) -> [Rgb; 4] {
     let parts = [material.rd, material.td, material.rs, material.ts].map(Part::rgb).map(positive);
     let sum: Rgb = parts.into_iter().sum();
     if sum.max_band() > 1.0 + 1e-6 {
-        tally.add("material whose colour scatters more than arrives in a band, scaled down there");
+        counter
+            .add("material whose colour scatters more than arrives in a band, scaled down there");
     }
     let scale = Rgb::from(sum.to_array().map(|band| band.max(1.0).recip()));
     parts.map(|part| (part * scale).saturated())

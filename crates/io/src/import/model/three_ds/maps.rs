@@ -5,7 +5,7 @@
 //! a hundredth of a unit of u above its black: 3D Studio gives no height.
 
 use super::folder::Folder;
-use crate::import::tally::Tally;
+use crate::import::counter::Counter;
 use crate::import::textures::{Meaning, Textures, Usage};
 use crate::three_ds::{Map, MapKind, Material};
 use std::sync::Arc;
@@ -19,17 +19,17 @@ const BUMP_HEIGHT: f32 = 0.01;
 pub(super) struct MapImporter<'a> {
     pub(super) folder: Folder,
     pub(super) textures: &'a mut Textures,
-    pub(super) tally: &'a mut Tally,
+    pub(super) counter: &'a mut Counter,
 }
 
 impl MapImporter<'_> {
     /// The maps of a material that are rendered; `None` if there are none.
     pub(super) fn maps(&mut self, material: &Material) -> Option<Box<Maps>> {
-        self.tally.add_many("mask of a map skipped", material.masks.len() as u32);
+        self.counter.add_many("mask of a map skipped", material.masks.len() as u32);
         let mut maps = Maps::default();
         for (kind, map) in &material.maps {
             if map.flags & (Map::TINT | Map::RGB_TINT) != 0 {
-                self.tally.add("tint of a map skipped");
+                self.counter.add("tint of a map skipped");
             }
             match kind {
                 MapKind::Texture1 => maps.diffuse = self.layer(map, Meaning::Colour, 1.0),
@@ -46,7 +46,7 @@ impl MapImporter<'_> {
                 MapKind::Texture2
                 | MapKind::Shininess
                 | MapKind::SelfIllumination
-                | MapKind::Reflection => self.tally.add(format!("{} map skipped", name(*kind))),
+                | MapKind::Reflection => self.counter.add(format!("{} map skipped", name(*kind))),
             }
         }
         if maps == Maps::default() {
@@ -66,11 +66,11 @@ impl MapImporter<'_> {
             return None;
         }
         let Some(file) = self.folder.find(name) else {
-            self.tally.add(format!("picture `{name}` not found, shown without"));
+            self.counter.add(format!("picture `{name}` not found, shown without"));
             return None;
         };
         let usage = Usage { meaning, negative: map.has(Map::NEGATIVE), factor };
-        let texture = self.textures.load(&file, usage).map_err(|cause| self.tally.add(cause));
+        let texture = self.textures.load(&file, usage).map_err(|cause| self.counter.add(cause));
         let (placement, tiling, strength) = (map.placement(), map.tiling(), map.strength);
         let usable = placement.is_finite();
         texture.ok().filter(|_| usable).map(|texture| Layer {

@@ -17,7 +17,7 @@ pub(super) fn look(
     let clear = if maps.is_none() { material.transparency } else { 0.0 };
     let (model, was_scaled) = surface_model(material, 1.0 - clear)?;
     if was_scaled {
-        importer.tally.add("material reflecting more than arrives, scaled down");
+        importer.counter.add("material reflecting more than arrives, scaled down");
     }
     let emission = linear(material.diffuse) * material.glow();
     let sides = if material.two_sided { Sides::Both } else { Sides::Front };

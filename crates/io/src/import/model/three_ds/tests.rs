@@ -11,11 +11,11 @@ fn placement() -> Placement {
 
 /// A document's file, as if in a folder without pictures, and its warnings.
 fn file(document: Document) -> (ModelFile, Vec<String>) {
-    let (mut textures, mut tally) = (Textures::new(ReadLimits::default()), Tally::default());
+    let (mut textures, mut counter) = (Textures::new(ReadLimits::default()), Counter::default());
     let folder = Folder::of(&Location::BuiltIn(String::new()));
-    let mut importer = MapImporter { folder, textures: &mut textures, tally: &mut tally };
+    let mut importer = MapImporter { folder, textures: &mut textures, counter: &mut counter };
     let file = model(document, &mut importer).unwrap();
-    (file, tally.into_warnings("f").map(|warning| warning.to_string()).collect())
+    (file, counter.into_warnings("f").map(|warning| warning.to_string()).collect())
 }
 
 /// Two squares' halves that meet at a right angle along x.
@@ -38,7 +38,7 @@ fn bent(smoothing: [u32; 2], materials: [Option<usize>; 2]) -> Mesh {
 fn parts(mesh: Mesh, materials: Vec<Material>) -> Vec<(geometry::Mesh, Sides)> {
     let document = Document { meshes: vec![mesh], materials, ..Document::default() };
     let (file, _) = file(document);
-    let parts = file.parts(&placement(), &mut Tally::default()).unwrap();
+    let parts = file.parts(&placement(), &mut Counter::default()).unwrap();
     let part = |part: ModelPart| match part.shape {
         ObjectShape::Mesh(mesh) => (mesh, file.looks[part.look].sides),
         ObjectShape::Primitive(_) => panic!(),

@@ -22,9 +22,9 @@ fn black() -> mgf::Material {
 }
 
 fn made(material: &mgf::Material) -> (Look, Vec<String>) {
-    let mut tally = Tally::default();
-    let look = look(material, &mut tally).unwrap();
-    let warnings = tally.into_warnings("f").map(|warning| warning.to_string()).collect();
+    let mut counter = Counter::default();
+    let look = look(material, &mut counter).unwrap();
+    let warnings = counter.into_warnings("f").map(|warning| warning.to_string()).collect();
     (look, warnings)
 }
 

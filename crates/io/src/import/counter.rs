@@ -5,12 +5,12 @@ use std::collections::HashMap;
 
 /// Kinds in the order in which they were met.
 #[derive(Debug, Default)]
-pub(super) struct Tally {
+pub(super) struct Counter {
     kinds: Vec<(String, u32)>,
     places: HashMap<String, usize>,
 }
 
-impl Tally {
+impl Counter {
     /// More kinds than these are not told apart.
     const MOST: usize = 1000;
 
@@ -47,20 +47,20 @@ mod tests {
 
     #[test]
     fn kinds_keep_their_order_and_are_counted() {
-        let mut tally = Tally::default();
-        tally.add("b");
-        tally.add("a");
-        tally.add_many("b", 2);
-        tally.add_many("c", 0);
-        let shown: Vec<String> = tally.into_warnings("x").map(|w| w.to_string()).collect();
+        let mut counter = Counter::default();
+        counter.add("b");
+        counter.add("a");
+        counter.add_many("b", 2);
+        counter.add_many("c", 0);
+        let shown: Vec<String> = counter.into_warnings("x").map(|w| w.to_string()).collect();
         assert_eq!(shown, ["x: b (3 times)", "x: a"]);
     }
 
     #[test]
     fn very_many_kinds_become_one() {
-        let mut tally = Tally::default();
-        (0..3000).for_each(|i| tally.add(i.to_string()));
-        let warnings: Vec<Warning> = tally.into_warnings("x").collect();
+        let mut counter = Counter::default();
+        (0..3000).for_each(|i| counter.add(i.to_string()));
+        let warnings: Vec<Warning> = counter.into_warnings("x").collect();
         assert_eq!((warnings.len(), warnings[1000].count), (1001, 2000));
     }
 }

@@ -9,7 +9,7 @@ use traylib_math::Rgb;
 
 /// A material while it is described: amounts with the colours current then.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Draft {
+pub(super) struct MaterialBuilder {
     two_sided: bool,
     rd: (f64, Colour),
     td: (f64, Colour),
@@ -21,7 +21,7 @@ pub(super) struct Draft {
     ir: [f64; 2],
 }
 
-impl Default for Draft {
+impl Default for MaterialBuilder {
     fn default() -> Self {
         let none = (0.0, Colour::default());
         Self {
@@ -48,7 +48,7 @@ pub(super) struct Repairs {
     pub(super) without_luminance: bool,
 }
 
-impl Draft {
+impl MaterialBuilder {
     /// Carries out an entity that describes a material.
     #[expect(
         clippy::wildcard_enum_match_arm,
@@ -143,19 +143,19 @@ fn refraction(words: &[&str]) -> Result<[f64; 2], Cause> {
 mod tests {
     use super::*;
 
-    fn draft(lines: &[&str]) -> Draft {
-        let mut draft = Draft::default();
+    fn builder(lines: &[&str]) -> MaterialBuilder {
+        let mut builder = MaterialBuilder::default();
         for line in lines {
             let words: Vec<&str> = line.split(' ').collect();
             let keyword = Keyword::of(words[0]).unwrap();
-            draft.set(keyword, &words[1..], Colour::default()).unwrap();
+            builder.set(keyword, &words[1..], Colour::default()).unwrap();
         }
-        draft
+        builder
     }
 
     #[test]
     fn the_default_is_a_black_absorber() {
-        let (material, repairs) = draft(&[]).finish();
+        let (material, repairs) = builder(&[]).finish();
         assert!(material.two_sided && !material.emits());
         assert_eq!((material.rd.rgb(), material.ir), (Rgb::BLACK, [1.0, 0.0]));
         assert_eq!(repairs, Repairs::default());
@@ -165,7 +165,7 @@ mod tests {
     fn every_entity_sets_its_numbers() {
         let lines =
             ["sides 1", "rd .25", "td .125", "rs .5 .0625", "ts .125 .5", "ed 9", "ir 1.5 -2"];
-        let (material, repairs) = draft(&lines).finish();
+        let (material, repairs) = builder(&lines).finish();
         let amounts = [material.rd, material.td, material.rs, material.ts, material.ed];
         assert_eq!(amounts.map(|part| part.amount), [0.25, 0.125, 0.5, 0.125, 9.0]);
         assert_eq!((material.rs_roughness, material.ts_roughness), (0.0625, 0.5));
@@ -175,21 +175,21 @@ mod tests {
 
     #[test]
     fn what_scatters_too_much_is_scaled_down() {
-        let (material, repairs) = draft(&["rd .9", "rs .6 0", "ed 3"]).finish();
+        let (material, repairs) = builder(&["rd .9", "rs .6 0", "ed 3"]).finish();
         assert!(repairs.scaled_down);
         assert!((material.rd.amount - 0.6).abs() < 1e-6 && (material.rs.amount - 0.4).abs() < 1e-6);
         assert_eq!(material.ed.amount, 3.0);
-        assert!(!draft(&["rd .7", "rs .3 0"]).finish().1.scaled_down);
+        assert!(!builder(&["rd .7", "rs .3 0"]).finish().1.scaled_down);
     }
 
     #[test]
     fn a_colour_without_luminance_is_black_and_told_of_where_it_matters() {
-        let mut draft = Draft::default();
+        let mut builder = MaterialBuilder::default();
         let dark = Colour { x: 0.5, y: 0.0 };
-        draft.set(Keyword::DiffuseReflectance, &["0"], dark).unwrap();
-        assert!(!draft.finish().1.without_luminance);
-        draft.set(Keyword::DiffuseReflectance, &["1"], dark).unwrap();
-        let (material, repairs) = draft.finish();
+        builder.set(Keyword::DiffuseReflectance, &["0"], dark).unwrap();
+        assert!(!builder.finish().1.without_luminance);
+        builder.set(Keyword::DiffuseReflectance, &["1"], dark).unwrap();
+        let (material, repairs) = builder.finish();
         assert!(repairs.without_luminance && material.rd.rgb() == Rgb::BLACK);
     }
 
@@ -215,9 +215,9 @@ mod tests {
         ] {
             let words: Vec<&str> = line.split(' ').collect();
             let keyword = Keyword::of(words[0]).unwrap();
-            let mut draft = Draft::default();
-            assert!(draft.set(keyword, &words[1..], Colour::default()).is_err(), "{line}");
-            assert_eq!(draft, Draft::default(), "{line}");
+            let mut builder = MaterialBuilder::default();
+            assert!(builder.set(keyword, &words[1..], Colour::default()).is_err(), "{line}");
+            assert_eq!(builder, MaterialBuilder::default(), "{line}");
         }
     }
 }
