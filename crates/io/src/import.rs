@@ -7,6 +7,7 @@ mod coincidence;
 mod counter;
 mod files;
 mod frame;
+mod imported_object;
 mod lights;
 mod material;
 mod mesh;
@@ -18,7 +19,6 @@ mod place;
 mod placement;
 mod shape;
 mod textures;
-mod thing;
 mod whole;
 
 pub(crate) use files::{SceneFile, gather};
@@ -29,10 +29,10 @@ use crate::report::Problems;
 use crate::ron_scene::Shape;
 use crate::ron_scene::locate::Path;
 use crate::{Error, Warning};
+use imported_object::{ImportedObject, ObjectMaterial};
 use material::Materials;
 use model::ModelFiles;
 use one_sided::Described;
-use thing::{Thing, ThingMaterial};
 use traylib_materials::Material;
 use traylib_math::Vec3;
 use traylib_scene::{Camera, CameraSettings, Object, PointLight, Scene, SceneBuilder};
@@ -156,7 +156,7 @@ fn check_for_light(
     let unknown = is_mesh && !problems.is_empty();
     let lit = objects().any(|object| object.emission.is_some_and(|light| light != [0.0; 3]))
         || points.iter().any(|light| !light.intensity.is_black())
-        || parts.iter().any(|part| !part.thing.emission.is_black());
+        || parts.iter().any(|part| !part.item.emission.is_black());
     let lit = lit || unknown;
     if let (false, Some(root)) = (lit, files.last()) {
         let problem = root.place(Path::default()).missing("nothing in the scene emits light");
@@ -173,15 +173,15 @@ fn one_sided(
     models: &ModelFiles<'_>,
     points: Vec<Vec3>,
 ) -> Vec<Warning> {
-    let things = parts.iter().map(|object::Part { place, thing }| {
-        let (material, name) = match thing.material {
-            ThingMaterial::Named(index) => (&materials.models()[index], materials.name(index)),
-            ThingMaterial::Own(index) => (&models.materials()[index], models.name(index)),
+    let items = parts.iter().map(|object::Part { place, item }| {
+        let (material, name) = match item.material {
+            ObjectMaterial::Named(index) => (&materials.models()[index], materials.name(index)),
+            ObjectMaterial::Own(index) => (&models.materials()[index], models.name(index)),
         };
         let (file, remedy) = (place.source.name.as_str(), "give the object `sides: Both`");
-        Described { thing, material, name, file, remedy }
+        Described { item, material, name, file, remedy }
     });
-    one_sided::warnings(&things.collect::<Vec<_>>(), points)
+    one_sided::warnings(&items.collect::<Vec<_>>(), points)
 }
 
 /// What the checks before have let through can only fail in ways that depend
@@ -197,10 +197,12 @@ fn build(
     let [named, own] = materials
         .map(|some| some.iter().map(|m| builder.add_material(m.clone())).collect::<Vec<_>>());
     let mut problems = Problems::default();
-    for object::Part { place, thing: Thing { shape, sides, material, emission, .. } } in parts {
+    for object::Part { place, item: ImportedObject { shape, sides, material, emission, .. } } in
+        parts
+    {
         let material = match material {
-            ThingMaterial::Named(index) => named[index],
-            ThingMaterial::Own(index) => own[index],
+            ObjectMaterial::Named(index) => named[index],
+            ObjectMaterial::Own(index) => own[index],
         };
         let object = Object { shape, sides, material, emission };
         place.note(builder.add_object(object), &mut problems);

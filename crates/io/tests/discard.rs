@@ -20,11 +20,11 @@ fn what_is_being_written_is_discarded() {
     let outcome = std::thread::scope(|scope| {
         let writer = scope.spawn(|| write_file(&path, &bytes));
         let start = Instant::now();
-        while names().is_empty() && start.elapsed() < Duration::from_secs(60) {
+        while names().is_empty() && start.elapsed() < Duration::from_mins(1) {
             std::thread::yield_now();
         }
         discard_unfinished();
-        assert!(names().iter().all(|name| !name.ends_with(".part")), "{:?}", names());
+        assert!(names().iter().all(|name| !name.contains(".part")), "{:?}", names());
         writer.join().unwrap()
     });
     // Whole, if the last step was done already.

@@ -7,8 +7,8 @@
 
 mod surroundings;
 
+use super::imported_object::ImportedObject;
 use super::model::ModelCamera;
-use super::thing::Thing;
 use std::f32::consts::{PI, TAU};
 use surroundings::Tree;
 use traylib_geometry::{Aabb, Primitive, Ray, Vec2, Vec3};
@@ -29,8 +29,8 @@ const FOV_OUTSIDE: f32 = 40.0;
 /// Real files have a few vertices that belong nowhere, at 10¹¹ in a model of 10.
 /// Those are told by being further from the middle than ten times the extent of
 /// the middle 99.8 %, axis by axis.
-pub(super) fn bounds(things: &[Thing]) -> Aabb {
-    let points: Vec<Vec3> = things.iter().flat_map(Thing::extremes).collect();
+pub(super) fn bounds(items: &[ImportedObject]) -> Aabb {
+    let points: Vec<Vec3> = items.iter().flat_map(ImportedObject::extremes).collect();
     let finite = || points.iter().copied().filter(|point| point.is_finite());
     let ranges = [0, 1, 2].map(|axis| sound_range(finite().map(|point| point[axis]).collect()));
     let [lows, highs] = [0, 1].map(|end| Vec3::from(ranges.map(|range| range[end])));
@@ -50,10 +50,10 @@ fn sound_range(mut values: Vec<f32>) -> [f32; 2] {
 
 /// Which of y and z is up: that along which lamps are nearer to the top of the
 /// box, and shine more downward. z where that does not tell.
-pub(super) fn up(things: &[Thing], bounds: &Aabb) -> Vec3 {
+pub(super) fn up(items: &[ImportedObject], bounds: &Aabb) -> Vec3 {
     let (centre, half) = (bounds.centre(), 0.5 * bounds.extent());
     let mut evidence = DVec3::ZERO;
-    for lamp in things.iter().filter(|thing| !thing.emission.is_black()) {
+    for lamp in items.iter().filter(|item| !item.emission.is_black()) {
         for primitive in lamp.primitives().map(|sided| sided.primitive) {
             let site = primitive.sample_area(Vec2::splat(0.5));
             let is_round = matches!(primitive, Primitive::Sphere(_) | Primitive::Cone(_));
@@ -68,14 +68,14 @@ pub(super) fn up(things: &[Thing], bounds: &Aabb) -> Vec3 {
 
 /// The camera, for a picture this much wider than high.
 pub(super) fn camera(
-    things: &[Thing],
+    items: &[ImportedObject],
     lights: &[PointLight],
     bounds: &Aabb,
     up: Vec3,
     aspect: f32,
 ) -> ModelCamera {
-    let room = surroundings::tree(things)
-        .filter(|tree| surroundings::is_room(tree, things, lights, bounds, up));
+    let room = surroundings::tree(items)
+        .filter(|tree| surroundings::is_room(tree, items, lights, bounds, up));
     let inside = room.and_then(|tree| inside(&tree, bounds, up));
     inside.unwrap_or_else(|| outside(bounds, up, aspect))
 }

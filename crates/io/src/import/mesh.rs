@@ -3,11 +3,11 @@
 use super::counter::Counter;
 use super::files::SceneFile;
 use super::frame;
+use super::imported_object::{ImportedObject, ObjectMaterial};
 use super::material::Materials;
-use super::model::{Half, Look, ModelFile, ModelFiles, NumberedFile, is_model};
+use super::model::{ImportedMaterial, ModelFile, ModelFiles, ModelSide, NumberedFile, is_model};
 use super::place::Place;
 use super::placement::Placement;
-use super::thing::{Thing, ThingMaterial};
 use crate::report::{Problem, Problems};
 use crate::ron_scene::locate::Step;
 use crate::ron_scene::{self, Mesh, Object};
@@ -33,7 +33,11 @@ pub(super) struct MeshImporter<'a> {
 impl MeshImporter<'_> {
     /// The file's things as the object wants them: `named` is the number of its
     /// material, if it has one.
-    pub(super) fn things(&mut self, named: Option<usize>, models: &mut ModelFiles) -> Vec<Thing> {
+    pub(super) fn items(
+        &mut self,
+        named: Option<usize>,
+        models: &mut ModelFiles,
+    ) -> Vec<ImportedObject> {
         let shape = self.place.field("shape");
         let Mesh { scale, rotate, translate, .. } = *self.mesh;
         let placement = Placement::new(scale, rotate, translate)
@@ -45,29 +49,30 @@ impl MeshImporter<'_> {
         let model =
             model.map_err(|error| self.problems.push(self.not_usable(error, &location))).ok();
         let (Ok(placement), Some(model)) = (placement, model) else { return Vec::new() };
-        let replaced = self.replaced(&model.file.looks);
+        let replaced = self.replaced(&model.file.materials);
         let mut counter = Counter::default();
         let parts = shape.note(model.file.parts(&placement, &mut counter), self.problems);
         self.note_unused(&model.file, &mut counter);
         models.warn(&location, counter);
         let glow = glow.unwrap_or(if model.file.is_physical() { 1.0 } else { 0.0 });
-        let mut things = Vec::new();
+        let mut items = Vec::new();
         for part in parts.unwrap_or_default() {
-            let (half, number, look) = (part.half, part.look, &model.file.looks[part.look]);
-            if half == Half::Back && self.object.sides == Some(ron_scene::Sides::Front) {
+            let (side, number, material) =
+                (part.side, part.material, &model.file.materials[part.material]);
+            if side == ModelSide::Back && self.object.sides == Some(ron_scene::Sides::Front) {
                 continue;
             }
-            let mut thing = Thing::of_model(look, part, model.first, glow);
+            let mut item = ImportedObject::of_model(material, part, model.first, glow);
             if self.object.sides == Some(ron_scene::Sides::Front) {
                 // Its other half is left out.
-                thing.half = Half::Whole;
+                item.side = ModelSide::Whole;
             }
             let named = named.or_else(|| replaced.get(&number).copied());
-            self.change(&mut thing, half, named);
-            things.push(thing);
+            self.change(&mut item, side, named);
+            items.push(item);
         }
-        models.add_lights(placed_lights(&model, &placement, lights, &things));
-        things
+        models.add_lights(placed_lights(&model, &placement, lights, &items));
+        items
     }
 
     fn not_usable(&self, error: String, location: &Location) -> Problem {
@@ -89,17 +94,17 @@ impl MeshImporter<'_> {
     }
 
     /// What the object says goes before what the file says.
-    fn change(&self, thing: &mut Thing, half: Half, named: Option<usize>) {
+    fn change(&self, item: &mut ImportedObject, side: ModelSide, named: Option<usize>) {
         if let Some(number) = named {
-            thing.material = ThingMaterial::Named(number);
+            item.material = ObjectMaterial::Named(number);
         }
         if let Some(emission) = self.object.emission {
-            thing.emission = Rgb::from(emission);
+            item.emission = Rgb::from(emission);
         }
-        if half == Half::Whole {
+        if side == ModelSide::Whole {
             let without = named.map(|_| Sides::Both);
             let sides = self.object.sides.map(Sides::from).or(without);
-            thing.sides = sides.unwrap_or(thing.sides);
+            item.sides = sides.unwrap_or(item.sides);
         }
     }
 
@@ -112,28 +117,31 @@ impl MeshImporter<'_> {
     }
 
     /// The numbers of the scene's materials for those of the file.
-    fn replaced(&mut self, looks: &[Look]) -> BTreeMap<usize, usize> {
+    fn replaced(&mut self, materials: &[ImportedMaterial]) -> BTreeMap<usize, usize> {
         let mut replaced = BTreeMap::new();
         let place = self.place.field("shape").field("materials");
         for (index, (of_file, of_scene)) in self.mesh.materials.0.iter().enumerate() {
             let value = place.then(Step::Value(index));
             let number = self.materials.find(of_scene, &value, self.problems);
             let mut found = false;
-            for (look, _) in looks.iter().enumerate().filter(|(_, look)| look.name == *of_file) {
+            for (material, _) in
+                materials.iter().enumerate().filter(|(_, material)| material.name == *of_file)
+            {
                 found = true;
-                replaced.extend(number.map(|number| (look, number)));
+                replaced.extend(number.map(|number| (material, number)));
             }
             if !found {
                 let key = place.then(Step::Key(index));
-                self.problems.push_with(|| no_such_material(&key, of_file, looks));
+                self.problems.push_with(|| no_such_material(&key, of_file, materials));
             }
         }
         replaced
     }
 }
 
-fn no_such_material(place: &Place, name: &str, looks: &[Look]) -> Problem {
-    let names = || looks.iter().map(|look| look.name.as_str()).filter(|name| !name.is_empty());
+fn no_such_material(place: &Place, name: &str, materials: &[ImportedMaterial]) -> Problem {
+    let names =
+        || materials.iter().map(|material| material.name.as_str()).filter(|name| !name.is_empty());
     let label = nearest(name, names()).map(|near| format!("did you mean `{near}`?"));
     let title = format!("the file has no material named `{}`", shown(name));
     let problem = place.labelled(title, label.unwrap_or_default());
@@ -145,9 +153,9 @@ fn placed_lights(
     model: &NumberedFile,
     placement: &Placement,
     factor: f32,
-    things: &[Thing],
+    items: &[ImportedObject],
 ) -> Vec<PointLight> {
     let dimmed = |light: PointLight| PointLight { intensity: light.intensity * factor, ..light };
-    let of = |file: &ModelFile| file.lights(placement, &frame::bounds(things));
+    let of = |file: &ModelFile| file.lights(placement, &frame::bounds(items));
     if factor > 0.0 { of(&model.file).into_iter().map(dimmed).collect() } else { Vec::new() }
 }

@@ -18,10 +18,10 @@ use traylib_scene::{ObjectShape, PointLight};
 
 /// A material of a file.
 #[derive(Clone, Debug)]
-pub(super) struct Look {
+pub(super) struct ImportedMaterial {
     /// As the file calls it; may be empty, or that of others too.
     pub(super) name: String,
-    pub(super) material: Material,
+    pub(super) surface: Material,
     pub(super) sides: Sides,
     /// Radiance that it emits by itself. 3D Studio's has no unit.
     pub(super) emission: Rgb,
@@ -32,14 +32,14 @@ pub(super) struct Look {
 pub(super) struct ModelPart {
     pub(super) shape: ObjectShape,
     /// Index into the file's looks.
-    pub(super) look: usize,
-    pub(super) half: Half,
+    pub(super) material: usize,
+    pub(super) side: ModelSide,
 }
 
 /// Which part of a surface this is. Surfaces emit from their fronts only, so that
 /// one which emits from both sides becomes two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Half {
+pub(super) enum ModelSide {
     /// All of it.
     Whole,
     /// Its front, the back apart.
@@ -59,7 +59,7 @@ pub(super) struct ModelCamera {
 
 /// A file with what does not depend on where it goes.
 pub(super) struct ModelFile {
-    pub(super) looks: Vec<Look>,
+    pub(super) materials: Vec<ImportedMaterial>,
     content: Content,
 }
 
@@ -110,7 +110,7 @@ impl ModelFile {
         counter: &mut Counter,
     ) -> Result<Vec<ModelPart>, geometry::Error> {
         match &self.content {
-            Content::Mgf(surfaces) => mgf::parts(surfaces, &self.looks, placement, counter),
+            Content::Mgf(surfaces) => mgf::parts(surfaces, &self.materials, placement, counter),
             Content::ThreeDs(content) => content.parts(placement),
         }
     }
@@ -126,7 +126,7 @@ impl ModelFile {
     /// How many lights it has, and whether a material shines by itself without a
     /// unit.
     pub(super) fn unused_light(&self) -> (usize, bool) {
-        let glows = self.looks.iter().any(|look| !look.emission.is_black());
+        let glows = self.materials.iter().any(|material| !material.emission.is_black());
         match &self.content {
             Content::Mgf(_) => (0, false),
             Content::ThreeDs(content) => (content.light_count(), glows),
@@ -210,8 +210,8 @@ impl<'a> ModelFiles<'a> {
         })?;
         self.warnings.extend(warnings);
         let first = self.materials.len();
-        self.materials.extend(file.looks.iter().map(|look| look.material.clone()));
-        self.names.extend(file.looks.iter().map(|look| look.name.clone()));
+        self.materials.extend(file.materials.iter().map(|material| material.surface.clone()));
+        self.names.extend(file.materials.iter().map(|material| material.name.clone()));
         Ok(Rc::new(NumberedFile { file, first }))
     }
 

@@ -1,12 +1,12 @@
 //! Objects: shapes with their materials.
 
 use super::files::SceneFile;
+use super::imported_object::{ImportedObject, ObjectMaterial};
 use super::material::Materials;
 use super::mesh::MeshImporter;
-use super::model::{Half, ModelFiles};
+use super::model::{ModelFiles, ModelSide};
 use super::place::Place;
 use super::shape;
-use super::thing::{Thing, ThingMaterial};
 use crate::report::Problems;
 use crate::ron_scene::locate::{Path, Step};
 use crate::ron_scene::{self, Shape};
@@ -18,7 +18,7 @@ use traylib_scene::ObjectShape;
 /// material of its file.
 pub(super) struct Part {
     pub(super) place: Place,
-    pub(super) thing: Thing,
+    pub(super) item: ImportedObject,
 }
 
 /// All parts of all objects that make sense.
@@ -56,11 +56,11 @@ impl Importer<'_> {
             let place = self.place.field("material");
             materials.find(name, &place, self.problems)
         });
-        let things = match &self.object.shape {
+        let items = match &self.object.shape {
             Shape::Mesh(mesh) => {
                 let (file, object, place) = (self.file, self.object, &self.place);
                 MeshImporter { file, object, mesh, place, materials, problems: self.problems }
-                    .things(named.flatten(), models)
+                    .items(named.flatten(), models)
             }
             shape @ (Shape::Quad(_)
             | Shape::Sphere(_)
@@ -69,19 +69,32 @@ impl Importer<'_> {
             | Shape::Box(_)) => self.primitives(shape, named.flatten(), to_check),
         };
         let place = &self.place;
-        parts.extend(things.into_iter().map(|thing| Part { place: place.clone(), thing }));
+        parts.extend(items.into_iter().map(|item| Part { place: place.clone(), item }));
     }
 
-    fn primitives(&mut self, shape: &Shape, named: Option<usize>, emission: Rgb) -> Vec<Thing> {
+    fn primitives(
+        &mut self,
+        shape: &Shape,
+        named: Option<usize>,
+        emission: Rgb,
+    ) -> Vec<ImportedObject> {
         let found = shape::primitives(shape, &self.place.field("shape"), self.problems);
         if self.object.material.is_none() {
             let problem = self.place.problem("the object has no material");
             self.problems.push(problem.with_help("only a Mesh may do without `material`"));
         }
         // A material that was not found has been reported already.
-        let Some(material) = named.map(ThingMaterial::Named) else { return Vec::new() };
+        let Some(material) = named.map(ObjectMaterial::Named) else { return Vec::new() };
         let sides = self.object.sides.map_or(Sides::Both, Sides::from);
         let shapes = found.into_iter().map(ObjectShape::Primitive);
-        shapes.map(|shape| Thing { shape, sides, material, emission, half: Half::Whole }).collect()
+        shapes
+            .map(|shape| ImportedObject {
+                shape,
+                sides,
+                material,
+                emission,
+                side: ModelSide::Whole,
+            })
+            .collect()
     }
 }

@@ -8,8 +8,8 @@
 mod harmless;
 
 use super::counter::Counter;
-use super::model::Half;
-use super::thing::Thing;
+use super::imported_object::ImportedObject;
+use super::model::ModelSide;
 use crate::Warning;
 use harmless::Surroundings;
 use std::collections::BTreeMap;
@@ -20,7 +20,7 @@ use traylib_math::{Rgb, Vec3};
 /// A thing with all there is to say of it.
 #[derive(Clone, Copy)]
 pub(super) struct Described<'a> {
-    pub(super) thing: &'a Thing,
+    pub(super) item: &'a ImportedObject,
     pub(super) material: &'a Material,
     /// Of the material; may be empty.
     pub(super) name: &'a str,
@@ -32,12 +32,12 @@ pub(super) struct Described<'a> {
 
 /// One warning for each material of such a surface. `points` are the camera and the
 /// lights that are no things.
-pub(super) fn warnings(things: &[Described<'_>], points: Vec<Vec3>) -> Vec<Warning> {
+pub(super) fn warnings(items: &[Described<'_>], points: Vec<Vec3>) -> Vec<Warning> {
     let mut tallies: BTreeMap<&str, Counter> = BTreeMap::new();
-    let mut surroundings = Surroundings::new(things, points);
-    for (index, thing) in things.iter().enumerate() {
-        if thing.is_suspect() && !surroundings.is_harmless(index) {
-            tallies.entry(thing.file).or_default().add(thing.warning());
+    let mut surroundings = Surroundings::new(items, points);
+    for (index, item) in items.iter().enumerate() {
+        if item.is_suspect() && !surroundings.is_harmless(index) {
+            tallies.entry(item.file).or_default().add(item.warning());
         }
     }
     tallies.into_iter().flat_map(|(file, counter)| counter.into_warnings(file)).collect()
@@ -45,7 +45,7 @@ pub(super) fn warnings(things: &[Described<'_>], points: Vec<Vec3>) -> Vec<Warni
 
 impl Described<'_> {
     fn is_suspect(&self) -> bool {
-        let is_alone = self.thing.sides == Sides::Front && self.thing.half == Half::Whole;
+        let is_alone = self.item.sides == Sides::Front && self.item.side == ModelSide::Whole;
         is_alone && lets_light_through(self.material)
     }
 

@@ -4,12 +4,12 @@ use super::Imported;
 use super::coincidence;
 use super::counter::Counter;
 use super::frame;
+use super::imported_object::{ImportedObject, ObjectMaterial};
 use super::lights::add_light;
 use super::meter;
 use super::model::{ModelCamera, ModelFile, ModelPart};
 use super::one_sided::{self, Described};
 use super::placement::Placement;
-use super::thing::{Thing, ThingMaterial};
 use crate::load::{Headlight, LoadOptions, SceneSettings};
 use crate::ron_scene;
 use crate::source::Location;
@@ -35,14 +35,14 @@ pub(crate) fn import_whole(
     let name = location.to_string();
     let mut counter = Counter::default();
     let failed = |cause| Error::Model { file: name.clone(), cause };
-    let things = things(&file, &mut counter).map_err(|cause| failed(cause.into()))?;
-    let bounds = frame::bounds(&things);
+    let items = items(&file, &mut counter).map_err(|cause| failed(cause.into()))?;
+    let bounds = frame::bounds(&items);
     if bounds.is_empty() {
         return Err(Error::NothingToSee(name));
     }
     let mut lights = file.lights(&Placement::NONE, &bounds);
-    let (view, mut notes) = view(&file, &things, &lights, &bounds, options);
-    let lack = lack_of_light(&lights, &things, options.headlight);
+    let (view, mut notes) = view(&file, &items, &lights, &bounds, options);
+    let lack = lack_of_light(&lights, &items, options.headlight);
     if let Some(lack) = lack {
         if options.headlight == Headlight::Never {
             return Err(Error::Unlit(name));
@@ -51,9 +51,9 @@ pub(crate) fn import_whole(
         lights.push(headlight(&view, bounds.centre()));
     }
     let places = lights.iter().map(|light| light.position).chain([view.position]);
-    let one_sided = one_sided(&file, &name, &things, places.collect());
+    let one_sided = one_sided(&file, &name, &items, places.collect());
     let camera = Camera::new(view).map_err(failed)?;
-    let scene = build(camera, &file, things, lights, &mut counter).map_err(failed)?;
+    let scene = build(camera, &file, items, lights, &mut counter).map_err(failed)?;
     let exposure = match options.exposure {
         Some(exposure) => exposure,
         // Under the light at the camera surfaces show their colours as they are.
@@ -75,11 +75,11 @@ pub(crate) fn import_whole(
 /// What a file has not that the caller wants a light at the camera for, if so.
 fn lack_of_light(
     lights: &[PointLight],
-    things: &[Thing],
+    items: &[ImportedObject],
     headlight: Headlight,
 ) -> Option<&'static str> {
     let has_points = lights.iter().any(|light| !light.intensity.is_black());
-    let glows = things.iter().any(|thing| !thing.emission.is_black());
+    let glows = items.iter().any(|item| !item.emission.is_black());
     match (has_points, glows, headlight) {
         (false, false, _) => Some("nothing in it emits light"),
         (false, true, Headlight::WithoutPointLight) => Some("it has no point or spot light"),
@@ -87,32 +87,43 @@ fn lack_of_light(
     }
 }
 
-fn things(file: &ModelFile, counter: &mut Counter) -> Result<Vec<Thing>, traylib_geometry::Error> {
+fn items(
+    file: &ModelFile,
+    counter: &mut Counter,
+) -> Result<Vec<ImportedObject>, traylib_geometry::Error> {
     let parts = file.parts(&Placement::NONE, counter)?;
-    let look = |part: &ModelPart| &file.looks[part.look];
-    Ok(parts.into_iter().map(|part| Thing::of_model(look(&part), part, 0, 1.0)).collect())
+    let material = |part: &ModelPart| &file.materials[part.material];
+    let object = |part| ImportedObject::of_model(material(&part), part, 0, 1.0);
+    Ok(parts.into_iter().map(object).collect())
 }
 
 /// What lets light through on one side only.
-fn one_sided(file: &ModelFile, name: &str, things: &[Thing], points: Vec<Vec3>) -> Vec<Warning> {
+fn one_sided(
+    file: &ModelFile,
+    name: &str,
+    items: &[ImportedObject],
+    points: Vec<Vec3>,
+) -> Vec<Warning> {
     let remedy = if file.is_physical() {
         "give it `sides 2`, or use the file in a scene file, its object with `sides: Both`"
     } else {
         "make it 2-sided, or use the file in a scene file, its object with `sides: Both`"
     };
-    let described = |thing| {
-        let &Thing { material: ThingMaterial::Own(number) | ThingMaterial::Named(number), .. } =
-            thing;
-        let look = &file.looks[number];
-        Described { thing, material: &look.material, name: &look.name, file: name, remedy }
+    let described = |item| {
+        let &ImportedObject {
+            material: ObjectMaterial::Own(number) | ObjectMaterial::Named(number),
+            ..
+        } = item;
+        let material = &file.materials[number];
+        Described { item, material: &material.surface, name: &material.name, file: name, remedy }
     };
-    one_sided::warnings(&things.iter().map(described).collect::<Vec<_>>(), points)
+    one_sided::warnings(&items.iter().map(described).collect::<Vec<_>>(), points)
 }
 
 /// The file's camera, else one of ours and a note of it.
 fn view(
     file: &ModelFile,
-    things: &[Thing],
+    items: &[ImportedObject],
     lights: &[PointLight],
     bounds: &Aabb,
     options: LoadOptions<'_>,
@@ -129,8 +140,8 @@ fn view(
     if let Some(view) = file.camera() {
         return (settings(view), Vec::new());
     }
-    let up = if file.is_physical() { frame::up(things, bounds) } else { Vec3::Z };
-    let view = settings(frame::camera(things, lights, bounds, up, width as f32 / height as f32));
+    let up = if file.is_physical() { frame::up(items, bounds) } else { Vec3::Z };
+    let view = settings(frame::camera(items, lights, bounds, up, width as f32 / height as f32));
     let note = format!("no camera in the file, taken: {}", shown(&view));
     (view, vec![note])
 }
@@ -156,15 +167,15 @@ fn headlight(view: &CameraSettings, middle: Vec3) -> PointLight {
 fn build(
     camera: Camera,
     file: &ModelFile,
-    things: Vec<Thing>,
+    items: Vec<ImportedObject>,
     lights: Vec<PointLight>,
     counter: &mut Counter,
 ) -> Result<Scene, scene::Error> {
     let mut builder = SceneBuilder::new(camera);
-    let materials = file.looks.iter().map(|look| look.material.clone());
+    let materials = file.materials.iter().map(|material| material.surface.clone());
     let ids: Vec<_> = materials.map(|material| builder.add_material(material)).collect();
-    for Thing { shape, sides, material, emission, .. } in things {
-        let (ThingMaterial::Own(number) | ThingMaterial::Named(number)) = material;
+    for ImportedObject { shape, sides, material, emission, .. } in items {
+        let (ObjectMaterial::Own(number) | ObjectMaterial::Named(number)) = material;
         let object = Object { shape, sides, material: ids[number], emission };
         match builder.add_object(object) {
             Err(scene::Error::EmptyMesh) => counter.add("mesh dropped: it has no area"),

@@ -5,8 +5,8 @@
 //! meet backs. Without a lamp nothing is a room.
 
 use super::{Vec3, direction};
-use crate::import::model::Half;
-use crate::import::thing::Thing;
+use crate::import::imported_object::ImportedObject;
+use crate::import::model::ModelSide;
 use traylib_geometry::{Aabb, Bvh, Primitive, Ray, Shapes, SidedPrimitive, Sides, Vec2};
 use traylib_scene::PointLight;
 
@@ -32,12 +32,12 @@ const MOSTLY: f64 = 0.6;
 pub(super) type Tree = Bvh<Shapes<Vec<SidedPrimitive>>>;
 
 /// The tree of all things; `None` if coordinates are too large for one.
-pub(super) fn tree(things: &[Thing]) -> Option<Tree> {
-    let seen = |thing: &Thing| {
-        let sides = if thing.half == Half::Whole { Sides::Both } else { thing.sides };
-        thing.primitives().map(move |sided| SidedPrimitive { sides, ..sided }).collect::<Vec<_>>()
+pub(super) fn tree(items: &[ImportedObject]) -> Option<Tree> {
+    let seen = |item: &ImportedObject| {
+        let sides = if item.side == ModelSide::Whole { Sides::Both } else { item.sides };
+        item.primitives().map(move |sided| SidedPrimitive { sides, ..sided }).collect::<Vec<_>>()
     };
-    Bvh::of_shapes(things.iter().flat_map(seen).collect::<Vec<_>>()).ok()
+    Bvh::of_shapes(items.iter().flat_map(seen).collect::<Vec<_>>()).ok()
 }
 
 /// What rays from the middle meet, in numbers of rays.
@@ -53,23 +53,23 @@ struct Met {
 /// Whether it is to be seen from inside.
 pub(super) fn is_room(
     tree: &Tree,
-    things: &[Thing],
+    items: &[ImportedObject],
     lights: &[PointLight],
     bounds: &Aabb,
     up: Vec3,
 ) -> bool {
-    let glows = things.iter().any(|thing| !thing.emission.is_black());
+    let glows = items.iter().any(|item| !item.emission.is_black());
     if !glows && lights.iter().all(|light| light.intensity.is_black()) {
         return false;
     }
-    let met = met(tree, things, bounds, up);
+    let met = met(tree, items, bounds, up);
     if !is_around(met) {
         return false;
     }
     let most = MOST_BACKS * met.all as f32;
     let one_sided_backs = met.backs - met.solid_backs;
     met.backs as f32 <= most
-        || (one_sided_backs as f32 <= most && is_lit_from_within(tree, things, lights, bounds))
+        || (one_sided_backs as f32 <= most && is_lit_from_within(tree, items, lights, bounds))
 }
 
 fn is_around(met: Met) -> bool {
@@ -78,10 +78,10 @@ fn is_around(met: Met) -> bool {
     all >= ENCLOSED || (all >= HALF_OPEN && part(met.at_the_sides) >= AT_THE_SIDES)
 }
 
-fn met(tree: &Tree, things: &[Thing], bounds: &Aabb, up: Vec3) -> Met {
+fn met(tree: &Tree, items: &[ImportedObject], bounds: &Aabb, up: Vec3) -> Met {
     let (centre, half) = (bounds.centre(), 0.5 * bounds.extent());
-    let whose = |thing| Thing::primitives(thing).map(move |_| thing);
-    let owners: Vec<&Thing> = things.iter().flat_map(whose).collect();
+    let whose = |item| ImportedObject::primitives(item).map(move |_| item);
+    let owners: Vec<&ImportedObject> = items.iter().flat_map(whose).collect();
     let mut met = Met::default();
     for index in 0..DIRECTIONS {
         let ray = Ray::new(centre, direction(index, DIRECTIONS, up));
@@ -89,8 +89,8 @@ fn met(tree: &Tree, things: &[Thing], bounds: &Aabb, up: Vec3) -> Met {
         let normal = tree.shapes()[hit.primitive as usize].primitive.site(&ray, &hit).normal;
         let owner = owners[hit.primitive as usize];
         // As the file has it, before its back was turned round.
-        let is_back = (normal.dot(ray.direction) > 0.0) != (owner.half == Half::Back);
-        let is_solid = owner.half == Half::Back || owner.sides == Sides::Both;
+        let is_back = (normal.dot(ray.direction) > 0.0) != (owner.side == ModelSide::Back);
+        let is_solid = owner.side == ModelSide::Back || owner.sides == Sides::Both;
         let off = (ray.at(hit.t) - centre).abs();
         met.all += 1;
         met.at_the_sides += u32::from(off.cmpgt(NEAR_A_SIDE * half).any());
@@ -102,14 +102,19 @@ fn met(tree: &Tree, things: &[Thing], bounds: &Aabb, up: Vec3) -> Met {
 
 /// Whether most of the light is of lamps that the middle sees: then walls that show
 /// their backs are those of a room all the same, drawn with their fronts outward.
-fn is_lit_from_within(tree: &Tree, things: &[Thing], lights: &[PointLight], bounds: &Aabb) -> bool {
+fn is_lit_from_within(
+    tree: &Tree,
+    items: &[ImportedObject],
+    lights: &[PointLight],
+    bounds: &Aabb,
+) -> bool {
     let centre = bounds.centre();
     let (mut seen, mut all) = (0.0, 0.0);
     let mut add = |power: f32, is_seen: bool| {
         all += f64::from(power);
         seen += if is_seen { f64::from(power) } else { 0.0 };
     };
-    for lamp in things.iter().filter(|thing| !thing.emission.is_black()) {
+    for lamp in items.iter().filter(|item| !item.emission.is_black()) {
         for SidedPrimitive { primitive, .. } in lamp.primitives() {
             let power = lamp.emission.luminance() * primitive.area();
             add(power, lamp_is_seen(tree, &primitive, centre));

@@ -1,33 +1,39 @@
 use super::*;
-use crate::import::model::Half;
-use crate::import::thing::ThingMaterial;
+use crate::import::imported_object::ObjectMaterial;
+use crate::import::model::ModelSide;
 use traylib_geometry::{Disk, Facing, Mesh, Quad, Sides, Sphere};
 use traylib_math::Rgb;
 use traylib_scene::ObjectShape;
 
-fn thing(primitive: Primitive, emission: f32) -> Thing {
-    let (sides, material) = (Sides::Front, ThingMaterial::Own(0));
+fn item(primitive: Primitive, emission: f32) -> ImportedObject {
+    let (sides, material) = (Sides::Front, ObjectMaterial::Own(0));
     let shape = ObjectShape::Primitive(primitive);
-    Thing { shape, sides, material, emission: Rgb::splat(emission), half: Half::Whole }
+    ImportedObject {
+        shape,
+        sides,
+        material,
+        emission: Rgb::splat(emission),
+        side: ModelSide::Whole,
+    }
 }
 
-fn sphere(facing: Facing) -> Thing {
-    thing(Primitive::Sphere(Sphere::new(Vec3::new(10.0, 0.0, 0.0), 2.0, facing).unwrap()), 0.0)
+fn sphere(facing: Facing) -> ImportedObject {
+    item(Primitive::Sphere(Sphere::new(Vec3::new(10.0, 0.0, 0.0), 2.0, facing).unwrap()), 0.0)
 }
 
-fn disk(centre: Vec3, normal: Vec3) -> Thing {
-    thing(Primitive::Disk(Disk::new(centre, normal, 0.1).unwrap()), 1.0)
+fn disk(centre: Vec3, normal: Vec3) -> ImportedObject {
+    item(Primitive::Disk(Disk::new(centre, normal, 0.1).unwrap()), 1.0)
 }
 
-fn framed(things: &[Thing]) -> ModelCamera {
-    camera(things, &[], &bounds(things), Vec3::Z, 4.0 / 3.0)
+fn framed(items: &[ImportedObject]) -> ModelCamera {
+    camera(items, &[], &bounds(items), Vec3::Z, 4.0 / 3.0)
 }
 
 #[test]
 fn what_is_all_around_is_seen_from_inside() {
     let lights = [point(Vec3::new(10.0, 1.0, 0.0))];
-    let things = [sphere(Facing::Inward)];
-    let camera = camera(&things, &lights, &bounds(&things), Vec3::Z, 4.0 / 3.0);
+    let items = [sphere(Facing::Inward)];
+    let camera = camera(&items, &lights, &bounds(&items), Vec3::Z, 4.0 / 3.0);
     let distance = camera.position.distance(Vec3::new(10.0, 0.0, 0.2));
     // Nine tenths of the way from a little above the middle to the wall.
     assert!((distance - 0.9 * (4.0_f32 - 0.04).sqrt()).abs() < 1e-3, "{distance}");
@@ -50,7 +56,7 @@ fn a_few_points_far_away_do_not_count() {
     positions.extend((0..2000).map(|i| Vec3::splat(i as f32 / 2000.0)));
     positions.push(Vec3::splat(1e11));
     let mesh = ObjectShape::Mesh(Mesh::new(positions, vec![[0, 1, 2]]).unwrap());
-    let sane = Thing { shape: mesh, ..sphere(Facing::Outward) };
+    let sane = ImportedObject { shape: mesh, ..sphere(Facing::Outward) };
     assert_eq!(bounds(&[sane]), Aabb { min: Vec3::ZERO, max: Vec3::ONE });
     assert!(bounds(&[]).is_empty());
 }
@@ -60,15 +66,15 @@ fn up_is_where_lamps_are_and_shine_down_from() {
     let room = sphere(Facing::Inward);
     let centre = Vec3::new(10.0, 0.0, 0.0);
     let lamp_up = |side: Vec3| {
-        let things = [disk(centre + side * 1.9, -side), sphere(Facing::Inward)];
-        up(&things, &bounds(&things))
+        let items = [disk(centre + side * 1.9, -side), sphere(Facing::Inward)];
+        up(&items, &bounds(&items))
     };
     assert_eq!([lamp_up(Vec3::Y), lamp_up(Vec3::Z)], [Vec3::Y, Vec3::Z]);
     assert_eq!(up(&[room], &Aabb { min: -Vec3::ONE, max: Vec3::ONE }), Vec3::Z);
 }
 
 /// A box from -1 to 1, its faces outward or inward.
-fn cube(inward: bool, sides: Sides) -> Thing {
+fn cube(inward: bool, sides: Sides) -> ImportedObject {
     let corner = |index: u32| {
         let at = |bit: u32| if index >> bit & 1 == 0 { -1.0 } else { 1.0 };
         Vec3::new(at(0), at(1), at(2))
@@ -79,7 +85,7 @@ fn cube(inward: bool, sides: Sides) -> Thing {
     let turned = |[a, b, c]: [u32; 3]| if inward { [a, c, b] } else { [a, b, c] };
     let triangles = faces.into_iter().flat_map(halves).map(turned).collect();
     let mesh = Mesh::new((0..8).map(corner).collect(), triangles).unwrap();
-    Thing { shape: ObjectShape::Mesh(mesh), sides, ..sphere(Facing::Outward) }
+    ImportedObject { shape: ObjectShape::Mesh(mesh), sides, ..sphere(Facing::Outward) }
 }
 
 fn point(position: Vec3) -> PointLight {
@@ -87,10 +93,10 @@ fn point(position: Vec3) -> PointLight {
 }
 
 /// Whether these are seen from inside, by a point light there.
-fn is_room(things: &[Thing], light: Option<Vec3>) -> bool {
+fn is_room(items: &[ImportedObject], light: Option<Vec3>) -> bool {
     let lights: Vec<PointLight> = light.map(point).into_iter().collect();
-    let bounds = bounds(things);
-    let camera = camera(things, &lights, &bounds, Vec3::Z, 4.0 / 3.0);
+    let bounds = bounds(items);
+    let camera = camera(items, &lights, &bounds, Vec3::Z, 4.0 / 3.0);
     let is_inside = bounds.contains(camera.position);
     assert_eq!(camera.fov_degrees, if is_inside { FOV_INSIDE } else { FOV_OUTSIDE });
     is_inside
@@ -113,9 +119,13 @@ fn what_shows_its_backs_to_the_middle_is_an_object() {
 /// Both sides of a lamp are one surface, whose front is outside.
 #[test]
 fn a_lamp_that_shines_to_both_sides_is_no_room() {
-    let half = |half, inward| Thing { half, emission: Rgb::WHITE, ..cube(inward, Sides::Front) };
-    assert!(!is_room(&[half(Half::Front, false), half(Half::Back, true)], None));
-    assert!(is_room(&[half(Half::Whole, true)], None));
+    let one_sided =
+        |side, inward| ImportedObject { side, emission: Rgb::WHITE, ..cube(inward, Sides::Front) };
+    assert!(!is_room(
+        &[one_sided(ModelSide::Front, false), one_sided(ModelSide::Back, true)],
+        None
+    ));
+    assert!(is_room(&[one_sided(ModelSide::Whole, true)], None));
 }
 
 #[test]
@@ -123,7 +133,7 @@ fn a_corridor_with_open_ends_is_seen_from_inside() {
     let wall = |corner: [f32; 3], edge: [f32; 3]| {
         let [corner, edge] = [corner, edge].map(Vec3::from);
         let quad = Quad::new(corner, edge, Vec3::new(3.0, 0.0, 0.0)).unwrap();
-        thing(Primitive::Quad(quad), 0.0)
+        item(Primitive::Quad(quad), 0.0)
     };
     // Of inward fronts along x, 2 m wide and high.
     let corridor = [

@@ -4,7 +4,7 @@ mod material;
 mod place;
 mod triangles;
 
-use super::{Content, Half, Look, ModelFile, ModelPart};
+use super::{Content, ImportedMaterial, ModelFile, ModelPart, ModelSide};
 use crate::import::counter::Counter;
 use crate::import::placement::Placement;
 use crate::load::LoadOptions;
@@ -24,36 +24,36 @@ pub(super) fn read(
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
     let bounds = options.limits.mgf(options.root);
     let document = mgf::decode(&[path.to_path_buf()], &bounds)?;
-    let look = |material| material::look(material, counter);
-    let looks = document.materials.iter().map(look).collect::<Result<_, _>>();
-    let looks =
-        looks.map_err(|cause| Error::Material { file: path.display().to_string(), cause })?;
+    let material = |material| material::imported(material, counter);
+    let materials = document.materials.iter().map(material).collect::<Result<_, _>>();
+    let materials =
+        materials.map_err(|cause| Error::Material { file: path.display().to_string(), cause })?;
     let warnings = document.warnings.iter().map(Warning::from).collect();
-    Ok((ModelFile { looks, content: Content::Mgf(document.surfaces) }, warnings))
+    Ok((ModelFile { materials, content: Content::Mgf(document.surfaces) }, warnings))
 }
 
 /// Round shapes one by one, then for each material what is flat.
 pub(super) fn parts(
     surfaces: &[Surface],
-    looks: &[Look],
+    materials: &[ImportedMaterial],
     placement: &Placement,
     counter: &mut Counter,
 ) -> Result<Vec<ModelPart>, geometry::Error> {
     let mut parts = Vec::new();
     let mut triangles = Triangles::default();
     for surface in surfaces {
-        let look = surface.material;
+        let material = surface.material;
         let shape = place::placed(&surface.shape, placement);
-        for &half in halves(&shape, &looks[look]) {
-            let turned = (half == Half::Back).then(|| place::turned(&shape));
+        for &side in halves(&shape, &materials[material]) {
+            let turned = (side == ModelSide::Back).then(|| place::turned(&shape));
             let shape = turned.as_ref().unwrap_or(&shape);
             match primitive(shape) {
                 Some(Ok(primitive)) => {
                     let shape = ObjectShape::Primitive(primitive);
-                    parts.push(ModelPart { shape, look, half });
+                    parts.push(ModelPart { shape, material, side });
                 }
                 Some(Err(_)) => counter.add("surface dropped: single precision cannot hold it"),
-                None => triangles.add(shape, look, half),
+                None => triangles.add(shape, material, side),
             }
         }
     }
@@ -62,12 +62,12 @@ pub(super) fn parts(
 }
 
 /// Both sides of a lamp emit if both are there to be seen.
-fn halves(shape: &Shape, look: &Look) -> &'static [Half] {
+fn halves(shape: &Shape, material: &ImportedMaterial) -> &'static [ModelSide] {
     let closed = matches!(shape, Shape::Sphere { .. } | Shape::Torus { .. } | Shape::Prism { .. });
-    if closed || look.emission.is_black() || look.sides == Sides::Front {
-        &[Half::Whole]
+    if closed || material.emission.is_black() || material.sides == Sides::Front {
+        &[ModelSide::Whole]
     } else {
-        &[Half::Front, Half::Back]
+        &[ModelSide::Front, ModelSide::Back]
     }
 }
 

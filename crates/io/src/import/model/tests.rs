@@ -4,7 +4,7 @@ use std::fs;
 use traylib_geometry::{Facing, Primitive};
 
 /// The parts of an MGF text, its looks and what was dropped.
-fn parts_of(test: &str, text: &str) -> (Vec<ModelPart>, Vec<Look>, usize) {
+fn parts_of(test: &str, text: &str) -> (Vec<ModelPart>, Vec<ImportedMaterial>, usize) {
     let path = std::env::temp_dir().join(format!("traylib-{}-{test}.mgf", std::process::id()));
     fs::write(&path, text).unwrap();
     let read = ModelFile::read(&Location::Disk(path.clone()), LoadOptions::default());
@@ -13,7 +13,7 @@ fn parts_of(test: &str, text: &str) -> (Vec<ModelPart>, Vec<Look>, usize) {
     assert_eq!(warnings, []);
     let mut counter = Counter::default();
     let parts = file.parts(&Placement::NONE, &mut counter).unwrap();
-    (parts, file.looks, counter.into_warnings("").count())
+    (parts, file.materials, counter.into_warnings("").count())
 }
 
 const POINTS: &str = "v a =\n p 0 0 0\nv b =\n p 1 0 0\nv c =\n p 1 1 0\nv d =\n p 0 1 0\n\
@@ -25,15 +25,15 @@ fn round_shapes_stay_round_and_flat_ones_are_a_mesh_for_each_material() {
         "{POINTS}m grey =\n rd .5\nf a b c d\nsph e -2\ncyl a 1 e\nring e .5 1\n\
          m none =\nf a b c\nm grey\nf a c d\n"
     );
-    let (parts, looks, dropped) = parts_of("shapes", &text);
-    assert_eq!((parts.len(), looks.len(), dropped), (5, 2, 0));
+    let (parts, materials, dropped) = parts_of("shapes", &text);
+    assert_eq!((parts.len(), materials.len(), dropped), (5, 2, 0));
     let ObjectShape::Primitive(Primitive::Sphere(sphere)) = parts[0].shape else { panic!() };
     assert_eq!((sphere.radius(), sphere.facing()), (2.0, Facing::Inward));
     assert!(matches!(parts[1].shape, ObjectShape::Primitive(Primitive::Cone(_))));
     let ObjectShape::Primitive(Primitive::Disk(ring)) = parts[2].shape else { panic!() };
     assert_eq!([ring.inner_radius(), ring.radius()], [0.5, 1.0]);
     let triangles = parts[3..].iter().map(|part| match &part.shape {
-        ObjectShape::Mesh(mesh) => (part.look, mesh.triangle_count(), mesh.positions().len()),
+        ObjectShape::Mesh(mesh) => (part.material, mesh.triangle_count(), mesh.positions().len()),
         ObjectShape::Primitive(_) => panic!(),
     });
     assert_eq!(triangles.collect::<Vec<_>>(), [(0, 3, 4), (1, 1, 3)]);
@@ -43,8 +43,11 @@ fn round_shapes_stay_round_and_flat_ones_are_a_mesh_for_each_material() {
 fn lamps_of_two_sides_are_two_surfaces_unless_closed() {
     let text = format!("{POINTS}m lamp =\n ed 100\nf a b c d\nring e 0 1\nsph a 1\n");
     let (parts, _, _) = parts_of("halves", &text);
-    let halves: Vec<Half> = parts.iter().map(|part| part.half).collect();
-    assert_eq!(halves, [Half::Front, Half::Back, Half::Whole, Half::Front, Half::Back]);
+    let halves: Vec<ModelSide> = parts.iter().map(|part| part.side).collect();
+    assert_eq!(
+        halves,
+        [ModelSide::Front, ModelSide::Back, ModelSide::Whole, ModelSide::Front, ModelSide::Back]
+    );
     let normal = |part: &ModelPart| match &part.shape {
         ObjectShape::Primitive(Primitive::Disk(disk)) => disk.normal(),
         ObjectShape::Mesh(mesh) => {

@@ -7,7 +7,7 @@ mod material;
 mod skipped;
 mod welder;
 
-use super::{Half, Look, ModelCamera, ModelFile, ModelPart};
+use super::{ImportedMaterial, ModelCamera, ModelFile, ModelPart, ModelSide};
 use crate::import::counter::Counter;
 use crate::import::placement::Placement;
 use crate::import::textures::Textures;
@@ -61,11 +61,11 @@ fn model(
 ) -> Result<ModelFile, traylib_materials::Error> {
     let plain = three_ds::Material::default();
     let materials = document.materials.iter().chain([&plain]);
-    let looks = materials.map(|material| material::look(material, importer));
-    let looks: Vec<Look> = looks.collect::<Result<_, _>>()?;
+    let materials = materials.map(|material| material::imported(material, importer));
+    let materials: Vec<ImportedMaterial> = materials.collect::<Result<_, _>>()?;
     let counter = &mut *importer.counter;
-    let content = Content::new(document, looks.len() - 1, counter);
-    Ok(ModelFile { looks, content: super::Content::ThreeDs(content) })
+    let content = Content::new(document, materials.len() - 1, counter);
+    Ok(ModelFile { materials, content: super::Content::ThreeDs(content) })
 }
 
 impl Content {
@@ -88,22 +88,22 @@ impl Content {
     pub(super) fn parts(&self, placement: &Placement) -> Result<Vec<ModelPart>, geometry::Error> {
         let mut parts = Vec::new();
         for (mesh, normals) in self.meshes.iter().zip(&self.normals) {
-            for (look, faces) in self.faces_by_look(mesh) {
+            for (material, faces) in self.faces_by_look(mesh) {
                 let mut welder = Welder::new(mesh, normals.as_deref(), placement);
                 let triangles = faces.into_iter().map(|face| welder.triangle(face)).collect();
                 let shape = ObjectShape::Mesh(welder.finish(triangles)?);
-                parts.push(ModelPart { shape, look, half: Half::Whole });
+                parts.push(ModelPart { shape, material, side: ModelSide::Whole });
             }
         }
         Ok(parts)
     }
 
     fn faces_by_look(&self, mesh: &Mesh) -> BTreeMap<usize, Vec<usize>> {
-        let mut looks: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut materials: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (index, face) in mesh.faces.iter().enumerate() {
-            looks.entry(face.material.unwrap_or(self.plain)).or_default().push(index);
+            materials.entry(face.material.unwrap_or(self.plain)).or_default().push(index);
         }
-        looks
+        materials
     }
 
     pub(super) fn lights(&self, placement: &Placement, around: &Aabb) -> Vec<PointLight> {

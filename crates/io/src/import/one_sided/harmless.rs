@@ -15,40 +15,40 @@ const MOST_WORK: usize = 1 << 26;
 
 /// All that may be inside of something.
 pub(super) struct Surroundings<'a> {
-    things: &'a [Described<'a>],
+    items: &'a [Described<'a>],
     bounds: Vec<Aabb>,
     points: Vec<Vec3>,
     work: usize,
 }
 
 impl<'a> Surroundings<'a> {
-    pub(super) fn new(things: &'a [Described<'a>], points: Vec<Vec3>) -> Self {
-        let bounds = things.iter().map(|described| Aabb::around(described.thing.extremes()));
-        Self { things, bounds: bounds.collect(), points, work: MOST_WORK }
+    pub(super) fn new(items: &'a [Described<'a>], points: Vec<Vec3>) -> Self {
+        let bounds = items.iter().map(|described| Aabb::around(described.item.extremes()));
+        Self { items, bounds: bounds.collect(), points, work: MOST_WORK }
     }
 
-    /// Whether both ends of every line see the same of this thing; `false` where that
+    /// Whether both ends of every line see the same of this item; `false` where that
     /// would take long to find out.
     pub(super) fn is_harmless(&mut self, index: usize) -> bool {
-        let Described { thing, material, .. } = self.things[index];
+        let Described { item, material, .. } = self.items[index];
         let is_even = !material.has_opacity() && !bends_or_scatters(&material.model);
-        is_even && is_closed(&thing.shape) && self.is_empty_within(index)
+        is_even && is_closed(&item.shape) && self.is_empty_within(index)
     }
 
     fn is_empty_within(&mut self, index: usize) -> bool {
         let within = self.bounds[index];
         !self.points.iter().any(|&point| within.contains(point))
-            && (0..self.things.len()).all(|other| other == index || self.is_outside(other, &within))
+            && (0..self.items.len()).all(|other| other == index || self.is_outside(other, &within))
     }
 
     fn is_outside(&mut self, other: usize, within: &Aabb) -> bool {
-        let mut look = || self.work.checked_sub(1).map(|left| self.work = left).is_some();
-        if !look() {
+        let mut is_allowed = || self.work.checked_sub(1).map(|left| self.work = left).is_some();
+        if !is_allowed() {
             return false;
         }
-        let apart = |primitive: Primitive| look() && is_apart(&primitive, within);
+        let apart = |primitive: Primitive| is_allowed() && is_apart(&primitive, within);
         !overlap(&self.bounds[other], within)
-            || self.things[other].thing.primitives().map(|sided| sided.primitive).all(apart)
+            || self.items[other].item.primitives().map(|sided| sided.primitive).all(apart)
     }
 }
 

@@ -15,7 +15,7 @@
 //! direction, which turns by twice the angle, n = 1/(2a²).
 
 use crate::import::counter::Counter;
-use crate::import::model::Look;
+use crate::import::model::ImportedMaterial;
 use crate::mgf::{self, Part};
 use std::f32::consts::PI;
 use traylib_geometry::Sides;
@@ -30,17 +30,20 @@ const SHARPEST: f32 = 1e6;
 const LUMENS_PER_WATT: f32 = 179.0;
 
 /// A material as it can be rendered.
-pub(super) fn look(material: &mgf::Material, counter: &mut Counter) -> Result<Look, Error> {
+pub(super) fn imported(
+    material: &mgf::Material,
+    counter: &mut Counter,
+) -> Result<ImportedMaterial, Error> {
     let emission = positive(material.ed.rgb()) / (PI * LUMENS_PER_WATT);
     let name = material.name.to_string();
     if let Some(glass) = solid_glass(material, counter) {
         let material = SurfaceModel::Dielectric(glass).into();
-        return Ok(Look { name, material, sides: Sides::Both, emission });
+        return Ok(ImportedMaterial { name, surface: material, sides: Sides::Both, emission });
     }
     let fractions = fractions(material, counter);
     let roughness = [material.rs_roughness, material.ts_roughness];
     let sides = if material.two_sided { Sides::Both } else { Sides::Front };
-    Ok(Look { name, material: scattering(fractions, roughness)?, sides, emission })
+    Ok(ImportedMaterial { name, surface: scattering(fractions, roughness)?, sides, emission })
 }
 
 /// The boundary of a solid. What glass absorbs is not rendered.

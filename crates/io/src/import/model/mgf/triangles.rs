@@ -1,7 +1,7 @@
 //! Shapes cut into triangles, a mesh for each material.
 
 use super::narrow;
-use crate::import::model::{Half, ModelPart};
+use crate::import::model::{ModelPart, ModelSide};
 use crate::mgf::tessellate::{self, DEFAULT_DIVISIONS};
 use crate::mgf::{Shape, Vertex};
 use std::collections::{BTreeMap, HashMap};
@@ -15,7 +15,7 @@ const DIVISIONS: u32 = 2 * DEFAULT_DIVISIONS;
 
 /// What triangles are kept together by: material, half, and whether they have
 /// normals.
-type Key = (usize, Half, bool);
+type Key = (usize, ModelSide, bool);
 
 #[derive(Default)]
 pub(super) struct Triangles {
@@ -23,17 +23,17 @@ pub(super) struct Triangles {
 }
 
 impl Triangles {
-    pub(super) fn add(&mut self, shape: &Shape, look: usize, half: Half) {
+    pub(super) fn add(&mut self, shape: &Shape, material: usize, side: ModelSide) {
         for corners in tessellate::triangles(shape, DIVISIONS) {
             let smooth = corners[0].normal.is_some();
-            self.meshes.entry((look, half, smooth)).or_default().add(&corners);
+            self.meshes.entry((material, side, smooth)).or_default().add(&corners);
         }
     }
 
     pub(super) fn finish(self, parts: &mut Vec<ModelPart>) -> Result<(), geometry::Error> {
-        for ((look, half, _), builder) in self.meshes {
+        for ((material, side, _), builder) in self.meshes {
             let shape = ObjectShape::Mesh(builder.finish()?);
-            parts.push(ModelPart { shape, look, half });
+            parts.push(ModelPart { shape, material, side });
         }
         Ok(())
     }

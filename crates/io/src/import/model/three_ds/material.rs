@@ -1,17 +1,17 @@
 //! From 3D Studio's materials to models.
 
 use super::maps::MapImporter;
-use crate::import::model::Look;
+use crate::import::model::ImportedMaterial;
 use crate::three_ds::{self, Shading};
 use traylib_geometry::Sides;
 use traylib_materials::{self as materials, Lambert, Material, Phong, SurfaceModel};
 use traylib_math::Rgb;
 
 /// A material as it can be rendered.
-pub(super) fn look(
+pub(super) fn imported(
     material: &three_ds::Material,
     importer: &mut MapImporter<'_>,
-) -> Result<Look, materials::Error> {
+) -> Result<ImportedMaterial, materials::Error> {
     let maps = importer.maps(material);
     // A texture of opacity says the same where there are others.
     let clear = if maps.is_none() { material.transparency } else { 0.0 };
@@ -22,7 +22,7 @@ pub(super) fn look(
     let emission = linear(material.diffuse) * material.glow();
     let sides = if material.two_sided { Sides::Both } else { Sides::Front };
     let material_of = Material { model, through: Rgb::splat(clear), maps };
-    Ok(Look { name: material.name.clone(), material: material_of, sides, emission })
+    Ok(ImportedMaterial { name: material.name.clone(), surface: material_of, sides, emission })
 }
 
 /// The model nearest to a 3DS material of which this share is there, and whether

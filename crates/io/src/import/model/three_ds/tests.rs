@@ -40,7 +40,7 @@ fn parts(mesh: Mesh, materials: Vec<Material>) -> Vec<(geometry::Mesh, Sides)> {
     let (file, _) = file(document);
     let parts = file.parts(&placement(), &mut Counter::default()).unwrap();
     let part = |part: ModelPart| match part.shape {
-        ObjectShape::Mesh(mesh) => (mesh, file.looks[part.look].sides),
+        ObjectShape::Mesh(mesh) => (mesh, file.materials[part.material].sides),
         ObjectShape::Primitive(_) => panic!(),
     };
     parts.into_iter().map(part).collect()
@@ -72,10 +72,10 @@ fn faces_are_split_by_material() {
 }
 
 /// The look of a material, and whether there was something to warn of.
-fn look(material: Material) -> (Look, Vec<String>) {
+fn imported(material: Material) -> (ImportedMaterial, Vec<String>) {
     let document = Document { materials: vec![material], ..Document::default() };
     let (file, warnings) = file(document);
-    (file.looks[0].clone(), warnings)
+    (file.materials[0].clone(), warnings)
 }
 
 fn glossy(diffuse: f32, strength: f32, shading: Shading) -> Material {
@@ -94,11 +94,11 @@ fn colours_become_linear_and_the_highlight_its_share() {
     let phong = |kd: [f32; 3], ks: [f32; 3]| {
         SurfaceModel::Phong(Phong::new(kd.into(), ks.into(), 8.0).unwrap())
     };
-    let model = |strength, shading| look(glossy(0.5, strength, shading)).0.material.model;
-    let half = crate::srgb::decode(0.5);
-    let kd = [half, 0.0, 0.0];
+    let model = |strength, shading| imported(glossy(0.5, strength, shading)).0.surface.model;
+    let side = crate::srgb::decode(0.5);
+    let kd = [side, 0.0, 0.0];
     assert_eq!(model(0.25, Shading::Phong), phong(kd, [0.25; 3]));
-    assert_eq!(model(0.25, Shading::Metal), phong(kd, [0.25 * half, 0.0, 0.0]));
+    assert_eq!(model(0.25, Shading::Metal), phong(kd, [0.25 * side, 0.0, 0.0]));
     let lambert = SurfaceModel::Lambert(Lambert::new(kd.into()).unwrap());
     assert_eq!(model(0.0, Shading::Phong), lambert);
 }
@@ -107,14 +107,14 @@ fn colours_become_linear_and_the_highlight_its_share() {
 fn energy_is_never_made() {
     for step in 0..=100 {
         let material = glossy(1.0, step as f32 / 100.0, Shading::Phong);
-        assert_eq!(look(material).1.len(), usize::from(step > 0));
+        assert_eq!(imported(material).1.len(), usize::from(step > 0));
     }
 }
 
 #[test]
 fn transparency_lets_light_straight_through() {
     let material = Material { transparency: 0.75, ..glossy(1.0, 0.0, Shading::Phong) };
-    let made = look(material).0.material;
+    let made = imported(material).0.surface;
     let kd = Rgb::new(0.25, 0.0, 0.0);
     assert_eq!(made.model, SurfaceModel::Lambert(Lambert::new(kd).unwrap()));
     assert_eq!(made.through, Rgb::splat(0.75));
@@ -123,15 +123,15 @@ fn transparency_lets_light_straight_through() {
 #[test]
 fn a_material_shines_by_itself_in_its_colour() {
     let glows = Material { self_illumination: Some(0.5), ..glossy(1.0, 0.0, Shading::Phong) };
-    assert_eq!(look(glows).0.emission, Rgb::new(0.5, 0.0, 0.0));
+    assert_eq!(imported(glows).0.emission, Rgb::new(0.5, 0.0, 0.0));
 }
 
 #[test]
 fn maps_that_cannot_be_shown_are_warned_of() {
     let map = |kind| (kind, Map { file: "C:\\A.GIF".into(), ..Map::default() });
     let maps = vec![map(MapKind::Texture1), map(MapKind::Reflection)];
-    let (look, warnings) = look(Material { maps, ..Material::default() });
-    assert_eq!(look.material.maps, None);
+    let (material, warnings) = imported(Material { maps, ..Material::default() });
+    assert_eq!(material.surface.maps, None);
     let expected = ["f: picture `A.GIF` not found, shown without", "f: reflection map skipped"];
     assert_eq!(warnings, expected);
 }

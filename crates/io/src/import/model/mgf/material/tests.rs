@@ -21,17 +21,17 @@ fn black() -> mgf::Material {
     }
 }
 
-fn made(material: &mgf::Material) -> (Look, Vec<String>) {
+fn made(material: &mgf::Material) -> (ImportedMaterial, Vec<String>) {
     let mut counter = Counter::default();
-    let look = look(material, &mut counter).unwrap();
+    let material = imported(material, &mut counter).unwrap();
     let warnings = counter.into_warnings("f").map(|warning| warning.to_string()).collect();
-    (look, warnings)
+    (material, warnings)
 }
 
 fn of(material: &mgf::Material) -> (SurfaceModel, Rgb) {
-    let (look, warnings) = made(material);
+    let (material, warnings) = made(material);
     assert_eq!(warnings, Vec::<String>::new());
-    (look.material.model, look.material.through)
+    (material.surface.model, material.surface.through)
 }
 
 fn lambert(kd: f32) -> SurfaceModel {
@@ -85,9 +85,9 @@ fn transmission_passes_straight_or_through_a_sheet() {
 #[test]
 fn a_one_sided_clear_material_with_an_index_is_solid_glass() {
     let glass = mgf::Material { two_sided: false, ts: part(0.9), ir: [1.5, 0.0], ..black() };
-    let (look, warnings) = made(&glass);
+    let (material, warnings) = made(&glass);
     let model = SurfaceModel::Dielectric(Dielectric::new(1.5).unwrap());
-    assert_eq!((look.material.model, look.sides), (model, Sides::Both));
+    assert_eq!((material.surface.model, material.sides), (model, Sides::Both));
     assert_eq!(warnings, ["f: material `x` taken for clear glass, with its index alone"]);
     let metal = mgf::Material { ir: [1.5, 2.0], ..glass };
     assert_eq!(made(&metal).0.sides, Sides::Front);
@@ -96,9 +96,9 @@ fn a_one_sided_clear_material_with_an_index_is_solid_glass() {
 #[test]
 fn a_colour_that_would_make_light_is_scaled_down_in_its_band() {
     let red = Part { amount: 0.5, colour: Rgb::new(3.0, 0.5, 0.5) };
-    let (look, warnings) = made(&mgf::Material { rd: red, td: part(0.5), ..black() });
+    let (material, warnings) = made(&mgf::Material { rd: red, td: part(0.5), ..black() });
     assert_eq!(warnings.len(), 1);
-    let Shading { model, .. } = look.material.at(Vec3::Z, || None);
+    let Shading { model, .. } = material.surface.at(Vec3::Z, || None);
     let parts = [Rgb::new(0.75, 0.25, 0.25), Rgb::new(0.25, 0.5, 0.5)];
     let [reflection, transmission] = parts.map(|kd| Phong::new(kd, Rgb::BLACK, SHARPEST).unwrap());
     assert_eq!(model, SurfaceModel::Sheet(Sheet::new(reflection, transmission).unwrap()));
@@ -107,7 +107,7 @@ fn a_colour_that_would_make_light_is_scaled_down_in_its_band() {
 #[test]
 fn emittance_becomes_radiance_and_keeps_reflection() {
     let lamp = mgf::Material { rd: part(0.5), ed: part(140.586_28), two_sided: false, ..black() };
-    let (look, _) = made(&lamp);
-    assert!((look.emission.g - 0.25).abs() < 1e-6, "{}", look.emission.g);
-    assert_eq!((look.material.model, look.sides), (lambert(0.5), Sides::Front));
+    let (material, _) = made(&lamp);
+    assert!((material.emission.g - 0.25).abs() < 1e-6, "{}", material.emission.g);
+    assert_eq!((material.surface.model, material.sides), (lambert(0.5), Sides::Front));
 }

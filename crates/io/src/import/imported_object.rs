@@ -1,40 +1,45 @@
 //! What scenes are built from, wherever it came from.
 
-use super::model::{Half, Look, ModelPart};
+use super::model::{ImportedMaterial, ModelPart, ModelSide};
 use traylib_geometry::{Mesh, Primitive, SidedPrimitive, Sides, Vec3};
 use traylib_math::Rgb;
 use traylib_scene::ObjectShape;
 
 /// A shape with all that a scene wants to know of it.
-pub(super) struct Thing {
+pub(super) struct ImportedObject {
     pub(super) shape: ObjectShape,
     pub(super) sides: Sides,
-    pub(super) material: ThingMaterial,
+    pub(super) material: ObjectMaterial,
     pub(super) emission: Rgb,
     /// Whether its other side is a thing of its own.
-    pub(super) half: Half,
+    pub(super) side: ModelSide,
 }
 
 /// What a thing is made of.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum ThingMaterial {
+pub(super) enum ObjectMaterial {
     /// The number of a named material.
     Named(usize),
     /// The number of a material of a file of shapes.
     Own(usize),
 }
 
-impl Thing {
+impl ImportedObject {
     /// A part as its file has it, `first` being the number of the file's first
     /// material, and `glow` a factor on what it emits.
-    pub(super) fn of_model(look: &Look, part: ModelPart, first: usize, glow: f32) -> Self {
-        let sides = if part.half == Half::Whole { look.sides } else { Sides::Front };
+    pub(super) fn of_model(
+        material: &ImportedMaterial,
+        part: ModelPart,
+        first: usize,
+        glow: f32,
+    ) -> Self {
+        let sides = if part.side == ModelSide::Whole { material.sides } else { Sides::Front };
         Self {
             shape: part.shape,
             sides,
-            material: ThingMaterial::Own(first + part.look),
-            emission: look.emission * glow,
-            half: part.half,
+            material: ObjectMaterial::Own(first + part.material),
+            emission: material.emission * glow,
+            side: part.side,
         }
     }
 
