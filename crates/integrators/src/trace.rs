@@ -4,8 +4,9 @@ use crate::chunk::pixel_corner;
 use crate::direct::sample_point_lights;
 use crate::tracer::Tracer;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts};
+use traylib_geometry::Ray;
 use traylib_math::{Rgb, Vec2};
-use traylib_scene::{MOST_PASSAGES, Scene};
+use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
 
 /// Emission seen directly, and one shadow ray to each point light; no other
 /// light, no interreflection. Without `jitter` the ray goes through the middle
@@ -20,10 +21,20 @@ pub struct Trace {
 impl Integrator for Trace {
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         let mut tracer = Tracer::new(scene, chunk.control);
-        for pixel in chunk.pixels.clone() {
+        let ray = |pixel| {
             let inside =
                 if self.jitter { chunk.camera_sampler(pixel).next_2d() } else { Vec2::splat(0.5) };
-            out.add(pixel, radiance(&mut tracer, pixel_corner(scene, pixel) + inside));
+            scene.camera().ray(pixel_corner(scene, pixel) + inside)
+        };
+        let ways = chunk.pixels.clone().map(|pixel| Way {
+            pixel,
+            ray: ray(pixel),
+            transmittance: Rgb::WHITE,
+            radiance: Rgb::BLACK,
+        });
+        tracer.statistics.camera_paths += ways.len() as u64;
+        for way in follow(&mut tracer, ways.collect()) {
+            out.add(way.pixel, way.radiance);
         }
         out.statistics += tracer.statistics;
     }
@@ -37,26 +48,67 @@ impl Integrator for Trace {
     }
 }
 
-/// Light that comes straight through surfaces is followed, without chance.
-fn radiance(tracer: &mut Tracer<'_>, film_point: Vec2) -> Rgb {
-    let scene = tracer.scene;
-    let mut ray = scene.camera().ray(film_point);
-    tracer.statistics.camera_paths += 1;
-    let (mut radiance, mut transmittance) = (Rgb::BLACK, Rgb::WHITE);
+/// What a pixel sees, as far as it has been followed.
+struct Way {
+    pixel: u32,
+    ray: Ray,
+    /// Of all that it has passed.
+    transmittance: Rgb,
+    radiance: Rgb,
+}
+
+/// Follows all to the first surface that lets nothing through, surface by surface and
+/// all at once, without chance.
+fn follow(tracer: &mut Tracer<'_>, mut ways: Vec<Way>) -> Vec<Way> {
+    let mut going: Vec<usize> = (0..ways.len()).collect();
     for _ in 0..MOST_PASSAGES {
-        // What stands next in the way.
-        let Some(point) = tracer.look(&ray) else { break };
-        let lit = sample_point_lights(scene, &point, -ray.direction)
-            .filter_map(|sample| Some(sample.radiance * sample.visible(tracer, &point)?))
-            .sum::<Rgb>();
-        // As much of its light as there is of it.
-        radiance += transmittance * (scene.emitted(&point) + lit) * point.opacity;
-        // And straight on with the rest.
-        transmittance *= point.through;
-        if transmittance.is_black() {
+        // What stands next in each way, and what point lights give it.
+        let rays: Vec<Ray> = going.iter().map(|&index| ways[index].ray).collect();
+        let points = tracer.look_each(&rays);
+        let lit = lit_by_points(tracer, &rays, &points);
+        let mut found = points.into_iter().zip(lit);
+        going.retain(|&index| {
+            let Some((Some(point), lit)) = found.next() else { return false };
+            ways[index].pass(tracer.scene, &point, lit)
+        });
+        if going.is_empty() {
             break;
         }
-        ray.origin = point.site.ray_origin(ray.direction);
     }
-    radiance
+    ways
+}
+
+/// The radiance of each point toward its ray from all point lights, whose shadow rays are
+/// asked together.
+fn lit_by_points(
+    tracer: &mut Tracer<'_>,
+    rays: &[Ray],
+    points: &[Option<SurfacePoint>],
+) -> Vec<Rgb> {
+    let scene = tracer.scene;
+    let (mut segments, mut samples) = (Vec::new(), Vec::new());
+    for (index, (ray, point)) in rays.iter().zip(points).enumerate() {
+        let Some(point) = point else { continue };
+        for sample in sample_point_lights(scene, point, -ray.direction) {
+            segments.push(sample.x0.segment_from(&point.site));
+            samples.push((index, sample.radiance));
+        }
+    }
+    let mut lit = vec![Rgb::BLACK; points.len()];
+    for ((index, radiance), transmittance) in samples.into_iter().zip(tracer.sees_each(&segments)) {
+        if !transmittance.is_black() {
+            lit[index] += radiance * transmittance;
+        }
+    }
+    lit
+}
+
+impl Way {
+    /// Adds what the surface shows, and goes on behind it; whether there is anything left.
+    fn pass(&mut self, scene: &Scene, point: &SurfacePoint, lit: Rgb) -> bool {
+        self.radiance += self.transmittance * (scene.emitted(point) + lit) * point.opacity;
+        self.transmittance *= point.through;
+        self.ray.origin = point.site.ray_origin(self.ray.direction);
+        !self.transmittance.is_black()
+    }
 }

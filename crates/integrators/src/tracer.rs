@@ -85,13 +85,22 @@ impl<'scene> Tracer<'scene> {
         }
     }
 
-    /// What stands first in a ray from the camera, be it see-through or not.
-    pub fn look(&mut self, ray: &Ray) -> Option<SurfacePoint> {
+    /// What stands first in each of some rays from the camera, be it see-through or not.
+    pub fn look_each(&mut self, rays: &[Ray]) -> Vec<Option<SurfacePoint>> {
         if self.is_cancelled() {
-            return None;
+            return vec![None; rays.len()];
         }
-        self.statistics.camera_rays += 1;
-        self.scene.intersect(ray)
+        self.statistics.camera_rays += rays.len() as u64;
+        self.scene.intersect_each(rays).collect()
+    }
+
+    /// [`sees`](Self::sees) for each segment of a list; black where nothing comes through.
+    pub fn sees_each(&mut self, segments: &[Ray]) -> Vec<Rgb> {
+        if self.is_cancelled() {
+            return vec![Rgb::BLACK; segments.len()];
+        }
+        self.statistics.shadow_rays += segments.len() as u64;
+        self.scene.transmittance_each(segments)
     }
 
     /// Any later edge of a walk. The number `pass_through` decides where it ends if

@@ -123,7 +123,24 @@ impl Scene {
     /// The first surface that a ray or a segment meets, be it one that light passes
     /// straight through or not.
     pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint> {
-        let mut hit = self.stage.tree.nearest(ray)?;
+        let hit = self.stage.tree.nearest(ray)?;
+        self.surface_point(ray, hit)
+    }
+
+    /// [`intersect`](Self::intersect) for each ray of a list, in less time than one by one:
+    /// those of a camera, row by row, go through the tree in packets of eight.
+    pub fn intersect_each<'a>(
+        &'a self,
+        rays: &'a [Ray],
+    ) -> impl Iterator<Item = Option<SurfacePoint>> + 'a {
+        let mut hits = vec![None; rays.len()];
+        self.stage.tree.nearest_each(rays, &mut hits);
+        rays.iter().zip(hits).map(|(ray, hit)| self.surface_point(ray, hit?))
+    }
+
+    /// The surface where a ray has hit it.
+    #[inline(always)]
+    fn surface_point(&self, ray: &Ray, mut hit: Hit) -> Option<SurfacePoint> {
         let mut surface = self.surface(&hit);
         let mut site = surface.site(ray, &hit)?;
         let from_behind = site.normal.dot(ray.direction) > 0.0;
@@ -183,6 +200,17 @@ impl Scene {
         } else {
             Rgb::WHITE
         }
+    }
+
+    /// [`transmittance`](Self::transmittance) of each segment of a list, in less time than
+    /// one by one.
+    pub fn transmittance_each(&self, segments: &[Ray]) -> Vec<Rgb> {
+        if self.stage.see_through {
+            return segments.iter().map(|segment| self.transmittance_of_panes(segment)).collect();
+        }
+        let mut blocked = vec![false; segments.len()];
+        self.stage.tree.any_hit_each(segments, &mut blocked);
+        blocked.into_iter().map(|blocked| if blocked { Rgb::BLACK } else { Rgb::WHITE }).collect()
     }
 
     fn transmittance_of_panes(&self, segment: &Ray) -> Rgb {
