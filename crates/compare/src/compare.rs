@@ -64,6 +64,8 @@ struct Work<'a> {
     budgets: Vec<f64>,
     references: Store,
     runs: Store,
+    /// The program itself: another build may render something else, or faster.
+    build: u64,
     /// Whatever else decides the result of a run.
     key: u64,
     stop: &'a Control,
@@ -78,6 +80,7 @@ impl<'a> Work<'a> {
         let scenes: Vec<Prepared> =
             rendered.map(|scene| prepare(scene, options)).collect::<Result<_, _>>()?;
         let outside = options.outside.as_deref().map(|file| outside(file, &scenes)).transpose()?;
+        let build = build_key();
         let store = |folder: std::path::PathBuf| Store::open(folder).map_err(Failure::output);
         Ok(Self {
             options,
@@ -86,9 +89,10 @@ impl<'a> Work<'a> {
             outside: outside.unwrap_or_default(),
             contestants: options.contestants(),
             budgets: options.budgets(),
-            references: store(crate::target().join("compare/references"))?,
+            references: store(options.folder().join("references"))?,
             runs: store(options.folder().join("runs"))?,
-            key: key_of(&(build_key(), &how.processor)),
+            build,
+            key: key_of(&(build, &how.processor)),
             stop,
             start: Instant::now(),
         })
@@ -172,7 +176,7 @@ impl<'a> Work<'a> {
         }
         let making = Making {
             scene: &prepared.loaded.scene,
-            scene_key: prepared.key,
+            scene_key: key_of(&(self.build, prepared.key)),
             seconds: self.reference_seconds(),
             threads: self.options.threads,
             stop: self.stop,

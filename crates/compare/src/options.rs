@@ -66,7 +66,8 @@ pub struct Options {
     #[arg(long)]
     pub quick: bool,
 
-    /// Where everything goes [default: target/compare]
+    /// Where everything goes, references and single runs too, which later comparisons
+    /// there find again [default: target/compare]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 

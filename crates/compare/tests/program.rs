@@ -16,6 +16,16 @@ impl Folder {
         Self(path)
     }
 
+    /// Names of the files in a folder of it, in order.
+    fn files(&self, folder: &str) -> Vec<String> {
+        let entries = std::fs::read_dir(self.0.join(folder)).unwrap();
+        let name = |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name();
+        let mut names: Vec<String> =
+            entries.map(|entry| name(entry).to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
     fn results(&self) -> Results {
         let text = std::fs::read_to_string(self.0.join("results.json")).unwrap();
         serde_json::from_str(&text).unwrap()
@@ -84,11 +94,23 @@ fn a_second_time_goes_on_from_the_first() {
     assert_ne!(out.results().scenes[0].methods, first.scenes[0].methods);
 }
 
+/// The reference is rendered by the first and found by the second, and what was held
+/// against it is found all the same.
 #[test]
-fn two_methods_make_a_reference() {
+fn two_methods_make_a_reference_that_finds_its_runs_again() {
     let out = Folder::new("pair");
-    let output = compare(&out.0, &format!("reference-a {SMALL},bdpt --quick"));
+    let words = format!("reference-a {SMALL},bdpt --quick");
+    let kept = || ["references", "runs"].map(|folder| out.files(folder));
+    let output = compare(&out.0, &words);
     assert!(output.status.success(), "{}", err(&output));
+    let first = (out.results().scenes, kept());
+    // A choice and two halves with two pictures each; 3 methods with 4 runs of one picture.
+    assert_eq!(first.1.each_ref().map(Vec::len), [1 + 2 * 3, 3 * 4 * 2]);
+    assert!(compare(&out.0, &words).status.success());
+    let second = (out.results().scenes, kept());
+    assert_eq!(second.1, first.1);
+    assert_eq!(second.0[0].methods, first.0[0].methods);
+    assert_eq!(second.0[0].reference, first.0[0].reference);
     let reference = &out.results().scenes[0].reference;
     let agreement = reference.agreement.as_ref().unwrap();
     assert_eq!(agreement.methods[0], "bdpt");

@@ -32,7 +32,7 @@ const SEEDS: [u64; 2] = [u64::MAX, u64::MAX - 1];
 pub struct Making<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// A hash of the scene.
+    /// A hash of the scene and of the program that renders it.
     pub scene_key: u64,
     /// Seconds for each of the two methods.
     pub seconds: f64,
@@ -107,6 +107,9 @@ impl Making<'_> {
             return Ok(Some(half));
         }
         let half = self.order(masked, self.seconds, SEEDS[index]).render(&contestant(method))?;
+        // As it would come from the store, so that it makes no difference whether it does:
+        // runs are found again by the reference that they were held against.
+        let half = half.map(Half::as_stored);
         if let Some(half) = &half {
             let pictures = [("mean", &half.picture), ("variance", &half.variance)];
             self.store.keep(key, &half.numbers, &pictures)?;
