@@ -2,8 +2,10 @@
 
 mod curve;
 mod steadiness;
+mod trust;
 mod verdict;
 
+pub use trust::{doubted_by, withhold};
 pub use verdict::{no_verdict, verdict};
 
 use crate::bootstrap::{self, quantile};

@@ -90,6 +90,9 @@ pub struct ReferenceResults {
     pub seconds: f64,
     /// How well two methods agree on it, where two made it.
     pub agreement: Option<ReferenceAgreement>,
+    /// The method whose runs say that it is noisy or shows another scene: there is then
+    /// no verdict, and no time to any error. Only a picture that was given is doubted.
+    pub doubted_by: Option<String>,
 }
 
 /// Two methods render the same picture.
@@ -158,7 +161,8 @@ pub struct MethodResults {
     pub error_per_pass: Estimate,
     /// Seconds of one pass: median, shortest and longest of the runs.
     pub seconds_per_pass: Estimate,
-    /// When it reaches the errors that are asked for.
+    /// When it reaches the errors that are asked for; empty where the reference is in
+    /// doubt.
     pub targets: Vec<Target>,
     /// Metrics of a picture after the longest budget: means over the runs.
     pub metrics: Metrics,

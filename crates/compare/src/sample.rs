@@ -110,6 +110,7 @@ fn reference(scene: &str) -> ReferenceResults {
         own_error: if closed { 0.0 } else { 6e-6 },
         seconds: if closed { 0.0 } else { 912.0 },
         agreement: (!closed).then_some(agreement),
+        doubted_by: None,
     }
 }
 

@@ -1,6 +1,6 @@
 //! From what was done on a scene to what is told and shown of it.
 
-use crate::judge::{Entry, judge, no_verdict, verdict};
+use crate::judge::{Entry, doubted_by, judge, no_verdict, verdict, withhold};
 use crate::pictures::ScenePictures;
 use crate::precision::single;
 use crate::prepare::Prepared;
@@ -36,12 +36,17 @@ pub(super) fn shown(
 /// The numbers of a scene; `None` if no contestant has any.
 pub(super) fn told(
     prepared: &Prepared,
-    reference: Reference,
+    mut reference: Reference,
     entries: &[Entry],
-    outside: Vec<OutsidePoint>,
+    mut outside: Vec<OutsidePoint>,
     lengths: Vec<LengthShare>,
 ) -> Option<SceneResults> {
-    let methods = judge(entries, &reference, prepared.facts);
+    let mut methods = judge(entries, &reference, prepared.facts);
+    if let Some(name) = doubted_by(entries, &methods, &reference) {
+        reference.results.doubted_by = Some(name.to_string());
+        withhold(&mut methods);
+        outside.iter_mut().for_each(|point| point.solid = false);
+    }
     let verdict = verdict(&methods, &reference.results)?;
     Some(SceneResults { methods, outside, lengths, ..told_alone(prepared, reference, verdict) })
 }

@@ -1,18 +1,20 @@
 //! The answer, in a sentence.
 
-use crate::page::number::ratio;
-use crate::results::{Estimate, LEAST_ERROR, MethodResults, ReferenceResults, Verdict};
+use crate::page::number::{percent, ratio};
+use crate::results::{Estimate, LEAST_ERROR, MethodResults, Metrics, ReferenceResults, Verdict};
 
 /// Which method to use, from methods that have been judged; `None` without any.
 pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Option<Verdict> {
     let first = methods.iter().find(|method| is_best(method))?;
     let exact = exact(methods, reference);
-    // Without noise, or with light lost by all, no time tells one from the other.
-    let best = (!first.biased && exact.is_empty()).then_some(first);
+    let distrust = distrust(methods, reference);
+    // Without noise, with light lost by all, or held against something wrong, no time
+    // tells one from the other.
+    let best = (!first.biased && exact.is_empty() && distrust.is_none()).then_some(first);
     let rivals = best.map_or_else(Vec::new, |_| rivals(methods));
     let mut sentences = vec![match best {
         Some(best) => lead(best, &rivals, methods),
-        None => without_best(&exact),
+        None => distrust.unwrap_or_else(|| without_best(&exact)),
     }];
     sentences.extend(alarms(methods));
     sentences.extend(methods.iter().filter_map(loss));
@@ -46,6 +48,22 @@ fn rivals(methods: &[MethodResults]) -> Vec<&str> {
 fn exact<'a>(methods: &'a [MethodResults], reference: &ReferenceResults) -> Vec<&'a str> {
     let exact = |m: &&MethodResults| m.metrics.rel_mse + reference.own_error <= LEAST_ERROR;
     methods.iter().filter(exact).map(|m| m.name.as_str()).collect()
+}
+
+/// Why the reference is not to be trusted, if it is not.
+fn distrust(methods: &[MethodResults], reference: &ReferenceResults) -> Option<String> {
+    let witness = methods.iter().find(|m| Some(&m.name) == reference.doubted_by.as_ref())?;
+    let Metrics { bias, bias_z, noise_share, .. } = witness.metrics;
+    let side = if bias < 0.0 { "darker" } else { "brighter" };
+    let z = format!("{bias_z:+.1}").replace('-', "−");
+    Some(format!(
+        "No verdict: the reference is noisy or shows another scene. Of the error of {}, the \
+         least of those that lose no light, {} stay however often it renders, and its pictures \
+         are {} {side} (z = {z}).",
+        witness.name,
+        percent(1.0 - noise_share),
+        percent(bias.abs()),
+    ))
 }
 
 fn without_best(exact: &[&str]) -> String {

@@ -180,6 +180,7 @@ fn join(a: &Half, b: &Half, masked: &Grid<bool>) -> Reference {
         own_error: 0.0,
         seconds: a.numbers.seconds + b.numbers.seconds,
         agreement: Some(agreement),
+        doubted_by: None,
     };
     let picture = mix(&a.picture, &b.picture, &shares, |share| share);
     let variance = mix(&a.variance, &b.variance, &shares, |share| share * share);
