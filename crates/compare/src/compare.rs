@@ -79,6 +79,9 @@ impl<'a> Work<'a> {
         let rendered = asked.iter().filter(|scene| *scene != ORACLE);
         let scenes: Vec<Prepared> =
             rendered.map(|scene| prepare(scene, options)).collect::<Result<_, _>>()?;
+        for (file, scene) in options.reference.iter().zip(&scenes) {
+            outside::warn_of_another(file, &scene.loaded.name);
+        }
         let outside = options.outside.as_deref().map(|file| outside(file, &scenes)).transpose()?;
         let build = build_key();
         let store = |folder: std::path::PathBuf| Store::open(folder).map_err(Failure::output);

@@ -2,7 +2,7 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`options`], [`contestant`], [`prepare`] | what is compared |
+//! | [`options`], [`contestant`], [`prepare`], [`radiance`] | what is compared |
 //! | [`reference`](mod@reference) | what pictures are held against |
 //! | [`race`], [`run`](mod@run), [`store`] | the runs, by turns, kept on disk |
 //! | [`judge`], [`bootstrap`] | from runs to intervals and a verdict |
@@ -28,6 +28,7 @@ pub mod precision;
 pub mod prepare;
 pub mod progress;
 pub mod race;
+pub mod radiance;
 pub mod reference;
 pub mod results;
 pub mod run;

@@ -149,7 +149,7 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
         program: String::new(),
         integrator: String::new(),
         command: String::new(),
-        scene: String::new(),
+        scene: "plates".into(),
         seed: 0,
         spp: 1,
         seconds: 1.0,
@@ -160,7 +160,10 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
     let text = r#"[{"scene": "furnace", "name": "mine", "seconds": 3, "picture": "mine.exr"}]"#;
     std::fs::write(&list, text).unwrap();
     let outside = format!("furnace {SMALL} --outside {}", list.display());
-    assert!(compare(&out.0, &outside).status.success());
+    let output = compare(&out.0, &outside);
+    assert!(output.status.success(), "{}", err(&output));
+    let told = "mine.exr: says that it shows `plates`, not `furnace`";
+    assert_eq!(err(&output).matches(told).count(), 1, "{}", err(&output));
     let point = &out.results().scenes[0].outside[0];
     let expected = 0.04 / 4.04;
     assert!((point.error / expected - 1.0).abs() < 1e-5 && point.seconds == 3.0, "{point:?}");
@@ -170,7 +173,8 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
     assert_eq!(output.status.code(), Some(3), "{}", err(&output));
     assert!(!refused.0.join("runs").exists());
     let given = format!("furnace {SMALL} --reference {}", picture.display());
-    assert!(compare(&out.0, &given).status.success());
+    let output = compare(&out.0, &given);
+    assert!(output.status.success() && err(&output).contains(told), "{}", err(&output));
     let bias = out.results().scenes[0].methods[0].metrics.bias;
     assert!((bias + 0.09).abs() < 0.1, "{bias}");
     let wrong = given.replace("16x12", "8x8");
