@@ -273,3 +273,20 @@ fn numbers_of_any_size_fit() {
     }
     assert_sound(&text(&results));
 }
+
+/// One rule for all intervals: where an end is not known, none is told or drawn.
+#[test]
+fn without_a_variance_there_is_no_high_end() {
+    let page = text(&sample().0);
+    let caustic = page.split("<section").nth(2).unwrap();
+    let rows = caustic.split("<tr>").skip(1).map(|row| row.split("</tr>").next().unwrap());
+    let rows: Vec<&str> = rows.filter(|row| row.contains("</svg>directlight</span>")).collect();
+    let [times, costs, ..] = rows[..] else { panic!("{}", rows.len()) };
+    // Three times, the ratio, and the error of a pass; the range of its times is no interval.
+    assert_eq!((times.matches("at least").count(), times.matches('–').count()), (3, 0), "{times}");
+    assert_eq!((costs.matches("at least").count(), costs.matches('–').count()), (2, 1), "{costs}");
+    let whiskers = |chart: &&str| chart.matches("stroke-width=\"8\"").count();
+    let bars: Vec<&str> = charts(caustic).into_iter().filter(|c| c.contains("<rect")).collect();
+    // Of five: not at the best, which is one, and not here. Times of a pass are a range.
+    assert_eq!(bars.iter().map(whiskers).collect::<Vec<_>>()[..3], [9, 12, 15]);
+}

@@ -235,3 +235,34 @@ fn a_good_reference_is_believed_unchecked() {
         assert_eq!((doubted, verdict.best.as_deref()), (None, Some("bdpt")));
     }
 }
+
+/// Pareto's law with an index of 1.1 has no variance.
+fn without_variance(entry: &mut Entry) {
+    let largest = (1..=4096).map(|k| (4096.0 / f64::from(k)).powf(1.0 / 1.1)).collect();
+    entry.records[0].largest = largest;
+}
+
+#[test]
+fn of_values_without_a_variance_no_high_end_is_known() {
+    let reference = reference();
+    let mut wild = entry("puremc", 0.0, 0.3, &reference);
+    without_variance(&mut wild);
+    let mut best = entry("bdpt", 0.0, 0.1, &reference);
+    let methods = judge(&[wild.clone(), best.clone()], &reference, PLAIN);
+    let found = &methods[0];
+    assert!(found.stability.alarm && !methods[1].stability.alarm);
+    let times = found.targets.iter().map(|target| target.seconds.unwrap());
+    let errors = found.points.iter().chain(&found.budgets).map(|point| point.error);
+    for estimate in times.chain(errors).chain([found.cost, found.error_per_pass, found.cost_ratio])
+    {
+        assert!(estimate.knows_low() && !estimate.knows_high(), "{estimate:?}");
+    }
+    let sentence = verdict(&methods, &reference.results).unwrap().sentence;
+    assert!(sentence.contains("puremc takes at least "), "{sentence}");
+    // And nothing of the ratio of two such methods.
+    without_variance(&mut best);
+    let methods = judge(&[wild, best], &reference, PLAIN);
+    let ratio = methods[0].cost_ratio;
+    assert!(!ratio.knows_low() && !ratio.knows_high(), "{ratio:?}");
+    assert_eq!(verdict(&methods, &reference.results).unwrap().rivals, ["puremc"]);
+}

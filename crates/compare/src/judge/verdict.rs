@@ -40,7 +40,8 @@ fn is_best(method: &MethodResults) -> bool {
 }
 
 fn rivals(methods: &[MethodResults]) -> Vec<&str> {
-    let near = methods.iter().filter(|m| !is_best(m) && !m.biased && m.cost_ratio.low <= 1.0);
+    let near = |m: &Estimate| !m.knows_low() || m.low <= 1.0;
+    let near = methods.iter().filter(|m| !is_best(m) && !m.biased && near(&m.cost_ratio));
     near.map(|m| m.name.as_str()).collect()
 }
 
