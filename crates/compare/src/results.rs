@@ -20,6 +20,13 @@ pub struct Results {
     pub complete: bool,
 }
 
+impl Results {
+    /// Whether nothing at all was found.
+    pub fn is_empty(&self) -> bool {
+        self.scenes.is_empty() && self.oracle.is_none()
+    }
+}
+
 /// How a comparison was made.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct How {

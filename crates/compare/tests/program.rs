@@ -26,9 +26,12 @@ impl Folder {
         names
     }
 
+    fn text(&self, file: &str) -> String {
+        std::fs::read_to_string(self.0.join(file)).unwrap()
+    }
+
     fn results(&self) -> Results {
-        let text = std::fs::read_to_string(self.0.join("results.json")).unwrap();
-        serde_json::from_str(&text).unwrap()
+        serde_json::from_str(&self.text("results.json")).unwrap()
     }
 }
 
@@ -230,4 +233,76 @@ fn mistakes_are_told_in_a_line() {
         let lines = err(&output).lines().filter(|line| !line.starts_with("warning: this")).count();
         assert!(words != unknown || lines == 1, "{}", err(&output));
     }
+}
+
+/// A signal as soon as a reference is being made: no scene is done, and what an earlier
+/// comparison left stays as it is.
+#[cfg(unix)]
+#[test]
+fn nothing_done_replaces_nothing() {
+    let out = Folder::new("early");
+    assert!(compare(&out.0, &format!("furnace {SMALL}")).status.success());
+    let left = || ["index.html", "results.json", "results.csv"].map(|n| out.text(n));
+    let before = left();
+    let words = "cornell --resolution 16x12 --budgets 60s --integrators puremc";
+    let mut child = program(&out.0);
+    let child = child.args(words.split_whitespace()).stderr(std::process::Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    let mut told = std::io::BufReader::new(child.stderr.take().unwrap());
+    let mut line = String::new();
+    while !line.starts_with("cornell") {
+        line.clear();
+        assert!(std::io::BufRead::read_line(&mut told, &mut line).unwrap() > 0);
+    }
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-TERM", &id]).status().unwrap().success());
+    let rest = std::io::read_to_string(told).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(143), "{rest}");
+    assert!(rest.contains("told to terminate before any scene was done"), "{rest}");
+    assert!(!rest.contains("interrupt"), "{rest}");
+    assert_eq!(left(), before);
+}
+
+#[test]
+fn results_of_other_scenes_are_replaced_with_a_word() {
+    let out = Folder::new("replaced");
+    let first = compare(&out.0, &format!("furnace {SMALL}"));
+    assert!(first.status.success() && !err(&first).contains("replaced"), "{}", err(&first));
+    let again = compare(&out.0, &format!("furnace {SMALL}"));
+    assert!(again.status.success() && !err(&again).contains("replaced"), "{}", err(&again));
+    let file = out.0.join("dark.ron");
+    std::fs::write(&file, DARK).unwrap();
+    let other = compare(&out.0, &format!("{} {SMALL} --quick", file.display()));
+    assert!(err(&other).contains("the results of furnace there are replaced"), "{}", err(&other));
+    // No run was made, and those of the furnace are not of this page.
+    assert!(!out.0.join("results.csv").exists());
+}
+
+/// What cannot be shown apart, or by nobody, is refused before any work.
+#[test]
+fn names_and_methods_that_do_not_fit_are_told_at_once() {
+    let out = Folder::new("fit");
+    let files = ["a", "b"].map(|folder| out.0.join(folder).join("room.ron"));
+    for file in &files {
+        std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+        std::fs::write(file, DARK).unwrap();
+    }
+    let [a, b] = files.map(|file| file.display().to_string());
+    for (words, texts) in [
+        (format!("{a} {b}"), [a.as_str(), b.as_str(), "called `room`"]),
+        ("furnace furnace".into(), ["`furnace` and `furnace`", "called", "furnace"]),
+        (
+            "furnace --integrators trace".into(),
+            ["furnace: trace", "no point lights", "nobody else"],
+        ),
+    ] {
+        let output = compare(&out.0, &words);
+        assert_eq!(output.status.code(), Some(2), "{words}: {}", err(&output));
+        assert!(texts.iter().all(|text| err(&output).contains(text)), "{}", err(&output));
+        assert!(!out.0.join("runs").exists());
+    }
+    let output = compare(&out.0, &format!("furnace {SMALL},trace"));
+    assert!(output.status.success(), "{}", err(&output));
+    let told = "warning: furnace: trace left out: the scene has no point lights";
+    assert!(err(&output).contains(told), "{}", err(&output));
 }

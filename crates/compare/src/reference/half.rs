@@ -27,7 +27,7 @@ pub struct Half {
 
 impl Half {
     /// The same in the precision in which pictures are kept.
-    pub(super) fn as_stored(self) -> Self {
+    pub(super) fn like_stored(self) -> Self {
         let rounded = |picture: &Picture| double(&single(picture));
         Self { picture: rounded(&self.picture), variance: rounded(&self.variance), ..self }
     }

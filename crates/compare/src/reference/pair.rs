@@ -109,7 +109,7 @@ impl Making<'_> {
         let half = self.order(masked, self.seconds, SEEDS[index]).render(&contestant(method))?;
         // As it would come from the store, so that it makes no difference whether it does:
         // runs are found again by the reference that they were held against.
-        let half = half.map(Half::as_stored);
+        let half = half.map(Half::like_stored);
         if let Some(half) = &half {
             let pictures = [("mean", &half.picture), ("variance", &half.variance)];
             self.store.keep(key, &half.numbers, &pictures)?;
