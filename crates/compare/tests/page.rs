@@ -290,3 +290,16 @@ fn without_a_variance_there_is_no_high_end() {
     // Of five: not at the best, which is one, and not here. Times of a pass are a range.
     assert_eq!(bars.iter().map(whiskers).collect::<Vec<_>>()[..3], [9, 12, 15]);
 }
+
+/// A marker over a text hides digits: `576 ms` would read `76 ms`.
+#[test]
+fn no_text_of_the_main_chart_lies_under_a_marker() {
+    let page = text(&sample().0);
+    let main = page.split("class=\"main-chart\"").nth(1).unwrap();
+    let main = charts(main).into_iter().find(|chart| chart.contains("relMSE")).unwrap();
+    let drawn = main.rfind("<polygon").unwrap();
+    for words in ["\nblind\n", "\nother\n", "\n2.4 s\n"] {
+        assert!(main.find(words).unwrap() > drawn, "{words}");
+    }
+    assert!(page.contains("paint-order:stroke;stroke:var(--paper)"));
+}
