@@ -2,14 +2,14 @@
 
 use crate::compare::Comparison;
 use crate::options::ORACLE;
-use crate::page::page;
+use crate::page::{charts, page};
 use crate::results::Results;
 use crate::store::{StoreError, write_json, write_text};
 use serde_json::Value;
 use std::path::Path;
 use traylib_demos::say;
 
-/// Writes page, numbers and lines of runs over what an earlier comparison left; tells
+/// Writes page, charts, numbers and lines of runs over what an earlier comparison left; tells
 /// if that was of other scenes.
 ///
 /// # Errors
@@ -32,6 +32,9 @@ pub fn write(folder: &Path, comparison: &Comparison) -> Result<(), StoreError> {
         let _ = std::fs::remove_file(lines);
     } else {
         write_text(&lines, csv)?;
+    }
+    for (file, chart) in charts(results) {
+        write_text(&folder.join(file), &chart)?;
     }
     write_text(&folder.join("index.html"), &page(results, pictures))
 }

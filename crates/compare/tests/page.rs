@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
 
 use traylib_compare::judge::{no_verdict, verdict};
-use traylib_compare::page::page;
+use traylib_compare::page::{charts as chart_files, page};
 use traylib_compare::results::{Estimate, Point, Results};
 use traylib_compare::sample::sample;
 use traylib_compare::table::table;
@@ -302,4 +302,26 @@ fn no_text_of_the_main_chart_lies_under_a_marker() {
         assert!(main.find(words).unwrap() > drawn, "{words}");
     }
     assert!(page.contains("paint-order:stroke;stroke:var(--paper)"));
+}
+
+/// For a paper: each chart is a document of its own that says what its lines are.
+#[test]
+fn every_chart_is_a_file_with_its_legend() {
+    let results = sample().0;
+    let files = chart_files(&results);
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    for name in ["cornell-error.svg", "caustic-error.svg", "cornell-efficiency.svg"] {
+        assert!(names.contains(&name), "{names:?}");
+    }
+    assert_eq!(names.len(), 2 * 4 + 2, "{names:?}");
+    for (name, chart) in &files {
+        assert!(chart.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""), "{name}");
+        assert_eq!(chart.matches("<svg").count(), chart.matches("</svg>").count());
+        assert!(!chart.contains("var(--"), "{name}");
+        assert_sound(chart);
+    }
+    let error = &files[0].1;
+    for method in &results.scenes[0].methods {
+        assert!(error.contains(&format!("\n{}\n", method.marked_name())), "{}", method.name);
+    }
 }

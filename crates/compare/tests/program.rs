@@ -79,6 +79,7 @@ fn all_that_is_promised_lies_there() {
     assert_eq!(csv.lines().count(), 1 + 2 * 4);
     let page = std::fs::read_to_string(out.0.join("index.html")).unwrap();
     assert!(page.contains(&scene.verdict.sentence));
+    assert!(out.text("furnace-error.svg").contains("\ncombined\n"));
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(told.contains(&scene.verdict.sentence) && told.contains("index.html"), "{told}");
 }
