@@ -34,8 +34,7 @@ pub struct How {
     pub command: String,
     /// Name and version of the program.
     pub program: String,
-    /// The commit it was built from, where that is known; ends with `+` if files
-    /// had been changed since.
+    /// The commit it was built from, as of `--version`, where that is known.
     pub commit: Option<String>,
     /// The processor's own name.
     pub processor: String,
@@ -107,8 +106,9 @@ pub struct ReferenceResults {
 pub struct ReferenceAgreement {
     /// The two.
     pub methods: [String; 2],
-    /// Mean of the first over mean of the second, and its 99.9 % interval.
-    pub mean_ratio: Estimate,
+    /// Mean of the first over mean of the second, and its 99.9 % interval; `None` where
+    /// one has no light.
+    pub mean_ratio: Option<Estimate>,
     /// Tiles compared by Welch's test.
     pub tiles: u32,
     /// Those that differ, at 0.1 % for all tiles together.
