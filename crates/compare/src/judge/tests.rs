@@ -108,6 +108,16 @@ fn lost_light_is_told_from_noise() {
 }
 
 #[test]
+fn one_edge_is_one() {
+    let reference = reference();
+    let entries =
+        [entry("bdpt:depth=1", -0.2, 0.1, &reference), entry("bdpt", 0.0, 0.1, &reference)];
+    let methods = judge(&entries, &reference, PLAIN);
+    let sentence = verdict(&methods, &reference.results).unwrap().sentence;
+    assert!(sentence.contains("all paths of more than 1 edge."), "{sentence}");
+}
+
+#[test]
 fn averaged_runs_continue_the_curve() {
     let reference = reference();
     let methods = judge(&[entry("bdpt", 0.0, 0.1, &reference)], &reference, PLAIN);

@@ -111,7 +111,9 @@ fn alarms(methods: &[MethodResults]) -> Option<String> {
 
 /// What a method does not see and others can.
 fn loss(method: &MethodResults) -> Option<String> {
-    let longer = |edges: u32| format!("all paths of more than {edges} edges");
+    let longer = |edges: u32| {
+        format!("all paths of more than {edges} edge{}", if edges == 1 { "" } else { "s" })
+    };
     let blind = method.blind.iter().cloned();
     let lost: Vec<String> = blind.chain(method.longest_path.map(longer)).collect();
     method.biased.then(|| format!("{} loses light: {}.", method.name, lost.join(" and ")))
