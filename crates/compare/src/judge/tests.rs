@@ -222,10 +222,19 @@ fn noise(deviation: f64) -> Picture {
     Grid::from_values(PIXELS, 1, (0..PIXELS).map(|_| pixel()).collect()).unwrap()
 }
 
+/// One that has missed light in a tenth of the pixels, in one nearly all.
+fn spotted() -> Picture {
+    let mut picture = Grid::filled(PIXELS, 1, [1.0; 3]);
+    picture.values_mut().iter_mut().step_by(10).for_each(|bands| *bands = [0.9; 3]);
+    picture.values_mut()[0] = [0.1; 3];
+    picture
+}
+
 #[test]
 fn a_noisy_or_wrong_reference_gets_no_verdict() {
     let wrong = [
         ("noisy", noise(0.12)),
+        ("dark in few pixels", spotted()),
         ("of another exposure", Grid::filled(PIXELS, 1, [4.5; 3])),
         ("slightly darker", Grid::filled(PIXELS, 1, [0.985; 3])),
     ];

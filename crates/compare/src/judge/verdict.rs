@@ -59,7 +59,7 @@ fn distrust(methods: &[MethodResults], reference: &ReferenceResults) -> Option<S
     let z = format!("{bias_z:+.1}").replace('-', "−");
     Some(format!(
         "No verdict: the reference is noisy or shows another scene. Of the error of {}, the \
-         least of those that lose no light, {} stay however often it renders, and its pictures \
+         least where no light is lost, {} stay however often it renders, and its pictures \
          are {} {side} (z = {z}).",
         witness.name,
         percent(1.0 - noise_share),
