@@ -4,19 +4,15 @@
 //! Efron and Tibshirani, *An Introduction to the Bootstrap*, 1993, chapters 12 to
 //! 14. The random numbers are always the same, and so are the intervals.
 
-use crate::results::Estimate;
+use crate::results::{Estimate, NOTHING_KNOWN};
 use traylib_math::{Purpose, Sampler};
 use traylib_tests::statistics::Sample;
 
 /// Samples drawn from the sample.
 const RESAMPLES: u64 = 8192;
 
-/// An end further away than by this factor tells only that nothing is known on that
-/// side, and is given as this.
-pub const NOTHING_KNOWN: f64 = 100.0;
-
 /// The mean of positive values and where the law's mean lies, missed with
-/// probability `level`: bootstrap-t of its logarithm, which keeps its promise for
+/// probability `level`, no end further away than [`NOTHING_KNOWN`]: bootstrap-t of its logarithm, which keeps its promise for
 /// skewed laws and few values far better than percentiles do.
 pub fn mean(values: &[f64], level: f64) -> Estimate {
     let [value, _] = log_mean(values);

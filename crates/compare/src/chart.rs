@@ -1,8 +1,9 @@
-//! The charts of the page, as SVG inside of it.
+//! The charts of the page, as SVG inside of it or in files beside it.
 //!
 //! Every colour of a chart is one of [`colour`]'s, which the page's style replaces
 //! by its own in a dark window.
 
+pub(crate) mod alone;
 mod axis;
 mod bars;
 mod canvas;

@@ -1,5 +1,6 @@
 //! The whole comparison, from options to results.
 
+mod field;
 mod outcome;
 
 use crate::contestant::Contestant;
@@ -38,7 +39,7 @@ pub struct Comparison {
     pub results: Results,
     /// The pictures, in the order of the scenes.
     pub pictures: Vec<ScenePictures>,
-    /// `results.csv`.
+    /// `results.csv`; empty if there was no run.
     pub csv: String,
 }
 
@@ -64,6 +65,8 @@ struct Work<'a> {
     budgets: Vec<f64>,
     references: Store,
     runs: Store,
+    /// The program itself: another build may render something else, or faster.
+    build: u64,
     /// Whatever else decides the result of a run.
     key: u64,
     stop: &'a Control,
@@ -77,7 +80,13 @@ impl<'a> Work<'a> {
         let rendered = asked.iter().filter(|scene| *scene != ORACLE);
         let scenes: Vec<Prepared> =
             rendered.map(|scene| prepare(scene, options)).collect::<Result<_, _>>()?;
+        field::check_names(&scenes)?;
+        field::check_fit(&options.integrators, &scenes)?;
+        for (file, scene) in options.reference.iter().zip(&scenes) {
+            outside::warn_of_another(file, &scene.loaded.name);
+        }
         let outside = options.outside.as_deref().map(|file| outside(file, &scenes)).transpose()?;
+        let build = build_key();
         let store = |folder: std::path::PathBuf| Store::open(folder).map_err(Failure::output);
         Ok(Self {
             options,
@@ -86,9 +95,10 @@ impl<'a> Work<'a> {
             outside: outside.unwrap_or_default(),
             contestants: options.contestants(),
             budgets: options.budgets(),
-            references: store(crate::target().join("compare/references"))?,
+            references: store(options.folder().join("references"))?,
             runs: store(options.folder().join("runs"))?,
-            key: key_of(&(build_key(), &how.processor)),
+            build,
+            key: key_of(&(build, &how.processor)),
             stop,
             start: Instant::now(),
         })
@@ -97,7 +107,7 @@ impl<'a> Work<'a> {
     fn all(&self, how: How, plan: &Plan) -> Result<Comparison, Failure> {
         let mut scenes = Vec::new();
         let mut pictures = Vec::new();
-        let mut csv = String::from(csv::HEADER);
+        let mut csv = String::new();
         for prepared in &self.scenes {
             warn(prepared);
             if let Some((results, shown, lines)) = self.scene(prepared, plan)? {
@@ -110,6 +120,9 @@ impl<'a> Work<'a> {
             plan.begin(ORACLE);
             oracle(self.options.quick, &|text| plan.detail(text))
         });
+        if !csv.is_empty() {
+            csv.insert_str(0, csv::HEADER);
+        }
         let how = How { seconds: self.start.elapsed().as_secs_f64(), ..how };
         let complete = !self.stopped();
         Ok(Comparison { results: Results { how, scenes, oracle, complete }, pictures, csv })
@@ -143,12 +156,13 @@ impl<'a> Work<'a> {
             first_seed: self.options.first_seed,
             store: &self.runs,
         };
-        let entries = finished(race(&field, plan)?);
+        let all = race(&field, plan)?;
+        let first_seed = self.options.first_seed;
+        let lines = csv::lines(&prepared.loaded.name, &all, &reference, first_seed);
+        let entries = finished(&prepared.loaded.name, all);
         let outside = outside::measure(&self.outside, &prepared.loaded.name, &reference)?;
         let techniques = self.techniques(prepared, &contestants, plan)?;
         let lengths = self.lengths(prepared, &contestants, &reference, plan)?;
-        let first_seed = self.options.first_seed;
-        let lines = csv::lines(&prepared.loaded.name, &entries, &reference, first_seed);
         let (points, outside): (Vec<_>, Vec<_>) = outside.into_iter().unzip();
         let pictures = shown(prepared, &reference, &entries, outside, techniques);
         let results = told(prepared, reference, &entries, points, lengths);
@@ -172,7 +186,7 @@ impl<'a> Work<'a> {
         }
         let making = Making {
             scene: &prepared.loaded.scene,
-            scene_key: prepared.key,
+            scene_key: key_of(&(self.build, prepared.key)),
             seconds: self.reference_seconds(),
             threads: self.options.threads,
             stop: self.stop,

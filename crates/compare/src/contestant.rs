@@ -44,11 +44,14 @@ impl fmt::Display for UnknownContestant {
         let programs = Column::ALL.map(Column::name);
         write!(
             f,
-            "`{}` is no integrator; wanted: one of {}, and after it any of :balance :depth=N \
-             :roulette=N, for bdpt also :no-connections",
+            "`{}` is no integrator here; wanted: one of {}, and after it any of :depth=N (N \
+             from 1) and :roulette=N (N from 2), for combined and bdpt also :balance, for bdpt \
+             also :no-connections",
             self.0,
             programs.join(", ")
-        )
+        )?;
+        let combine = self.0.contains("--combine");
+        if combine { f.write_str("; `directlight --combine` is `combined` here") } else { Ok(()) }
     }
 }
 
@@ -178,6 +181,14 @@ mod tests {
         ] {
             assert!(bad.parse::<Contestant>().is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn what_is_wanted_is_told() {
+        let told = |text: &str| text.parse::<Contestant>().unwrap_err().to_string();
+        assert!(told("bdpt:depth=0").contains(":depth=N (N from 1)"));
+        assert!(told("directlight --combine").contains("is `combined` here"));
+        assert!(!told("directlight:power").contains("`combined`"));
     }
 
     #[test]

@@ -3,7 +3,6 @@
 use crate::options::Options;
 use crate::results::How;
 use std::hash::{DefaultHasher, Hasher};
-use std::process::Command;
 
 /// Everything about how it is made, but for how long it takes.
 pub fn how(options: &Options, arguments: &[String]) -> How {
@@ -11,7 +10,7 @@ pub fn how(options: &Options, arguments: &[String]) -> How {
     How {
         command: command(arguments),
         program: concat!("TrayLib ", env!("CARGO_PKG_VERSION")).into(),
-        commit: commit(),
+        commit: commit(traylib_demos::VERSION).map(String::from),
         processor: processor().unwrap_or_else(|| std::env::consts::ARCH.into()),
         threads: if options.threads == 0 { processors } else { options.threads },
         seeds: options.seeds(),
@@ -34,13 +33,9 @@ fn command(arguments: &[String]) -> String {
         .join(" ")
 }
 
-/// Of the working tree that the program was built in, where it still is.
-fn commit() -> Option<String> {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    let arguments = ["-C", root, "describe", "--always", "--dirty=+", "--exclude=*"];
-    let output = Command::new("git").args(arguments).output().ok()?;
-    let text = String::from_utf8(output.stdout).ok()?;
-    (output.status.success() && !text.trim().is_empty()).then(|| text.trim().to_string())
+/// What the program says with `--version` that it was built from: `0.1.0 (ec3c1fe01234)`.
+fn commit(version: &str) -> Option<&str> {
+    version.split_once('(')?.1.strip_suffix(')')
 }
 
 /// The processor's name, as Linux tells it.
@@ -61,6 +56,15 @@ pub fn build_key() -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::Parser;
+
+    #[test]
+    fn the_commit_is_that_of_the_program() {
+        assert_eq!(commit("0.1.0 (ec3c1fe01234)"), Some("ec3c1fe01234"));
+        assert_eq!(commit("0.1.0"), None);
+        let told = how(&Options::parse_from(["x"]), &[]).commit;
+        assert_eq!(told.as_deref(), commit(traylib_demos::VERSION));
+    }
 
     #[test]
     fn the_command_can_be_pasted() {

@@ -2,8 +2,10 @@
 
 mod curve;
 mod steadiness;
+mod trust;
 mod verdict;
 
+pub use trust::{doubted_by, withhold};
 pub use verdict::{no_verdict, verdict};
 
 use crate::bootstrap::{self, quantile};
@@ -77,12 +79,25 @@ pub fn judge(entries: &[Entry], reference: &Reference, facts: SceneFacts) -> Vec
     let level = LEVEL / entries.len().saturating_sub(1).max(1) as f64;
     let costs_of_best = entries[best].costs(reference);
     let mut judged = alone;
+    let of_best_unknown = judged[best].stability.alarm;
     for (index, (method, entry)) in judged.iter_mut().zip(entries).enumerate() {
         if index != best {
-            method.cost_ratio = bootstrap::ratio(&entry.costs(reference), &costs_of_best, level);
+            let ratio = bootstrap::ratio(&entry.costs(reference), &costs_of_best, level);
+            let ratio = if of_best_unknown { ratio.without_low() } else { ratio };
+            method.cost_ratio = if method.stability.alarm { ratio.without_high() } else { ratio };
         }
     }
     judged
+}
+
+/// Takes away what no runs can tell of values without a variance: how large their mean
+/// may be.
+fn without_high_ends(mut method: MethodResults) -> MethodResults {
+    let points = method.points.iter_mut().chain(&mut method.budgets).map(|point| &mut point.error);
+    let times = method.targets.iter_mut().filter_map(|target| target.seconds.as_mut());
+    let others = [&mut method.cost, &mut method.error_per_pass];
+    points.chain(times).chain(others).for_each(|estimate| *estimate = estimate.without_high());
+    method
 }
 
 /// The cheapest that loses no light and has a variance, if there is one.
@@ -102,7 +117,7 @@ fn method(entry: &Entry, reference: &Reference, facts: SceneFacts) -> MethodResu
     let lost = if biased { spread.lost } else { 0.0 };
     let mut points = budgets(entry, reference);
     points.extend(averaged(entry, reference));
-    MethodResults {
+    let method = MethodResults {
         name: entry.contestant.name().to_string(),
         biased,
         blind: entry.contestant.blind_spots(&facts),
@@ -118,7 +133,8 @@ fn method(entry: &Entry, reference: &Reference, facts: SceneFacts) -> MethodResu
         rays: rays(entry),
         peak_bytes: entry.records.iter().map(|record| record.peak_bytes).max().unwrap_or(0),
         stability: steadiness(entry, reference),
-    }
+    };
+    if method.stability.alarm { without_high_ends(method) } else { method }
 }
 
 /// How the error divides: with R runs, one has the error lost + noise, their mean
@@ -174,10 +190,7 @@ fn seconds_per_pass(entry: &Entry) -> Estimate {
 fn targets(entry: &Entry, reference: &Reference, lost: f64) -> Vec<Target> {
     let cost = noise_times(entry, reference, lost, |run| run.seconds);
     let shortest = seconds_per_pass(entry).value;
-    let time = |error: f64| {
-        let within = |cost: f64| (cost / (error - lost)).max(shortest);
-        Estimate { value: within(cost.value), low: within(cost.low), high: within(cost.high) }
-    };
+    let time = |error: f64| cost.map(|cost| (cost / (error - lost)).max(shortest));
     TARGETS.map(|error| Target { error, seconds: (error > lost).then(|| time(error)) }).to_vec()
 }
 

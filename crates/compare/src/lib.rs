@@ -2,18 +2,20 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`options`], [`contestant`], [`prepare`] | what is compared |
+//! | [`options`], [`contestant`], [`prepare`], [`radiance`] | what is compared |
 //! | [`reference`](mod@reference) | what pictures are held against |
 //! | [`race`], [`run`](mod@run), [`store`] | the runs, by turns, kept on disk |
 //! | [`judge`], [`bootstrap`] | from runs to intervals and a verdict |
 //! | [`results`], [`pictures`] | what was found, as plain data |
 //! | [`page`], [`table`], [`csv`] | what is shown of it |
+//! | [`folder`] | where it is left |
 
 pub mod bootstrap;
 mod chart;
 pub mod compare;
 pub mod contestant;
 pub mod csv;
+pub mod folder;
 pub mod how;
 pub mod judge;
 pub mod lengths;
@@ -28,6 +30,7 @@ pub mod precision;
 pub mod prepare;
 pub mod progress;
 pub mod race;
+pub mod radiance;
 pub mod reference;
 pub mod results;
 pub mod run;
@@ -37,9 +40,19 @@ pub mod store;
 pub mod table;
 pub mod techniques;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The folder of everything that is built, beside the workspace.
 pub fn target() -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../target"))
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2);
+    workspace.unwrap_or(Path::new("")).join("target")
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_folder_has_a_name_that_can_be_read() {
+        let target = super::target();
+        assert!(target.ends_with("target") && !target.display().to_string().contains(".."));
+    }
 }

@@ -42,7 +42,7 @@ pub struct Options {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(..1 << 32))]
     pub first_seed: u64,
 
-    /// Picture to hold all others against, an EXR of one scene, taken for true
+    /// Picture to hold all others against, EXR or Radiance, of one scene, taken for true
     /// [default: a closed form, or two long renders by different integrators]
     #[arg(long, value_name = "FILE")]
     pub reference: Option<PathBuf>,
@@ -56,8 +56,8 @@ pub struct Options {
     #[arg(short, long, value_name = "N", default_value_t = 0, value_parser = parse_threads)]
     pub threads: usize,
 
-    /// Pictures of other programs to put on the chart: a JSON list of scene, name,
-    /// seconds and picture
+    /// Pictures of other programs to put on the chart: a JSON list of scene (its name
+    /// here: of a file, that without folder and ending), name, seconds and picture
     #[arg(long, value_name = "FILE")]
     pub outside: Option<PathBuf>,
 
@@ -66,7 +66,8 @@ pub struct Options {
     #[arg(long)]
     pub quick: bool,
 
-    /// Where everything goes [default: target/compare]
+    /// Where everything goes, references and single runs too, which later comparisons
+    /// there find again [default: target/compare]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 

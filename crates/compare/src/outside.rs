@@ -1,25 +1,26 @@
 //! Pictures of other programs, to stand on the same chart.
 
 use crate::precision::double;
+use crate::radiance;
 use crate::reference::Reference;
 use crate::results::OutsidePoint;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use traylib_demos::Failure;
-use traylib_io::{builtin_names, load_exr};
+use traylib_demos::{Failure, say};
+use traylib_io::builtin_names;
 use traylib_math::{Grid, Rgb};
 
 /// One picture, as a file of outside points lists it.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OutsideEntry {
-    /// The scene that it shows, by its name.
+    /// The scene that it shows, by its name: of a file, that without folder and ending.
     scene: String,
     /// What it is to be called.
     name: String,
     /// How long it took, in seconds.
     seconds: f64,
-    /// Linear radiance, an EXR file; relative names are looked up beside the list.
+    /// Linear radiance, EXR or Radiance; relative names are looked up beside the list.
     picture: PathBuf,
 }
 
@@ -95,9 +96,17 @@ pub fn check_pictures(
     size: (usize, usize),
 ) -> Result<(), Failure> {
     entries.iter().filter(|entry| entry.scene == scene).try_for_each(|entry| {
-        let picture = load_exr(&entry.picture)?;
+        let picture = radiance::load(&entry.picture)?;
+        warn_of_another(&entry.picture, scene);
         same_size(&entry.picture, &picture, size)
     })
+}
+
+/// Tells of a picture that says it shows another scene.
+pub fn warn_of_another(picture: &Path, scene: &str) {
+    if let Some(what) = radiance::another_scene(picture, scene) {
+        say(format_args!("warning: {what}"));
+    }
 }
 
 /// Measures the pictures of a scene.
@@ -113,7 +122,7 @@ pub fn measure(
 }
 
 fn one(entry: &OutsideEntry, reference: &Reference) -> Result<(OutsidePoint, Grid<Rgb>), Failure> {
-    let picture = load_exr(&entry.picture)?;
+    let picture = radiance::load(&entry.picture)?;
     same_size(&entry.picture, &picture, (reference.picture.width(), reference.picture.height()))?;
     let error = reference.less_own(reference.rel_mse(&double(&picture)));
     let solid = reference.is_solid_at(error);

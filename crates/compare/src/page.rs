@@ -4,6 +4,7 @@
 //! pictures and nothing else.
 
 mod efficiency;
+mod files;
 mod headline;
 mod heat;
 mod how;
@@ -17,6 +18,8 @@ mod settings;
 mod speed;
 mod stability;
 mod techniques;
+
+pub use files::charts;
 
 use crate::chart::{Palette, colour};
 use crate::pictures::ScenePictures;

@@ -2,12 +2,13 @@
 
 use crate::memory::held_by;
 use crate::options::Options;
+use crate::radiance;
 use crate::store::key_of;
 use std::path::Path;
 use std::time::Instant;
 use traylib_demos::Failure;
 use traylib_integrators::SceneFacts;
-use traylib_io::{LoadOptions, Loaded, load_exr, load_scene, load_scene_with};
+use traylib_io::{LoadOptions, Loaded, load_scene, load_scene_with};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Scene;
 
@@ -35,7 +36,7 @@ pub struct Prepared {
 /// # Errors
 /// The scene or the reference cannot be read.
 pub fn prepare(asked: &str, options: &Options) -> Result<Prepared, Failure> {
-    let given = options.reference.as_deref().map(load_exr).transpose()?;
+    let given = options.reference.as_deref().map(radiance::load).transpose()?;
     let resolution = match (&given, options.resolution) {
         (_, Some(asked)) => asked,
         (Some(given), None) => (given.width() as u32, given.height() as u32),

@@ -13,7 +13,7 @@ use traylib_math::Grid;
 use traylib_scene::{error_floor, relative_square_errors};
 
 /// A reference's own error may be this share of what it measures.
-const LARGEST_OWN_SHARE: f64 = 0.05;
+pub(crate) const LARGEST_OWN_SHARE: f64 = 0.05;
 
 /// The picture as it should be.
 #[derive(Clone, Debug)]
@@ -24,6 +24,8 @@ pub struct Reference {
     pub variance: Picture,
     /// ε of relMSE.
     pub epsilon: f64,
+    /// Whether it is known to be right: a closed form, or compared with another method.
+    pub checked: bool,
     /// What is told of it.
     pub results: ReferenceResults,
 }
@@ -33,20 +35,28 @@ impl Reference {
     pub(crate) fn new(picture: Picture, variance: Picture, results: ReferenceResults) -> Self {
         let epsilon = error_floor(&picture);
         let own_error = own_error(&picture, &variance, epsilon);
-        Self { picture, variance, epsilon, results: ReferenceResults { own_error, ..results } }
+        let results = ReferenceResults { own_error, ..results };
+        Self { picture, variance, epsilon, checked: true, results }
     }
 
     /// The same radiance everywhere.
     pub fn constant(width: usize, height: usize, radiance: f64) -> Self {
         let origin = format!("a closed form: {radiance} W/m²/sr everywhere");
-        Self::given(Grid::filled(width, height, [radiance; 3]), origin)
+        let picture = Grid::filled(width, height, [radiance; 3]);
+        Self { checked: true, ..Self::given(picture, origin) }
     }
 
     /// A picture from elsewhere, taken for true.
     pub fn given(picture: Picture, origin: String) -> Self {
         let variance = picture.map(|_| [0.0; 3]);
-        let results = ReferenceResults { origin, own_error: 0.0, seconds: 0.0, agreement: None };
-        Self::new(picture, variance, results)
+        let results = ReferenceResults {
+            origin,
+            own_error: 0.0,
+            seconds: 0.0,
+            agreement: None,
+            doubted_by: None,
+        };
+        Self { checked: false, ..Self::new(picture, variance, results) }
     }
 
     /// relMSE of a picture of the same size; its own noise is in it.

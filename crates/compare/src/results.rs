@@ -20,6 +20,13 @@ pub struct Results {
     pub complete: bool,
 }
 
+impl Results {
+    /// Whether nothing at all was found.
+    pub fn is_empty(&self) -> bool {
+        self.scenes.is_empty() && self.oracle.is_none()
+    }
+}
+
 /// How a comparison was made.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct How {
@@ -27,8 +34,7 @@ pub struct How {
     pub command: String,
     /// Name and version of the program.
     pub program: String,
-    /// The commit it was built from, where that is known; ends with `+` if files
-    /// had been changed since.
+    /// The commit it was built from, as of `--version`, where that is known.
     pub commit: Option<String>,
     /// The processor's own name.
     pub processor: String,
@@ -90,6 +96,9 @@ pub struct ReferenceResults {
     pub seconds: f64,
     /// How well two methods agree on it, where two made it.
     pub agreement: Option<ReferenceAgreement>,
+    /// The method whose runs say that it is noisy or shows another scene: there is then
+    /// no verdict, and no time to any error. Only a picture that was given is doubted.
+    pub doubted_by: Option<String>,
 }
 
 /// Two methods render the same picture.
@@ -97,8 +106,9 @@ pub struct ReferenceResults {
 pub struct ReferenceAgreement {
     /// The two.
     pub methods: [String; 2],
-    /// Mean of the first over mean of the second, and its 99.9 % interval.
-    pub mean_ratio: Estimate,
+    /// Mean of the first over mean of the second, and its 99.9 % interval; `None` where
+    /// one has no light.
+    pub mean_ratio: Option<Estimate>,
     /// Tiles compared by Welch's test.
     pub tiles: u32,
     /// Those that differ, at 0.1 % for all tiles together.
@@ -108,7 +118,13 @@ pub struct ReferenceAgreement {
     pub masked: f64,
 }
 
-/// A number and the interval it lies in.
+/// An end of an interval further away than by this factor tells only that nothing is
+/// known on that side, and is given as this. So is the high end of a mean that has no
+/// variance, however far its values spread: most samples of such a law have no large value
+/// in them, and lie below its mean.
+pub const NOTHING_KNOWN: f64 = 100.0;
+
+/// A number and the interval it lies in. An end [`NOTHING_KNOWN`] times away is none.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// The number.
@@ -118,6 +134,39 @@ pub struct Estimate {
     /// Upper end.
     pub high: f64,
 }
+
+impl Estimate {
+    /// Whether the low end is one.
+    pub fn knows_low(&self) -> bool {
+        self.low * NOTHING_KNOWN > NEARLY * self.value
+    }
+
+    /// Whether the high end is one.
+    pub fn knows_high(&self) -> bool {
+        self.high < self.value * NOTHING_KNOWN / NEARLY
+    }
+
+    /// The same without a low end.
+    pub(crate) fn without_low(self) -> Self {
+        Self { low: self.value / NOTHING_KNOWN, ..self }
+    }
+
+    /// The same without a high end.
+    pub(crate) fn without_high(self) -> Self {
+        Self { high: self.value * NOTHING_KNOWN, ..self }
+    }
+
+    /// A rising function of it; an end that is none stays so.
+    pub(crate) fn map(self, of: impl Fn(f64) -> f64) -> Self {
+        let Self { value, low, high } = self;
+        let mapped = Self { value: of(value), low: of(low), high: of(high) };
+        let mapped = if self.knows_low() { mapped } else { mapped.without_low() };
+        if self.knows_high() { mapped } else { mapped.without_high() }
+    }
+}
+
+/// Logarithms and back are not exact.
+const NEARLY: f64 = 1.0 + 1e-9;
 
 /// Which method to use.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -158,7 +207,8 @@ pub struct MethodResults {
     pub error_per_pass: Estimate,
     /// Seconds of one pass: median, shortest and longest of the runs.
     pub seconds_per_pass: Estimate,
-    /// When it reaches the errors that are asked for.
+    /// When it reaches the errors that are asked for; empty where the reference is in
+    /// doubt.
     pub targets: Vec<Target>,
     /// Metrics of a picture after the longest budget: means over the runs.
     pub metrics: Metrics,

@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use std::fmt::{self, Debug, Write};
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
-use traylib_io::{PictureInfo, load_exr, save_picture, write_file};
+use traylib_io::{PictureInfo, check_file, load_exr, save_picture, write_file};
 
 /// A folder of finished work.
 #[derive(Clone, Debug)]
@@ -35,11 +35,13 @@ impl Store {
     /// A folder, made if need be.
     ///
     /// # Errors
-    /// It cannot be made.
+    /// It cannot be made, or nothing can be written into it.
     pub fn open(folder: PathBuf) -> Result<Self, StoreError> {
         let text = |error| StoreError(format!("{}: cannot be made: {error}", folder.display()));
         std::fs::create_dir_all(&folder).map_err(text)?;
-        Ok(Self { folder })
+        let store = Self { folder };
+        check_file(&store.file(0)).map_err(|error| StoreError(error.to_string()))?;
+        Ok(store)
     }
 
     /// The numbers of a finished piece; `None` if it is not there, or not readable

@@ -1,10 +1,10 @@
 //! The page's main table, for a terminal.
 
 use crate::page::number::{ratio, seconds, short};
-use crate::results::{Estimate, MethodResults, Results, SceneResults, Target};
+use crate::results::{Estimate, MethodResults, Metrics, Results, SceneResults, Target};
 use std::fmt::Write;
 
-/// Everything that matters most, as text of some 100 columns.
+/// Everything that matters most, as text of some 110 columns.
 pub fn table(results: &Results) -> String {
     let mut text = String::new();
     for scene in &results.scenes {
@@ -34,7 +34,7 @@ fn of_scene(scene: &SceneResults) -> String {
     let names = scene.methods.iter().map(|method| method.marked_name().chars().count());
     let width = names.max().unwrap_or(0).max(20);
     let head = row(&["x time", "s a pass", "error a pass"].map(String::from), &errors);
-    let _ = writeln!(text, "  {:<width$}{head}{:>10}{:>7}", "method", "bias", "tail");
+    let _ = writeln!(text, "  {:<width$}{head}{:>10}{:>7}{:>7}", "method", "bias", "z", "tail");
     for method in &scene.methods {
         let _ = writeln!(text, "  {:<width$}{}", method.marked_name(), of_method(method, scene));
     }
@@ -55,8 +55,9 @@ fn of_method(method: &MethodResults, scene: &SceneResults) -> String {
         (Some(index), false) => format!("{:.1}", index.value),
         (None, false) => String::from("-"),
     };
-    let bias = format!("{:+.2} %", 100.0 * method.metrics.bias);
-    format!("{}{bias:>10}{tail:>7}", row(&each, &times))
+    let Metrics { bias, bias_z, .. } = method.metrics;
+    let (bias, z) = (format!("{:+.2} %", 100.0 * bias), format!("{bias_z:+.1}"));
+    format!("{}{bias:>10}{z:>7}{tail:>7}", row(&each, &times))
 }
 
 fn time(target: &Target) -> String {

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
 
 use traylib_compare::judge::{no_verdict, verdict};
-use traylib_compare::page::page;
+use traylib_compare::page::{charts as chart_files, page};
 use traylib_compare::results::{Estimate, Point, Results};
 use traylib_compare::sample::sample;
 use traylib_compare::table::table;
@@ -176,10 +176,17 @@ fn names_and_sentences_are_text_not_markup() {
 #[test]
 fn times_that_do_not_exist_have_a_word() {
     let page = text(&sample().0);
-    let table = page.split("Time to reach an error").nth(1).unwrap();
-    let table = table.split("</table>").next().unwrap();
-    assert!(table.contains("<td>blind</td>") && table.contains("<td>never</td>"), "{table}");
-    assert!(table.contains("<td>210 ms (183–241)</td>"), "{table}");
+    let times = page.split("Time to reach an error").nth(1).unwrap();
+    let times = times.split("</table>").next().unwrap();
+    // Why is at the name, and the terminal has the same word.
+    assert!(times.contains("<td>never</td>") && !times.contains("<td>blind</td>"), "{times}");
+    assert!(times.contains("<td>210 ms (183–241)</td>"), "{times}");
+    let mut results = sample().0;
+    results.oracle = None;
+    let terminal = table(&results);
+    let line = terminal.lines().find(|line| line.contains("particle (blind)")).unwrap();
+    // How sure a bias is stands beside it.
+    assert!(line.contains("never") && line.contains("-41.00 % -212.0"), "{line}");
 }
 
 #[test]
@@ -272,4 +279,56 @@ fn numbers_of_any_size_fit() {
         }
     }
     assert_sound(&text(&results));
+}
+
+/// One rule for all intervals: where an end is not known, none is told or drawn.
+#[test]
+fn without_a_variance_there_is_no_high_end() {
+    let page = text(&sample().0);
+    let caustic = page.split("<section").nth(2).unwrap();
+    let rows = caustic.split("<tr>").skip(1).map(|row| row.split("</tr>").next().unwrap());
+    let rows: Vec<&str> = rows.filter(|row| row.contains("</svg>directlight</span>")).collect();
+    let [times, costs, ..] = rows[..] else { panic!("{}", rows.len()) };
+    // Three times, the ratio, and the error of a pass; the range of its times is no interval.
+    assert_eq!((times.matches("at least").count(), times.matches('–').count()), (3, 0), "{times}");
+    assert_eq!((costs.matches("at least").count(), costs.matches('–').count()), (2, 1), "{costs}");
+    let whiskers = |chart: &&str| chart.matches("stroke-width=\"8\"").count();
+    let bars: Vec<&str> = charts(caustic).into_iter().filter(|c| c.contains("<rect")).collect();
+    // Of five: not at the best, which is one, and not here. Times of a pass are a range.
+    assert_eq!(bars.iter().map(whiskers).collect::<Vec<_>>()[..3], [9, 12, 15]);
+}
+
+/// A marker over a text hides digits: `576 ms` would read `76 ms`.
+#[test]
+fn no_text_of_the_main_chart_lies_under_a_marker() {
+    let page = text(&sample().0);
+    let main = page.split("class=\"main-chart\"").nth(1).unwrap();
+    let main = charts(main).into_iter().find(|chart| chart.contains("relMSE")).unwrap();
+    let drawn = main.rfind("<polygon").unwrap();
+    for words in ["\nblind\n", "\nother\n", "\n2.4 s\n"] {
+        assert!(main.find(words).unwrap() > drawn, "{words}");
+    }
+    assert!(page.contains("paint-order:stroke;stroke:var(--paper)"));
+}
+
+/// For a paper: each chart is a document of its own that says what its lines are.
+#[test]
+fn every_chart_is_a_file_with_its_legend() {
+    let results = sample().0;
+    let files = chart_files(&results);
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    for name in ["cornell-error.svg", "caustic-error.svg", "cornell-efficiency.svg"] {
+        assert!(names.contains(&name), "{names:?}");
+    }
+    assert_eq!(names.len(), 2 * 4 + 2, "{names:?}");
+    for (name, chart) in &files {
+        assert!(chart.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""), "{name}");
+        assert_eq!(chart.matches("<svg").count(), chart.matches("</svg>").count());
+        assert!(!chart.contains("var(--"), "{name}");
+        assert_sound(chart);
+    }
+    let error = &files[0].1;
+    for method in &results.scenes[0].methods {
+        assert!(error.contains(&format!("\n{}\n", method.marked_name())), "{}", method.name);
+    }
 }

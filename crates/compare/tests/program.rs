@@ -16,9 +16,22 @@ impl Folder {
         Self(path)
     }
 
+    /// Names of the files in a folder of it, in order.
+    fn files(&self, folder: &str) -> Vec<String> {
+        let entries = std::fs::read_dir(self.0.join(folder)).unwrap();
+        let name = |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name();
+        let mut names: Vec<String> =
+            entries.map(|entry| name(entry).to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
+    fn text(&self, file: &str) -> String {
+        std::fs::read_to_string(self.0.join(file)).unwrap()
+    }
+
     fn results(&self) -> Results {
-        let text = std::fs::read_to_string(self.0.join("results.json")).unwrap();
-        serde_json::from_str(&text).unwrap()
+        serde_json::from_str(&self.text("results.json")).unwrap()
     }
 }
 
@@ -66,6 +79,7 @@ fn all_that_is_promised_lies_there() {
     assert_eq!(csv.lines().count(), 1 + 2 * 4);
     let page = std::fs::read_to_string(out.0.join("index.html")).unwrap();
     assert!(page.contains(&scene.verdict.sentence));
+    assert!(out.text("furnace-error.svg").contains("\ncombined\n"));
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(told.contains(&scene.verdict.sentence) && told.contains("index.html"), "{told}");
 }
@@ -84,11 +98,23 @@ fn a_second_time_goes_on_from_the_first() {
     assert_ne!(out.results().scenes[0].methods, first.scenes[0].methods);
 }
 
+/// The reference is rendered by the first and found by the second, and what was held
+/// against it is found all the same.
 #[test]
-fn two_methods_make_a_reference() {
+fn two_methods_make_a_reference_that_finds_its_runs_again() {
     let out = Folder::new("pair");
-    let output = compare(&out.0, &format!("reference-a {SMALL},bdpt --quick"));
+    let words = format!("reference-a {SMALL},bdpt --quick");
+    let kept = || ["references", "runs"].map(|folder| out.files(folder));
+    let output = compare(&out.0, &words);
     assert!(output.status.success(), "{}", err(&output));
+    let first = (out.results().scenes, kept());
+    // A choice and two halves with two pictures each; 3 methods with 4 runs of one picture.
+    assert_eq!(first.1.each_ref().map(Vec::len), [1 + 2 * 3, 3 * 4 * 2]);
+    assert!(compare(&out.0, &words).status.success());
+    let second = (out.results().scenes, kept());
+    assert_eq!(second.1, first.1);
+    assert_eq!(second.0[0].methods, first.0[0].methods);
+    assert_eq!(second.0[0].reference, first.0[0].reference);
     let reference = &out.results().scenes[0].reference;
     let agreement = reference.agreement.as_ref().unwrap();
     assert_eq!(agreement.methods[0], "bdpt");
@@ -127,7 +153,7 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
         program: String::new(),
         integrator: String::new(),
         command: String::new(),
-        scene: String::new(),
+        scene: "plates".into(),
         seed: 0,
         spp: 1,
         seconds: 1.0,
@@ -138,7 +164,10 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
     let text = r#"[{"scene": "furnace", "name": "mine", "seconds": 3, "picture": "mine.exr"}]"#;
     std::fs::write(&list, text).unwrap();
     let outside = format!("furnace {SMALL} --outside {}", list.display());
-    assert!(compare(&out.0, &outside).status.success());
+    let output = compare(&out.0, &outside);
+    assert!(output.status.success(), "{}", err(&output));
+    let told = "mine.exr: says that it shows `plates`, not `furnace`";
+    assert_eq!(err(&output).matches(told).count(), 1, "{}", err(&output));
     let point = &out.results().scenes[0].outside[0];
     let expected = 0.04 / 4.04;
     assert!((point.error / expected - 1.0).abs() < 1e-5 && point.seconds == 3.0, "{point:?}");
@@ -148,7 +177,8 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
     assert_eq!(output.status.code(), Some(3), "{}", err(&output));
     assert!(!refused.0.join("runs").exists());
     let given = format!("furnace {SMALL} --reference {}", picture.display());
-    assert!(compare(&out.0, &given).status.success());
+    let output = compare(&out.0, &given);
+    assert!(output.status.success() && err(&output).contains(told), "{}", err(&output));
     let bias = out.results().scenes[0].methods[0].metrics.bias;
     assert!((bias + 0.09).abs() < 0.1, "{bias}");
     let wrong = given.replace("16x12", "8x8");
@@ -178,6 +208,7 @@ fn without_light_there_is_no_verdict() {
     for text in [told, std::fs::read_to_string(out.0.join("index.html")).unwrap()] {
         assert!(text.contains("Nothing can be compared: the reference is black ("), "{text}");
         assert!(!text.contains("times as long"), "{text}");
+        assert!(!text.contains("ratio of their means is"), "{text}");
     }
 }
 
@@ -204,4 +235,76 @@ fn mistakes_are_told_in_a_line() {
         let lines = err(&output).lines().filter(|line| !line.starts_with("warning: this")).count();
         assert!(words != unknown || lines == 1, "{}", err(&output));
     }
+}
+
+/// A signal as soon as a reference is being made: no scene is done, and what an earlier
+/// comparison left stays as it is.
+#[cfg(unix)]
+#[test]
+fn nothing_done_replaces_nothing() {
+    let out = Folder::new("early");
+    assert!(compare(&out.0, &format!("furnace {SMALL}")).status.success());
+    let left = || ["index.html", "results.json", "results.csv"].map(|n| out.text(n));
+    let before = left();
+    let words = "cornell --resolution 16x12 --budgets 60s --integrators puremc";
+    let mut child = program(&out.0);
+    let child = child.args(words.split_whitespace()).stderr(std::process::Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    let mut told = std::io::BufReader::new(child.stderr.take().unwrap());
+    let mut line = String::new();
+    while !line.starts_with("cornell") {
+        line.clear();
+        assert!(std::io::BufRead::read_line(&mut told, &mut line).unwrap() > 0);
+    }
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-TERM", &id]).status().unwrap().success());
+    let rest = std::io::read_to_string(told).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(143), "{rest}");
+    assert!(rest.contains("told to terminate before any scene was done"), "{rest}");
+    assert!(!rest.contains("interrupt"), "{rest}");
+    assert_eq!(left(), before);
+}
+
+#[test]
+fn results_of_other_scenes_are_replaced_with_a_word() {
+    let out = Folder::new("replaced");
+    let first = compare(&out.0, &format!("furnace {SMALL}"));
+    assert!(first.status.success() && !err(&first).contains("replaced"), "{}", err(&first));
+    let again = compare(&out.0, &format!("furnace {SMALL}"));
+    assert!(again.status.success() && !err(&again).contains("replaced"), "{}", err(&again));
+    let file = out.0.join("dark.ron");
+    std::fs::write(&file, DARK).unwrap();
+    let other = compare(&out.0, &format!("{} {SMALL} --quick", file.display()));
+    assert!(err(&other).contains("the results of furnace there are replaced"), "{}", err(&other));
+    // No run was made, and those of the furnace are not of this page.
+    assert!(!out.0.join("results.csv").exists());
+}
+
+/// What cannot be shown apart, or by nobody, is refused before any work.
+#[test]
+fn names_and_methods_that_do_not_fit_are_told_at_once() {
+    let out = Folder::new("fit");
+    let files = ["a", "b"].map(|folder| out.0.join(folder).join("room.ron"));
+    for file in &files {
+        std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+        std::fs::write(file, DARK).unwrap();
+    }
+    let [a, b] = files.map(|file| file.display().to_string());
+    for (words, texts) in [
+        (format!("{a} {b}"), [a.as_str(), b.as_str(), "called `room`"]),
+        ("furnace furnace".into(), ["`furnace` and `furnace`", "called", "furnace"]),
+        (
+            "furnace --integrators trace".into(),
+            ["furnace: trace", "no point lights", "nobody else"],
+        ),
+    ] {
+        let output = compare(&out.0, &words);
+        assert_eq!(output.status.code(), Some(2), "{words}: {}", err(&output));
+        assert!(texts.iter().all(|text| err(&output).contains(text)), "{}", err(&output));
+        assert!(!out.0.join("runs").exists());
+    }
+    let output = compare(&out.0, &format!("furnace {SMALL},trace"));
+    assert!(output.status.success(), "{}", err(&output));
+    let told = "warning: furnace: trace left out: the scene has no point lights";
+    assert!(err(&output).contains(told), "{}", err(&output));
 }

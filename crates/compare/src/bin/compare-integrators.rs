@@ -3,11 +3,10 @@
 use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::sync::{Arc, OnceLock};
-use traylib_compare::compare::{Comparison, compare};
+use traylib_compare::compare::compare;
+use traylib_compare::folder;
 use traylib_compare::how::how;
 use traylib_compare::options::Options;
-use traylib_compare::page::page;
-use traylib_compare::store::{write_json, write_text};
 use traylib_compare::table::table;
 use traylib_demos::{Failure, Signal, conclude, on_interrupt, parse, say, tell, tell_name};
 use traylib_integrators::Control;
@@ -28,11 +27,16 @@ fn run(options: &Options) -> Result<(), Failure> {
     on_interrupt(move |signal| {
         by.get_or_init(|| signal);
         raised.cancel();
-        say("interrupt: what is done will be shown; once more stops at once");
+        say(format_args!("{}: what is done will be shown; once more stops at once", word(signal)));
     });
     let comparison = compare(options, how(options, &arguments), &stop)?;
+    if comparison.results.is_empty() {
+        let what = " before any scene was done; finished runs are kept, nothing else is \
+                    written, and the same command goes on from there";
+        return Err(interrupted(signal.get().copied(), what));
+    }
     let folder = options.folder();
-    write(&folder, &comparison).map_err(Failure::output)?;
+    folder::write(&folder, &comparison).map_err(Failure::output)?;
     tell(table(&comparison.results).trim_end())?;
     let index = folder.join("index.html");
     tell_name(&index)?;
@@ -42,17 +46,22 @@ fn run(options: &Options) -> Result<(), Failure> {
     if comparison.results.complete {
         return Ok(());
     }
-    Err(Failure::interrupted(
-        signal.get().copied().unwrap_or(Signal::Interrupt),
-        "interrupted; what was done is kept and shown, and the same command goes on from there",
-    ))
+    let what = "; what was done is kept and shown, and the same command goes on from there";
+    Err(interrupted(signal.get().copied(), what))
 }
 
-fn write(folder: &Path, comparison: &Comparison) -> Result<(), traylib_compare::store::StoreError> {
-    let Comparison { results, pictures, csv } = comparison;
-    write_json(&folder.join("results.json"), results)?;
-    write_text(&folder.join("results.csv"), csv)?;
-    write_text(&folder.join("index.html"), &page(results, pictures))
+fn interrupted(signal: Option<Signal>, what: &str) -> Failure {
+    let signal = signal.unwrap_or(Signal::Interrupt);
+    Failure::interrupted(signal, format_args!("{}{what}", word(signal)))
+}
+
+/// How it is called to be asked to stop.
+fn word(signal: Signal) -> &'static str {
+    match signal {
+        Signal::Hangup => "terminal closed",
+        Signal::Interrupt => "interrupted",
+        Signal::Terminate => "told to terminate",
+    }
 }
 
 /// Shows a file with whatever the system shows such files with.

@@ -67,13 +67,12 @@ pub(crate) fn bars(label: &str, axis_name: &str, rows: &[Bar], baseline: Baselin
     })
 }
 
-/// Holds all bars; whiskers up to a decade beyond them, since without a variance
-/// they go on for ever.
+/// Holds all bars; whiskers up to a decade beyond them.
 fn axis(rows: &[&Bar], baseline: Baseline) -> Decades {
     let values = || rows.iter().map(|row| row.estimate.value).chain([1.0]);
     let low = values().fold(f64::INFINITY, f64::min) / 10.0;
     let high = values().fold(0.0, f64::max) * 10.0;
-    let ends = rows.iter().flat_map(|row| [row.estimate.low, row.estimate.high]);
+    let ends = rows.iter().filter_map(|row| whisker(row.estimate)).flatten();
     let whiskers = ends.filter(|end| drawable(*end)).map(|end| end.clamp(low, high));
     let around = Decades::around(values().chain(whiskers));
     match baseline {
@@ -109,7 +108,7 @@ fn frame<'a, 'b>(
 }
 
 fn bar(chart: &mut Chart<'_, '_>, row: &Bar, top: f64, from: f64) -> Result<(), Failed> {
-    let Estimate { value, low, high } = row.estimate;
+    let value = row.estimate.value;
     let (name, end) = (top + NAME, top + BAR_END);
     if row.hollow {
         // An outline of a path has the breadth it is given, one of a rectangle has not.
@@ -120,9 +119,7 @@ fn bar(chart: &mut Chart<'_, '_>, row: &Bar, top: f64, from: f64) -> Result<(), 
         let corners = [(from, name), (value, end)];
         chart.plotting_area().draw(&Rectangle::new(corners, row.colour.mix(0.8).filled()))?;
     }
-    if !(drawable(low) && drawable(high) && low < high) {
-        return Ok(());
-    }
+    let Some([low, high]) = whisker(row.estimate) else { return Ok(()) };
     let middle = top + NAME.midpoint(BAR_END);
     let cap = 0.1;
     let strokes = [
@@ -137,6 +134,13 @@ fn bar(chart: &mut Chart<'_, '_>, row: &Bar, top: f64, from: f64) -> Result<(), 
         }
     }
     Ok(())
+}
+
+/// Both ends, where both are known and can be drawn.
+fn whisker(estimate: Estimate) -> Option<[f64; 2]> {
+    let Estimate { low, high, .. } = estimate;
+    let known = estimate.knows_low() && estimate.knows_high();
+    (known && drawable(low) && drawable(high) && low < high).then_some([low, high])
 }
 
 fn words(

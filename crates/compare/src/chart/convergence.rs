@@ -3,7 +3,7 @@
 use crate::chart::axis::{Decades, drawable, visible};
 use crate::chart::canvas::{BREADTH, Failed, breadth, svg, text};
 use crate::chart::colour::{INK, MUTED};
-use crate::chart::crossings::crossings;
+use crate::chart::crossings::{crossings, write};
 use crate::chart::marker::DIAMOND;
 use crate::chart::palette::{Look, Palette};
 use crate::chart::plot::{Plot, Stroke};
@@ -25,7 +25,7 @@ pub(crate) fn convergence(scene: &SceneResults, palette: &Palette) -> Markup {
         let (x, y) = axes(scene);
         let targets = targets_within(scene, &y);
         let plot = Plot::new(area, (x.clone(), "seconds"), (y, "relMSE"))?;
-        crossings(&plot, scene, palette, &targets, &x)?;
+        let times = crossings(&plot, scene, palette, &targets, &x)?;
         guide(&plot, scene, &x)?;
         for method in &scene.methods {
             band(&plot, method, palette.look(&method.name))?;
@@ -33,13 +33,19 @@ pub(crate) fn convergence(scene: &SceneResults, palette: &Palette) -> Markup {
         for method in &scene.methods {
             lines(&plot, method, palette.look(&method.name))?;
         }
-        outside(&plot, scene)
+        outside(&plot, scene)?;
+        // Text comes last, with paper around it: a marker would hide a digit.
+        for method in &scene.methods {
+            badge(&plot, method, palette.look(&method.name))?;
+        }
+        write(&plot, &times)?;
+        outside_names(&plot, scene)
     })
 }
 
 fn axes(scene: &SceneResults) -> (Decades, Decades) {
     let drawn = || scene.methods.iter().flat_map(|m| own(m).chain(averaged(m)));
-    let outside = || scene.outside.iter().filter(|o| drawable(o.error) && drawable(o.seconds));
+    let outside = || drawn_outside(scene);
     let seconds = drawn().map(|p| p.seconds).chain(outside().map(|o| o.seconds));
     let errors = drawn().flat_map(|p| [p.error.value, p.high]).chain(outside().map(|o| o.error));
     (Decades::around(seconds), Decades::around(errors))
@@ -86,7 +92,7 @@ fn lines(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), 
     for point in averaged(method) {
         plot.marker(xy(point), look.mark(), SMALL, point.solid && all_seen)?;
     }
-    badge(plot, method, look)
+    Ok(())
 }
 
 /// The method's badge, over the last point of its own.
@@ -113,16 +119,22 @@ fn guide(plot: &Plot<'_, '_>, scene: &SceneResults, x: &Decades) -> Result<(), F
     plot.line(&along, MUTED, 2, Stroke::Solid)
 }
 
+/// Pictures of other programs that have a place.
+fn drawn_outside(scene: &SceneResults) -> impl Iterator<Item = &OutsidePoint> {
+    scene.outside.iter().filter(|o| drawable(o.error) && drawable(o.seconds))
+}
+
 fn outside(plot: &Plot<'_, '_>, scene: &SceneResults) -> Result<(), Failed> {
-    for OutsidePoint { name, seconds, error, solid } in &scene.outside {
-        if !(drawable(*seconds) && drawable(*error)) {
-            continue;
-        }
-        plot.marker((*seconds, *error), (DIAMOND, INK), BIG + 2.0, *solid)?;
+    drawn_outside(scene).try_for_each(|OutsidePoint { seconds, error, solid, .. }| {
+        plot.marker((*seconds, *error), (DIAMOND, INK), BIG + 2.0, *solid)
+    })
+}
+
+fn outside_names(plot: &Plot<'_, '_>, scene: &SceneResults) -> Result<(), Failed> {
+    drawn_outside(scene).try_for_each(|OutsidePoint { name, seconds, error, .. }| {
         let (x, y) = plot.place((*seconds, *error));
         let at_right = x + BESIDE + breadth(name) < plot.right_end();
         let (x, h) = if at_right { (x + BESIDE, HPos::Left) } else { (x - BESIDE, HPos::Right) };
-        text(plot.area(), name, (x, y), (h, VPos::Center), INK)?;
-    }
-    Ok(())
+        text(plot.area(), name, (x, y), (h, VPos::Center), INK)
+    })
 }

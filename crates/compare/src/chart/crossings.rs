@@ -26,15 +26,24 @@ struct Crossing {
     look: Look,
 }
 
-/// A level line for each target, a tick where a method crosses it, and the times
-/// beside the ticks where there is room.
+/// A text and its place.
+pub(crate) struct Label {
+    words: String,
+    left: i32,
+    middle: i32,
+    look: Look,
+}
+
+/// A level line for each target and a tick where a method crosses it; the times beside
+/// the ticks, where there is room, are for [`write`] when all else is drawn.
 pub(crate) fn crossings(
     plot: &Plot<'_, '_>,
     scene: &SceneResults,
     palette: &Palette,
     targets: &[f64],
     x: &Decades,
-) -> Result<(), Failed> {
+) -> Result<Vec<Label>, Failed> {
+    let mut labels = Vec::new();
     for &error in targets {
         let (from, to) = x.ends();
         plot.line(&[(from, error), (to, error)], MUTED, 2, Stroke::Dashed(6))?;
@@ -43,12 +52,19 @@ pub(crate) fn crossings(
         for Crossing { x, look, .. } in &found {
             plot.segment((*x, y - TICK), (*x, y + TICK), look.colour(), 4)?;
         }
-        for (at, side, Crossing { words, look, .. }) in written(&found, room(plot, (left, y))) {
-            let row = y + side.rise();
-            text(plot.area(), words, (at, row), (HPos::Left, VPos::Center), look.colour())?;
+        for (left, side, Crossing { words, look, .. }) in written(&found, room(plot, (left, y))) {
+            let middle = y + side.rise();
+            labels.push(Label { words: words.clone(), left, middle, look: *look });
         }
     }
-    Ok(())
+    Ok(labels)
+}
+
+/// The times, over lines and markers, which would hide digits.
+pub(crate) fn write(plot: &Plot<'_, '_>, labels: &[Label]) -> Result<(), Failed> {
+    labels.iter().try_for_each(|Label { words, left, middle, look }| {
+        text(plot.area(), words, (*left, *middle), (HPos::Left, VPos::Center), look.colour())
+    })
 }
 
 /// Who reaches the error at a time that the chart shows, soonest first.

@@ -1,18 +1,28 @@
 //! From what was done on a scene to what is told and shown of it.
 
-use crate::judge::{Entry, judge, no_verdict, verdict};
+use crate::judge::{Entry, doubted_by, judge, no_verdict, verdict, withhold};
 use crate::pictures::ScenePictures;
 use crate::precision::single;
 use crate::prepare::Prepared;
 use crate::reference::Reference;
 use crate::results::{LengthShare, OutsidePoint, SceneResults, Verdict};
+use traylib_demos::say;
 use traylib_integrators::{Bdpt, Integrator, Technique};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Light;
 
-/// Those with runs enough to tell anything.
-pub(super) fn finished(entries: Vec<Entry>) -> Vec<Entry> {
-    entries.into_iter().filter(|entry| entry.records.len() > 1).collect()
+/// Those with runs enough to tell anything; says who has not.
+pub(super) fn finished(scene: &str, entries: Vec<Entry>) -> Vec<Entry> {
+    let (finished, few): (Vec<Entry>, Vec<Entry>) =
+        entries.into_iter().partition(|entry| entry.records.len() > 1);
+    if !few.is_empty() {
+        let names: Vec<&str> = few.iter().map(|entry| entry.contestant.name()).collect();
+        say(format_args!(
+            "note: {scene}: without two runs yet, and shown only then: {}",
+            names.join(", ")
+        ));
+    }
+    finished
 }
 
 /// The pictures of a scene.
@@ -36,12 +46,19 @@ pub(super) fn shown(
 /// The numbers of a scene; `None` if no contestant has any.
 pub(super) fn told(
     prepared: &Prepared,
-    reference: Reference,
+    mut reference: Reference,
     entries: &[Entry],
-    outside: Vec<OutsidePoint>,
+    mut outside: Vec<OutsidePoint>,
     lengths: Vec<LengthShare>,
 ) -> Option<SceneResults> {
-    let methods = judge(entries, &reference, prepared.facts);
+    let mut methods = judge(entries, &reference, prepared.facts);
+    if let Some(name) = doubted_by(entries, &methods, &reference) {
+        reference.results.doubted_by = Some(name.to_string());
+        withhold(&mut methods);
+        for point in &mut outside {
+            point.solid = false;
+        }
+    }
     let verdict = verdict(&methods, &reference.results)?;
     Some(SceneResults { methods, outside, lengths, ..told_alone(prepared, reference, verdict) })
 }

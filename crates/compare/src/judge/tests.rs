@@ -1,6 +1,7 @@
 //! Made-up runs whose right judgement is known.
 
 use super::*;
+use crate::results::Verdict;
 use crate::run::Look;
 use traylib_math::{Purpose, Sampler};
 
@@ -107,6 +108,16 @@ fn lost_light_is_told_from_noise() {
 }
 
 #[test]
+fn one_edge_is_one() {
+    let reference = reference();
+    let entries =
+        [entry("bdpt:depth=1", -0.2, 0.1, &reference), entry("bdpt", 0.0, 0.1, &reference)];
+    let methods = judge(&entries, &reference, PLAIN);
+    let sentence = verdict(&methods, &reference.results).unwrap().sentence;
+    assert!(sentence.contains("all paths of more than 1 edge."), "{sentence}");
+}
+
+#[test]
 fn averaged_runs_continue_the_curve() {
     let reference = reference();
     let methods = judge(&[entry("bdpt", 0.0, 0.1, &reference)], &reference, PLAIN);
@@ -178,4 +189,99 @@ fn what_nobody_sees_is_told_once() {
     assert_eq!(sentence.matches("No method here sees light of point lamps").count(), 1);
     assert!(sentence.contains("puremc loses light: "), "{sentence}");
     assert_eq!(methods[0].badge(), Some("blind"));
+}
+
+/// Held against a picture that nobody has checked: 5 standard errors of pixels for what
+/// stays and 10⁻⁶ for brightness, so a right program fails once in some ten thousand years.
+fn doubt(given: &Picture, names: [&str; 2]) -> (Option<String>, Verdict) {
+    let truth = reference();
+    let mut reference = Reference::given(given.clone(), "a picture".into());
+    // Runs are of the true scene, and measured against what was given.
+    let entries = names.map(|name| {
+        let noise = if name == "bdpt" { 0.05 } else { 0.3 };
+        let mut entry = entry(name, 0.0, noise, &truth);
+        entry.records = entry.pictures.iter().map(|p| record(p, &reference)).collect();
+        let bright = Sample::of(given.values().as_flattened()).mean;
+        entry.records.iter_mut().for_each(|record| record.mean_ratio /= bright);
+        entry
+    });
+    let mut methods = judge(&entries, &reference, PLAIN);
+    let doubted = doubted_by(&entries, &methods, &reference).map(String::from);
+    reference.results.doubted_by.clone_from(&doubted);
+    if doubted.is_some() {
+        withhold(&mut methods);
+        assert!(methods.iter().all(|m| m.targets.is_empty() && !m.budgets[0].solid));
+    }
+    let verdict = verdict(&methods, &reference.results).unwrap();
+    (doubted, verdict)
+}
+
+fn noise(deviation: f64) -> Picture {
+    let mut sampler = Sampler::new(7, Purpose::Test, 0, 0);
+    let mut pixel = || [0; 3].map(|_| 1.0 + deviation * normal(&mut sampler));
+    Grid::from_values(PIXELS, 1, (0..PIXELS).map(|_| pixel()).collect()).unwrap()
+}
+
+/// One that has missed light in a tenth of the pixels, in one nearly all.
+fn spotted() -> Picture {
+    let mut picture = Grid::filled(PIXELS, 1, [1.0; 3]);
+    picture.values_mut().iter_mut().step_by(10).for_each(|bands| *bands = [0.9; 3]);
+    picture.values_mut()[0] = [0.1; 3];
+    picture
+}
+
+#[test]
+fn a_noisy_or_wrong_reference_gets_no_verdict() {
+    let wrong = [
+        ("noisy", noise(0.12)),
+        ("dark in few pixels", spotted()),
+        ("of another exposure", Grid::filled(PIXELS, 1, [4.5; 3])),
+        ("slightly darker", Grid::filled(PIXELS, 1, [0.985; 3])),
+    ];
+    for (what, given) in wrong {
+        let (doubted, verdict) = doubt(&given, ["puremc", "bdpt"]);
+        assert_eq!((doubted.as_deref(), &verdict.best), (Some("bdpt"), &None), "{what}");
+        let start = "No verdict: the reference is noisy or shows another scene.";
+        assert!(verdict.sentence.starts_with(start), "{}", verdict.sentence);
+        assert!(!verdict.sentence.contains("times as long"), "{}", verdict.sentence);
+    }
+}
+
+#[test]
+fn a_good_reference_is_believed_unchecked() {
+    for given in [noise(0.0), noise(0.003)] {
+        let (doubted, verdict) = doubt(&given, ["puremc", "bdpt"]);
+        assert_eq!((doubted, verdict.best.as_deref()), (None, Some("bdpt")));
+    }
+}
+
+/// Pareto's law with an index of 1.1 has no variance.
+fn without_variance(entry: &mut Entry) {
+    let largest = (1..=4096).map(|k| (4096.0 / f64::from(k)).powf(1.0 / 1.1)).collect();
+    entry.records[0].largest = largest;
+}
+
+#[test]
+fn of_values_without_a_variance_no_high_end_is_known() {
+    let reference = reference();
+    let mut wild = entry("puremc", 0.0, 0.3, &reference);
+    without_variance(&mut wild);
+    let mut best = entry("bdpt", 0.0, 0.1, &reference);
+    let methods = judge(&[wild.clone(), best.clone()], &reference, PLAIN);
+    let found = &methods[0];
+    assert!(found.stability.alarm && !methods[1].stability.alarm);
+    let times = found.targets.iter().map(|target| target.seconds.unwrap());
+    let errors = found.points.iter().chain(&found.budgets).map(|point| point.error);
+    for estimate in times.chain(errors).chain([found.cost, found.error_per_pass, found.cost_ratio])
+    {
+        assert!(estimate.knows_low() && !estimate.knows_high(), "{estimate:?}");
+    }
+    let sentence = verdict(&methods, &reference.results).unwrap().sentence;
+    assert!(sentence.contains("puremc takes at least "), "{sentence}");
+    // And nothing of the ratio of two such methods.
+    without_variance(&mut best);
+    let methods = judge(&[wild, best], &reference, PLAIN);
+    let ratio = methods[0].cost_ratio;
+    assert!(!ratio.knows_low() && !ratio.knows_high(), "{ratio:?}");
+    assert_eq!(verdict(&methods, &reference.results).unwrap().rivals, ["puremc"]);
 }

@@ -1,18 +1,20 @@
 //! The answer, in a sentence.
 
-use crate::page::number::ratio;
-use crate::results::{Estimate, LEAST_ERROR, MethodResults, ReferenceResults, Verdict};
+use crate::page::number::{percent, ratio};
+use crate::results::{Estimate, LEAST_ERROR, MethodResults, Metrics, ReferenceResults, Verdict};
 
 /// Which method to use, from methods that have been judged; `None` without any.
 pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Option<Verdict> {
     let first = methods.iter().find(|method| is_best(method))?;
     let exact = exact(methods, reference);
-    // Without noise, or with light lost by all, no time tells one from the other.
-    let best = (!first.biased && exact.is_empty()).then_some(first);
+    let distrust = distrust(methods, reference);
+    // Without noise, with light lost by all, or held against something wrong, no time
+    // tells one from the other.
+    let best = (!first.biased && exact.is_empty() && distrust.is_none()).then_some(first);
     let rivals = best.map_or_else(Vec::new, |_| rivals(methods));
     let mut sentences = vec![match best {
         Some(best) => lead(best, &rivals, methods),
-        None => without_best(&exact),
+        None => distrust.unwrap_or_else(|| without_best(&exact)),
     }];
     sentences.extend(alarms(methods));
     sentences.extend(methods.iter().filter_map(loss));
@@ -38,7 +40,8 @@ fn is_best(method: &MethodResults) -> bool {
 }
 
 fn rivals(methods: &[MethodResults]) -> Vec<&str> {
-    let near = methods.iter().filter(|m| !is_best(m) && !m.biased && m.cost_ratio.low <= 1.0);
+    let near = |m: &Estimate| !m.knows_low() || m.low <= 1.0;
+    let near = methods.iter().filter(|m| !is_best(m) && !m.biased && near(&m.cost_ratio));
     near.map(|m| m.name.as_str()).collect()
 }
 
@@ -46,6 +49,22 @@ fn rivals(methods: &[MethodResults]) -> Vec<&str> {
 fn exact<'a>(methods: &'a [MethodResults], reference: &ReferenceResults) -> Vec<&'a str> {
     let exact = |m: &&MethodResults| m.metrics.rel_mse + reference.own_error <= LEAST_ERROR;
     methods.iter().filter(exact).map(|m| m.name.as_str()).collect()
+}
+
+/// Why the reference is not to be trusted, if it is not.
+fn distrust(methods: &[MethodResults], reference: &ReferenceResults) -> Option<String> {
+    let witness = methods.iter().find(|m| Some(&m.name) == reference.doubted_by.as_ref())?;
+    let Metrics { bias, bias_z, noise_share, .. } = witness.metrics;
+    let side = if bias < 0.0 { "darker" } else { "brighter" };
+    let z = format!("{bias_z:+.1}").replace('-', "−");
+    Some(format!(
+        "No verdict: the reference is noisy or shows another scene. Of the error of {}, the \
+         least where no light is lost, {} stay however often it renders, and its pictures \
+         are {} {side} (z = {z}).",
+        witness.name,
+        percent(1.0 - noise_share),
+        percent(bias.abs()),
+    ))
 }
 
 fn without_best(exact: &[&str]) -> String {
@@ -92,7 +111,9 @@ fn alarms(methods: &[MethodResults]) -> Option<String> {
 
 /// What a method does not see and others can.
 fn loss(method: &MethodResults) -> Option<String> {
-    let longer = |edges: u32| format!("all paths of more than {edges} edges");
+    let longer = |edges: u32| {
+        format!("all paths of more than {edges} edge{}", if edges == 1 { "" } else { "s" })
+    };
     let blind = method.blind.iter().cloned();
     let lost: Vec<String> = blind.chain(method.longest_path.map(longer)).collect();
     method.biased.then(|| format!("{} loses light: {}.", method.name, lost.join(" and ")))

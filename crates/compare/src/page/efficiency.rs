@@ -29,7 +29,8 @@ pub(crate) fn efficiency(scene: &SceneResults, palette: &Palette) -> Markup {
     }
 }
 
-fn whole(scene: &SceneResults, palette: &Palette) -> Markup {
+/// Efficiency over that of the best, a bar each method.
+pub(crate) fn whole(scene: &SceneResults, palette: &Palette) -> Markup {
     let label = format!("Efficiency on {} relative to the best, logarithmic", scene.name);
     let row = |method: &MethodResults| (inverse(method.cost_ratio), ratio(method).as_long());
     let rows = rows(scene, palette, row);

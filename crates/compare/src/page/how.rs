@@ -70,11 +70,16 @@ fn rendered_in(reference: &ReferenceResults) -> String {
 fn agreement(reference: &ReferenceResults) -> Option<String> {
     let found = reference.agreement.as_ref()?;
     let [first, second] = &found.methods;
+    let ratio = match found.mean_ratio {
+        Some(ratio) => {
+            let ratio = interval_of(ratio, 4);
+            format!("the ratio of their means is {ratio} (99.9 % interval)")
+        }
+        None => "their means have no ratio, since not both have light".into(),
+    };
     Some(format!(
-        "{first} and {second} agree on it thus: the ratio of their means is {} (99.9 % interval); \
-         of {} tiles {} differ, at 0.1 % for all together; {} of the pixels are left out because \
-         they see a mirror.",
-        interval_of(found.mean_ratio, 4),
+        "{first} and {second} agree on it thus: {ratio}; of {} tiles {} differ, at 0.1 % for all \
+         together; {} of the pixels are left out because they see a mirror.",
         found.tiles,
         found.refused,
         percent(found.masked)

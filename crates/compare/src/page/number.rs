@@ -1,10 +1,11 @@
 //! Numbers as people read them.
 
-use crate::bootstrap::NOTHING_KNOWN;
 use crate::results::{Estimate, MethodResults};
 
 /// What stands where a number does not exist.
 const NONE: &str = "–";
+/// And where neither end of its interval does.
+const NOT_KNOWN: &str = "not known";
 
 /// An exponent in raised digits.
 pub(crate) fn superscript(exponent: i32) -> String {
@@ -60,6 +61,10 @@ pub(crate) enum Ratio {
     One,
     /// Only that it takes longer than this is known.
     AtLeast(String),
+    /// Only that it takes less is.
+    AtMost(String),
+    /// Not even that.
+    Unknown,
     /// A number and its interval.
     Between([String; 3]),
 }
@@ -70,10 +75,12 @@ pub(crate) fn ratio(method: &MethodResults) -> Ratio {
     if low == high {
         return Ratio::One;
     }
-    if method.stability.alarm || high >= NOTHING_KNOWN * value {
-        return Ratio::AtLeast(rounded(low, 2));
+    match (method.cost_ratio.knows_low(), method.cost_ratio.knows_high()) {
+        (true, true) => Ratio::Between(apart([low, value, high])),
+        (true, false) => Ratio::AtLeast(rounded(low, 2)),
+        (false, true) => Ratio::AtMost(rounded(high, 2)),
+        (false, false) => Ratio::Unknown,
     }
-    Ratio::Between(apart([low, value, high]))
 }
 
 /// Two digits, or as many more as it takes that an interval has a width and is seen to
@@ -96,6 +103,8 @@ impl Ratio {
         match self {
             Self::One => "the best".into(),
             Self::AtLeast(low) => format!("at least {low} times as long"),
+            Self::AtMost(high) => format!("at most {high} times as long"),
+            Self::Unknown => "an unknown number of times as long".into(),
             Self::Between([value, low, high]) => {
                 format!("{value} times as long ({low} to {high})")
             }
@@ -107,6 +116,8 @@ impl Ratio {
         match self {
             Self::One => "1".into(),
             Self::AtLeast(low) => format!("at least {low}"),
+            Self::AtMost(high) => format!("at most {high}"),
+            Self::Unknown => NOT_KNOWN.into(),
             Self::Between([value, low, high]) => format!("{value} ({low} to {high})"),
         }
     }
@@ -117,15 +128,30 @@ pub(crate) fn short(value: f64) -> String {
     significant(value, 3)
 }
 
-/// `1.23 (1.10–1.40)`; the number alone where it has no interval.
+/// `1.23 (1.10–1.40)`, `1.23 (at least 1.10)` where an end is not known; the number alone
+/// where there is no doubt.
 pub(crate) fn interval(estimate: Estimate) -> String {
     interval_of(estimate, 3)
 }
 
 /// The same with another number of digits.
-pub(crate) fn interval_of(Estimate { value, low, high }: Estimate, digits: u8) -> String {
-    let [value, ends @ ..] = [value, low, high].map(|v| significant(v, digits));
-    if low >= high { value } else { format!("{value} ({}–{})", ends[0], ends[1]) }
+pub(crate) fn interval_of(estimate: Estimate, digits: u8) -> String {
+    let value = significant(estimate.value, digits);
+    if estimate.low >= estimate.high || !estimate.value.is_finite() {
+        return value;
+    }
+    format!("{value} ({})", between(estimate, |end| significant(end, digits)))
+}
+
+/// What is known of both ends.
+fn between(estimate: Estimate, text: impl Fn(f64) -> String) -> String {
+    let [low, high] = [estimate.low, estimate.high].map(text);
+    match (estimate.knows_low(), estimate.knows_high()) {
+        (true, true) => format!("{low}–{high}"),
+        (true, false) => format!("at least {low}"),
+        (false, true) => format!("at most {high}"),
+        (false, false) => NOT_KNOWN.into(),
+    }
 }
 
 /// Seconds with a unit that suits them: `3.4 ms`, `12 s`, `1.5 h`.
@@ -137,14 +163,14 @@ pub(crate) fn seconds(seconds: f64) -> String {
     format!("{} {name}", significant(seconds / unit, 2))
 }
 
-/// `12 s (10–15)`, all three in the unit of the first.
-pub(crate) fn seconds_interval(Estimate { value, low, high }: Estimate) -> String {
+/// `12 s (10–15)`, all three in the unit of the first; ends as of [`interval`].
+pub(crate) fn seconds_interval(estimate: Estimate) -> String {
+    let Estimate { value, low, high } = estimate;
     if !value.is_finite() || low >= high {
         return seconds(value);
     }
     let unit = unit(value).0;
-    let [low, high] = [low, high].map(|end| significant(end / unit, 2));
-    format!("{} ({low}–{high})", seconds(value))
+    format!("{} ({})", seconds(value), between(estimate, |end| significant(end / unit, 2)))
 }
 
 fn unit(seconds: f64) -> (f64, &'static str) {
@@ -249,6 +275,23 @@ mod tests {
         let estimate = Estimate { value: 12.0, low: 10.0, high: 15.0 };
         assert_eq!(seconds_interval(estimate), "12 s (10–15)");
         assert_eq!(seconds_interval(Estimate { value: f64::INFINITY, ..estimate }), "–");
+    }
+
+    #[test]
+    fn an_end_of_which_nothing_is_known_is_not_told() {
+        let known = Estimate { value: 316.0, low: 103.0, high: 500.0 };
+        let cases = [
+            (known.without_high(), "316 (at least 103)", "32 ms (at least 10)"),
+            (known.without_low(), "316 (at most 500)", "32 ms (at most 50)"),
+            (known.without_low().without_high(), "316 (not known)", "32 ms (not known)"),
+        ];
+        for (estimate, text, time) in cases {
+            assert_eq!(interval(estimate), text);
+            assert_eq!(seconds_interval(estimate.map(|v| v / 1e4)), time);
+            // Logarithms and back, as in the bootstrap.
+            let again = estimate.map(|v| v.ln().exp());
+            assert_eq!(interval(again), text);
+        }
     }
 
     #[test]

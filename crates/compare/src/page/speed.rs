@@ -61,8 +61,7 @@ fn errors(scene: &SceneResults) -> Vec<f64> {
 fn time(method: &MethodResults, error: f64) -> String {
     match method.targets.iter().find(|target| target.error == error) {
         Some(Target { seconds: Some(seconds), .. }) => seconds_interval(*seconds),
-        Some(_) if method.blind.is_empty() => "never".into(),
-        Some(_) => "blind".into(),
+        Some(Target { seconds: None, .. }) => "never".into(),
         None => "–".into(),
     }
 }

@@ -1,6 +1,7 @@
 //! One method's picture for a reference, with what is needed to doubt it.
 
 use crate::contestant::Contestant;
+use crate::precision::{double, single};
 use crate::run::{Picture, grey};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -22,6 +23,14 @@ pub struct Half {
     pub variance: Picture,
     /// The rest.
     pub numbers: Numbers,
+}
+
+impl Half {
+    /// The same in the precision in which pictures are kept.
+    pub(super) fn like_stored(self) -> Self {
+        let rounded = |picture: &Picture| double(&single(picture));
+        Self { picture: rounded(&self.picture), variance: rounded(&self.variance), ..self }
+    }
 }
 
 /// What is known of such a picture beside its pixels.

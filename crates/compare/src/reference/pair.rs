@@ -32,7 +32,7 @@ const SEEDS: [u64; 2] = [u64::MAX, u64::MAX - 1];
 pub struct Making<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// A hash of the scene.
+    /// A hash of the scene and of the program that renders it.
     pub scene_key: u64,
     /// Seconds for each of the two methods.
     pub seconds: f64,
@@ -107,6 +107,9 @@ impl Making<'_> {
             return Ok(Some(half));
         }
         let half = self.order(masked, self.seconds, SEEDS[index]).render(&contestant(method))?;
+        // As it would come from the store, so that it makes no difference whether it does:
+        // runs are found again by the reference that they were held against.
+        let half = half.map(Half::like_stored);
         if let Some(half) = &half {
             let pictures = [("mean", &half.picture), ("variance", &half.variance)];
             self.store.keep(key, &half.numbers, &pictures)?;
@@ -177,6 +180,7 @@ fn join(a: &Half, b: &Half, masked: &Grid<bool>) -> Reference {
         own_error: 0.0,
         seconds: a.numbers.seconds + b.numbers.seconds,
         agreement: Some(agreement),
+        doubted_by: None,
     };
     let picture = mix(&a.picture, &b.picture, &shares, |share| share);
     let variance = mix(&a.variance, &b.variance, &shares, |share| share * share);

@@ -28,6 +28,11 @@ pub(super) fn method(kind: &Kind, best: f64) -> MethodResults {
     let ratio = kind.cost / best;
     let spread = if kind.alarm { 2.5 } else { 1.15 };
     let is_best = ratio == 1.0;
+    // Of values without a variance no high end is known.
+    let around = |value: f64, spread: f64| {
+        let estimate = around(value, spread);
+        if kind.alarm { estimate.without_high() } else { estimate }
+    };
     MethodResults {
         name: kind.name.into(),
         biased: kind.floor > 0.0,
@@ -38,8 +43,10 @@ pub(super) fn method(kind: &Kind, best: f64) -> MethodResults {
         cost: around(kind.cost, spread),
         cost_ratio: if is_best { around(1.0, 1.0) } else { around(ratio, spread) },
         error_per_pass: around(kind.cost / kind.pass, spread),
-        seconds_per_pass: around(kind.pass, 1.05),
-        targets: [1e-1, 1e-2, 1e-3].map(|error| target(kind, error, spread)).to_vec(),
+        seconds_per_pass: self::around(kind.pass, 1.05),
+        targets: [1e-1, 1e-2, 1e-3]
+            .map(|error| target(kind, error, &|t| around(t, spread)))
+            .to_vec(),
         metrics: metrics(kind),
         rays: Rays { camera: 6912.0, bounce: 21_400.0, shadow: 18_100.0, per_second: 4.1e6 },
         peak_bytes: 3_200_000,
@@ -76,9 +83,9 @@ fn budgets(kind: &Kind, spread: f64) -> Vec<Point> {
     own.chain(longer).collect()
 }
 
-fn target(kind: &Kind, error: f64, spread: f64) -> Target {
+fn target(kind: &Kind, error: f64, around: &dyn Fn(f64) -> Estimate) -> Target {
     let left = error - kind.floor;
-    Target { error, seconds: (left > 0.0).then(|| around(kind.cost / left, spread)) }
+    Target { error, seconds: (left > 0.0).then(|| around(kind.cost / left)) }
 }
 
 fn metrics(kind: &Kind) -> Metrics {
