@@ -139,7 +139,7 @@ impl Scene {
     }
 
     /// The surface where a ray has hit it.
-    #[inline(always)]
+    #[inline]
     fn surface_point(&self, ray: &Ray, mut hit: Hit) -> Option<SurfacePoint> {
         let mut surface = self.surface(&hit);
         let mut site = surface.site(ray, &hit)?;

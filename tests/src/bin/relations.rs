@@ -79,7 +79,7 @@ fn again(file: &Path, plan: &Plan) -> Tally {
     let case = match Case::read(file) {
         Ok(case) => case,
         Err(error) => {
-            eprintln!("error: {}", printable(&error.to_string()));
+            eprintln!("error: {}", printable(&error));
             return Tally::default();
         }
     };
