@@ -174,8 +174,7 @@ impl<'a> Work<'a> {
     }
 
     fn reference(&self, prepared: &Prepared, plan: &Plan) -> Result<Option<Reference>, Failure> {
-        let camera = prepared.loaded.scene.camera();
-        let size = (camera.width() as usize, camera.height() as usize);
+        let size = prepared.size();
         if let (Some(given), Some(file)) = (&prepared.given, &self.options.reference) {
             outside::same_size(file, given, size)?;
             let origin = format!("the picture {}", file.display());
@@ -258,9 +257,7 @@ fn outside(file: &Path, scenes: &[Prepared]) -> Result<Vec<OutsideEntry>, Failur
         say(format_args!("warning: {warning}"));
     }
     for prepared in scenes {
-        let camera = prepared.loaded.scene.camera();
-        let size = (camera.width() as usize, camera.height() as usize);
-        outside::check_pictures(&entries, &prepared.loaded.name, size)?;
+        outside::check_pictures(&entries, &prepared.loaded.name, prepared.size())?;
     }
     Ok(entries)
 }

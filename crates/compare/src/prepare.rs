@@ -66,6 +66,12 @@ fn smaller(scene: &Scene, widest: u32) -> (u32, u32) {
 }
 
 impl Prepared {
+    /// Width and height of its pictures in pixels.
+    pub fn size(&self) -> (usize, usize) {
+        let camera = self.loaded.scene.camera();
+        (camera.width() as usize, camera.height() as usize)
+    }
+
     /// The radiance that it has everywhere, where that is known.
     pub fn closed_form(&self) -> Option<f64> {
         // Inside a sphere that emits 1 and reflects half, 1/(1 − ½).

@@ -26,15 +26,15 @@ impl Integrator for Trace {
                 if self.jitter { chunk.camera_sampler(pixel).next_2d() } else { Vec2::splat(0.5) };
             scene.camera().ray(pixel_corner(scene, pixel) + inside)
         };
-        let ways = chunk.pixels.clone().map(|pixel| Way {
+        let paths = chunk.pixels.clone().map(|pixel| PixelPath {
             pixel,
             ray: ray(pixel),
             transmittance: Rgb::WHITE,
             radiance: Rgb::BLACK,
         });
-        tracer.statistics.camera_paths += ways.len() as u64;
-        for way in follow(&mut tracer, ways.collect()) {
-            out.add(way.pixel, way.radiance);
+        tracer.statistics.camera_paths += paths.len() as u64;
+        for path in follow(&mut tracer, paths.collect()) {
+            out.add(path.pixel, path.radiance);
         }
         out.statistics += tracer.statistics;
     }
@@ -49,7 +49,7 @@ impl Integrator for Trace {
 }
 
 /// What a pixel sees, as far as it has been followed.
-struct Way {
+struct PixelPath {
     pixel: u32,
     ray: Ray,
     /// Of all that it has passed.
@@ -59,23 +59,23 @@ struct Way {
 
 /// Follows all to the first surface that lets nothing through, surface by surface and
 /// all at once, without chance.
-fn follow(tracer: &mut Tracer<'_>, mut ways: Vec<Way>) -> Vec<Way> {
-    let mut going: Vec<usize> = (0..ways.len()).collect();
+fn follow(tracer: &mut Tracer<'_>, mut paths: Vec<PixelPath>) -> Vec<PixelPath> {
+    let mut going: Vec<usize> = (0..paths.len()).collect();
     for _ in 0..MOST_PASSAGES {
-        // What stands next in each way, and what point lights give it.
-        let rays: Vec<Ray> = going.iter().map(|&index| ways[index].ray).collect();
+        // What stands next in each path, and what point lights give it.
+        let rays: Vec<Ray> = going.iter().map(|&index| paths[index].ray).collect();
         let points = tracer.look_each(&rays);
         let lit = lit_by_points(tracer, &rays, &points);
         let mut found = points.into_iter().zip(lit);
         going.retain(|&index| {
             let Some((Some(point), lit)) = found.next() else { return false };
-            ways[index].pass(tracer.scene, &point, lit)
+            paths[index].pass(tracer.scene, &point, lit)
         });
         if going.is_empty() {
             break;
         }
     }
-    ways
+    paths
 }
 
 /// The radiance of each point toward its ray from all point lights, whose shadow rays are
@@ -103,7 +103,7 @@ fn lit_by_points(
     lit
 }
 
-impl Way {
+impl PixelPath {
     /// Adds what the surface shows, and goes on behind it; whether there is anything left.
     fn pass(&mut self, scene: &Scene, point: &SurfacePoint, lit: Rgb) -> bool {
         self.radiance += self.transmittance * (scene.emitted(point) + lit) * point.opacity;
