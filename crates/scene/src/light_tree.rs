@@ -1,10 +1,10 @@
 //! Choosing a lamp for a point among many.
 //!
-//! A binary tree over all lamps: each node knows where its lamps are, how strong
-//! they are together and into which directions they may shine, and from that how
-//! much they may give a point ([`Node::importance`]). A choice goes down from the
-//! root, at each pair in proportion to what the two may give, though never more than
-//! [`RAREST`] to one: the strongest lamp may stand behind a wall.
+//! A tree over all lamps, of up to four children a node. Of each child is known where
+//! its lamps are, how strong they are together and into which directions they may shine,
+//! and from that how much they may give a point ([`Node::importance`]). A choice goes down
+//! from the root, at each node in proportion to what its children may give, though none
+//! that may give any has less than [`shares::RAREST`]: the strongest lamp may stand behind a wall.
 //!
 //! Conty Estevez and Kulla, *Importance Sampling of Many Lights with Adaptive Tree
 //! Splitting*, 2018. Theirs may go both ways where a node is near; here it is one
@@ -15,27 +15,27 @@ mod build;
 mod cluster;
 mod cone;
 mod node;
+mod shares;
 
 use crate::Light;
 use cluster::Cluster;
-use node::{Link, Node};
+use node::{Link, Node, WIDTH};
+use shares::Shares;
 use traylib_math::Vec3;
-
-/// The largest number below one.
-const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
-
-/// The least chance of a node that may give a point light, against its neighbour.
-const RAREST: f32 = 1.0 / 256.0;
 
 /// The lamps of a scene by place, direction and strength.
 #[derive(Clone, Debug)]
 pub(crate) struct LightTree {
-    /// The root first; the two children of a node side by side.
+    root: Link,
+    /// Every node after all below it.
     nodes: Vec<Node>,
-    /// The way to each lamp from the root: bit i is set where it turns right at
-    /// level i.
+    /// The way to each lamp from the root: two bits for the turn at each level, the lowest
+    /// for the root.
     paths: Vec<u64>,
 }
+
+/// The bits of a path that say one turn.
+const TURN_BITS: u32 = WIDTH.ilog2();
 
 impl LightTree {
     /// A tree over these lamps, of which there must be one. The same lamps give
@@ -56,12 +56,10 @@ impl LightTree {
     /// probability. One number decides every turn: what is left of it after one is
     /// stretched for the next. With `u` in steps of 2⁻³², so are the chances.
     pub(crate) fn choose(&self, x1: Vec3, mut u: f64) -> (u32, f32) {
-        self.descend(x1, |_, chances| {
-            let [left, right] = chances.map(f64::from);
-            let turns_right = u >= left;
-            u = if turns_right { (u - left) / right } else { u / left };
-            u = u.min(BELOW_ONE);
-            turns_right
+        self.descend(x1, |_, shares| {
+            let turn = shares.turn(u);
+            u = turn.rest;
+            turn.child
         })
     }
 
@@ -69,27 +67,30 @@ impl LightTree {
     /// products in the same order, so the same bits.
     pub(crate) fn probability(&self, lamp: u32, x1: Vec3) -> f32 {
         let path = self.paths[lamp as usize];
-        self.descend(x1, |level, _| path >> level & 1 == 1).1
+        self.descend(x1, |level, _| turn_of(path, level)).1
     }
 
     /// The lamp that a series of turns leads to and the product of their chances.
-    /// `turns_right` is told the level and the chances of left and right.
-    fn descend(&self, x1: Vec3, mut turns_right: impl FnMut(u32, [f32; 2]) -> bool) -> (u32, f32) {
-        let mut node = &self.nodes[0];
-        let (mut level, mut probability) = (0, 1.0);
+    /// `turn` is told the level and the children's shares.
+    fn descend(&self, x1: Vec3, mut turn: impl FnMut(u32, &Shares) -> usize) -> (u32, f32) {
+        let (mut link, mut level, mut probability) = (self.root, 0, 1.0);
         loop {
-            let first = match node.link {
+            let node = match link {
                 Link::Lamp(lamp) => return (lamp, probability),
-                Link::Pair(first) => first as usize,
+                Link::Node(index) => &self.nodes[index as usize],
             };
-            let pair = &self.nodes[first..first + 2];
-            let chances = chances(&pair[0], &pair[1], x1);
-            let right = usize::from(turns_right(level, chances));
-            probability = both(probability, chances[right]);
-            node = &pair[right];
+            let shares = Shares::new(node, x1);
+            let child = turn(level, &shares);
+            probability = both(probability, shares.chance(child));
+            link = node.links[child];
             level += 1;
         }
     }
+}
+
+/// The child to which a path turns at a level.
+fn turn_of(path: u64, level: u32) -> usize {
+    (path >> (TURN_BITS * level)) as usize % WIDTH
 }
 
 /// The chance that both of two independent things happen: zero only if one of them
@@ -97,25 +98,6 @@ impl LightTree {
 #[inline]
 fn both(one: f32, other: f32) -> f32 {
     if one > 0.0 && other > 0.0 { (one * other).max(f32::MIN_POSITIVE) } else { 0.0 }
-}
-
-/// The chances of two nodes: as what they may give, or one of them none where it
-/// cannot light the point. Where neither can, or the squares of distances leave the
-/// range of single precision, they are as the strengths.
-#[inline]
-fn chances(left: &Node, right: &Node, x1: Vec3) -> [f32; 2] {
-    match (left.importance(x1), right.importance(x1)) {
-        (Some(_), None) => [1.0, 0.0],
-        (None, Some(_)) => [0.0, 1.0],
-        (Some(a), Some(b)) if a + b > 0.0 && (a + b).is_finite() => in_proportion(a, b),
-        (Some(_), Some(_)) | (None, None) => in_proportion(left.intensity, right.intensity),
-    }
-}
-
-/// Chances in proportion to two numbers, neither below [`RAREST`].
-#[inline]
-fn in_proportion(a: f32, b: f32) -> [f32; 2] {
-    [a / (a + b), b / (a + b)].map(|chance| chance.clamp(RAREST, 1.0 - RAREST))
 }
 
 #[cfg(test)]

@@ -1,63 +1,85 @@
 //! Building the tree from the top.
 
-use super::LightTree;
 use super::cluster::Cluster;
 use super::node::{Link, Node};
+use super::{LightTree, TURN_BITS};
 use std::ops::Range;
 use traylib_geometry::Aabb;
 
-/// A path has a bit for each level.
-const MAX_DEPTH: usize = u64::BITS as usize;
+/// Each halving of a range has a bit of a path.
+const MAX_DEPTH: u32 = u64::BITS;
 
 /// Intervals along each axis between which a split is looked for.
 const BINS: usize = 16;
 
 /// A tree over clusters of one lamp each; there must be one.
 pub(super) fn tree(lamps: &[Cluster]) -> LightTree {
-    let root = Node::new(&lamps[0], Link::Lamp(0));
     let mut builder = Builder {
         lamps,
         order: (0..lamps.len() as u32).collect(),
-        tree: LightTree { nodes: vec![root], paths: vec![0; lamps.len()] },
+        tree: LightTree { root: Link::Lamp(0), nodes: Vec::new(), paths: vec![0; lamps.len()] },
     };
-    builder.fill(0, 0..lamps.len(), 0, 0);
-    builder.tree
+    let (_, root) = builder.child(0..lamps.len(), 0, 0);
+    LightTree { root, ..builder.tree }
 }
 
 struct Builder<'a> {
     lamps: &'a [Cluster],
-    /// Lamps; every node owns a range.
+    /// Lamps; every child owns a range.
     order: Vec<u32>,
     tree: LightTree,
 }
 
 impl Builder<'_> {
-    /// Makes the node at `index` that of a range, and all below it. `path` leads
-    /// there in `depth` turns.
-    fn fill(&mut self, index: usize, range: Range<usize>, path: u64, depth: usize) -> Cluster {
+    /// Adds the node of a range after all below it; returns all its lamps and where it is.
+    /// `path` leads there in `level` turns.
+    fn add(&mut self, range: Range<usize>, path: u64, level: u32) -> (Cluster, Link) {
+        let parts = self.parts(range, level);
+        let turns = (0..).map(|turn| path | turn << (TURN_BITS * level));
+        let children: Vec<_> = parts
+            .into_iter()
+            .zip(turns)
+            .map(|(part, path)| self.child(part, path, level + 1))
+            .collect();
+        let all = children[1..].iter().fold(children[0].0, |all, child| all.join(child.0));
+        self.tree.nodes.push(Node::new(&children));
+        (all, Link::Node(self.tree.nodes.len() as u32 - 1))
+    }
+
+    /// What stands for a range: one lamp, or a node at this level.
+    fn child(&mut self, range: Range<usize>, path: u64, level: u32) -> (Cluster, Link) {
+        if range.len() > 1 {
+            return self.add(range, path, level);
+        }
+        let lamp = self.order[range.start];
+        self.tree.paths[lamp as usize] = path;
+        (self.lamps[lamp as usize], Link::Lamp(lamp))
+    }
+
+    /// As many parts of a range as a node has children at most: its halves, and theirs.
+    fn parts(&mut self, range: Range<usize>, level: u32) -> Vec<Range<usize>> {
+        let mut parts = vec![range];
+        for halving in 0..TURN_BITS {
+            let depth = TURN_BITS * level + halving;
+            parts = parts.into_iter().flat_map(|part| self.halves(part, depth)).collect();
+        }
+        parts
+    }
+
+    /// The halves of a range of two or more lamps; else the range.
+    fn halves(&mut self, range: Range<usize>, depth: u32) -> Vec<Range<usize>> {
         if range.len() == 1 {
-            let lamp = self.order[range.start];
-            self.tree.paths[lamp as usize] = path;
-            let cluster = self.lamps[lamp as usize];
-            self.tree.nodes[index] = Node::new(&cluster, Link::Lamp(lamp));
-            return cluster;
+            return vec![range];
         }
         let middle = self.split(range.clone(), depth);
-        let pair = self.tree.nodes.len();
-        // Kept free, so that the two lie side by side.
-        self.tree.nodes.extend([self.tree.nodes[index]; 2]);
-        let left = self.fill(pair, range.start..middle, path, depth + 1);
-        let right = self.fill(pair + 1, middle..range.end, path | 1 << depth, depth + 1);
-        let cluster = left.join(right);
-        self.tree.nodes[index] = Node::new(&cluster, Link::Pair(pair as u32));
-        cluster
+        vec![range.start..middle, middle..range.end]
     }
 
     /// Reorders a range of two or more lamps; returns where its second half
     /// begins. Lamps in one place are halved as they come, and so are all where
     /// levels run short: halving needs as many as the count has bits.
-    fn split(&mut self, range: Range<usize>, depth: usize) -> usize {
-        let levels_needed = range.len().next_power_of_two().ilog2() as usize;
+    fn split(&mut self, range: Range<usize>, depth: u32) -> usize {
+        let levels_needed = range.len().next_power_of_two().ilog2();
         let plane = (depth + levels_needed < MAX_DEPTH).then(|| self.best_plane(&range)).flatten();
         let Some(plane) = plane else { return range.start + range.len() / 2 };
         let lamps = self.lamps;

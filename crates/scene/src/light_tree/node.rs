@@ -1,151 +1,167 @@
-//! What a point is told of a cluster of lamps.
+//! What a point is told of up to four clusters of lamps, side by side.
 
 use super::cluster::Cluster;
-use super::cone::{Cone, Reach};
+use super::cone::Reach;
 use std::f64::consts::PI;
 use traylib_math::Vec3;
+use traylib_math::glam::{BVec4A, Vec4};
+
+/// How many children a node has at most.
+pub(super) const WIDTH: usize = 4;
 
 /// Room for rounding, in cosines and relative to lengths: some ten operations, each
 /// to 6·10⁻⁸. With it, no lamp that shines at a point is believed not to.
 const SLACK: f32 = 1.0 / (1 << 20) as f32;
 
-/// A cluster in the form that choices need, in single precision.
+/// The children of a node in the form that choices need, in single precision: of each
+/// number a vector, with an element for each child.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
-    /// Of a box around all lamps.
-    centre: Vec3,
-    /// From the centre of the box to a corner.
-    corner: Vec3,
-    /// How long that is.
-    radius: f32,
-    axis: Vec3,
-    aim: Aim,
-    /// Of all lamps together, over that of the scene's strongest.
-    pub(super) intensity: f32,
-    pub(super) link: Link,
-}
-
-/// A [`Cone`](super::cone::Cone) around the axis, by what it takes to ask it.
-#[derive(Clone, Copy, Debug)]
-enum Aim {
-    /// Some lamp shines into any direction.
-    Everywhere,
-    /// All lamps are flat and face along the axis.
-    OneWay,
-    /// Lamps have directions within an angle of the axis.
-    Around(Angle, Reach),
+    /// Of boxes around all lamps, by axis.
+    centre: [Vec4; 3],
+    /// From the centre of the box to a corner, by axis.
+    corner: [Vec4; 3],
+    /// The sum of the corner's coordinates.
+    corner_sum: Vec4,
+    /// How long it is.
+    radius: Vec4,
+    /// Of the cones, by axis.
+    axis: [Vec4; 3],
+    /// How far the box reaches along the axis, from its centre.
+    reach_of_box: Vec4,
+    /// The cones' angles.
+    spread: Angles,
+    /// Cosine of the angle up to which lamps shine beyond the spread.
+    reach: Vec4,
+    /// Whose lamps shine into all directions, as far as is known.
+    everywhere: BVec4A,
+    /// Whose box bounds cosines, too.
+    bound_by_box: BVec4A,
+    /// Whether all lamps of each child are flat and face one way.
+    flat: bool,
+    /// Of all lamps together, over that of the scene's strongest; zero where there is no
+    /// child.
+    pub(super) intensity: Vec4,
+    /// Where there is no child, that of another.
+    pub(super) links: [Link; WIDTH],
 }
 
 /// What is below a node.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Link {
-    /// Two nodes, this one and the next.
-    Pair(u32),
+    /// Another node.
+    Node(u32),
     /// One lamp.
     Lamp(u32),
 }
 
-/// An angle from 0 to π by its cosine and sine times some length, which need no arc
+/// What children may give a point.
+pub(super) struct Importance {
+    /// Not a number or infinite where squares of distances leave single precision.
+    pub(super) value: Vec4,
+    /// Who may give it any.
+    pub(super) shines: BVec4A,
+}
+
+/// A bound on the cosines of children's lamps toward a point.
+struct Cosines {
+    bound: Vec4,
+    /// Where lamps shine at the point.
+    shines: BVec4A,
+}
+
+/// Angles from 0 to π by their cosines and sines times some length, which need no arc
 /// functions to be subtracted.
 #[derive(Clone, Copy, Debug)]
-struct Angle {
-    cos: f32,
-    sin: f32,
+struct Angles {
+    cos: Vec4,
+    sin: Vec4,
 }
 
-impl Angle {
-    /// The difference, times the product of both lengths; `None` if it is negative.
+impl Angles {
+    /// The differences, times the products of both lengths; their sines are less than
+    /// zero where they are negative.
     #[inline]
-    fn less(self, other: Self) -> Option<Self> {
-        let sin = self.sin * other.cos - self.cos * other.sin;
-        (sin >= 0.0).then_some(Self { cos: self.cos * other.cos + self.sin * other.sin, sin })
-    }
-}
-
-impl Aim {
-    fn new(cone: &Cone) -> Self {
-        let (sin, cos) = cone.spread.sin_cos();
-        if cone.spread >= PI {
-            Self::Everywhere
-        } else if cone.spread == 0.0 && cone.reach == Reach::Hemisphere {
-            Self::OneWay
-        } else {
-            Self::Around(Angle { cos: cos as f32, sin: sin as f32 }, cone.reach)
+    fn less(self, other: Self) -> Self {
+        Self {
+            cos: self.cos * other.cos + self.sin * other.sin,
+            sin: self.sin * other.cos - self.cos * other.sin,
         }
     }
 }
 
 impl Node {
-    pub(super) fn new(cluster: &Cluster, link: Link) -> Self {
-        let Cluster { bounds, cone, intensity } = cluster;
-        let centre = bounds.centre();
-        let corner = (bounds.max - centre).max(centre - bounds.min);
+    /// The node of one to [`WIDTH`] children.
+    pub(super) fn new(children: &[(Cluster, Link)]) -> Self {
+        let child = |lane: usize| children.get(lane).unwrap_or(&children[0]);
+        let clusters: [&Cluster; WIDTH] = std::array::from_fn(|lane| &child(lane).0);
+        let each = |number: &dyn Fn(&Cluster) -> f32| Vec4::from_array(clusters.map(number));
+        let by_axis = |vector: fn(&Cluster) -> Vec3| [0, 1, 2].map(|i| each(&|c| vector(c)[i]));
+        let whose = |holds: fn(&Cluster) -> bool| BVec4A::from(clusters.map(holds));
+        let exists: [f32; WIDTH] = std::array::from_fn(|lane| (lane < children.len()).into());
         Self {
-            centre,
-            corner,
-            radius: corner.length() * (1.0 + SLACK),
-            axis: cone.axis.as_vec3(),
-            aim: Aim::new(cone),
-            intensity: *intensity as f32,
-            link,
+            centre: by_axis(|c| c.bounds.centre()),
+            corner: by_axis(corner),
+            corner_sum: each(&|c| corner(c).element_sum()),
+            radius: each(&|c| corner(c).length() * (1.0 + SLACK)),
+            axis: by_axis(|c| c.cone.axis.as_vec3()),
+            reach_of_box: each(&|c| c.cone.axis.as_vec3().abs().dot(corner(c))),
+            spread: Angles {
+                cos: each(&|c| c.cone.spread.cos() as f32),
+                sin: each(&|c| c.cone.spread.sin() as f32),
+            },
+            reach: each(&|c| c.cone.reach.cosine()),
+            everywhere: whose(|c| c.cone.spread >= PI),
+            bound_by_box: whose(|c| {
+                c.cone.reach == Reach::Hemisphere && c.cone.spread.cos() >= 0.0
+            }),
+            flat: clusters
+                .iter()
+                .all(|c| c.cone.reach == Reach::Hemisphere && c.cone.spread == 0.0),
+            intensity: each(&|c| c.intensity as f32) * Vec4::from_array(exists),
+            links: std::array::from_fn(|lane| child(lane).1),
         }
     }
 
     /// Intensity over the distance of the centre squared, times a bound on the
-    /// lamps' cosines toward `x1`; `None` only if none of them shines there. No
-    /// distance counts as less than the radius: so much light lamps that are spread
-    /// evenly give a point among them.
+    /// lamps' cosines toward `x1`; a child does not shine only if none of its lamps does
+    /// so there. No distance counts as less than the radius: so much light lamps that are
+    /// spread evenly give a point among them.
     #[inline]
-    pub(super) fn importance(&self, x1: Vec3) -> Option<f32> {
-        let offset = x1 - self.centre;
-        let distance_squared = offset.length_squared();
-        let cosine = match self.aim {
-            Aim::Everywhere => 1.0,
-            Aim::OneWay => self.cosine_of_box(offset, self.most_along(offset))?,
-            Aim::Around(spread, reach) => {
-                self.cosine_around(offset, distance_squared, spread, reach)?
-            }
+    pub(super) fn importance(&self, x1: Vec3) -> Importance {
+        let offset = [0, 1, 2].map(|i| Vec4::splat(x1[i]) - self.centre[i]);
+        let distance_squared = dot(offset, offset);
+        let along = dot(self.axis, offset);
+        let Cosines { bound, shines } = if self.flat {
+            // Of no spread, all that asks for the angle to the axis is nought.
+            self.cosines_of_box(offset, Angles { cos: along, sin: Vec4::ZERO })
+        } else {
+            // Not from the cosine, which says little of an angle near 0 or π.
+            let across = cross(self.axis, offset);
+            let from_axis = Angles { cos: along, sin: dot(across, across).sqrt() };
+            self.cosines(offset, distance_squared, from_axis)
         };
-        Some(self.intensity * cosine / distance_squared.max(self.radius * self.radius))
+        let nearest = distance_squared.max(self.radius * self.radius);
+        Importance { value: self.intensity * bound / nearest, shines: shines & self.exists() }
     }
 
-    /// The furthest that a point lies before any lamp, along the axis.
+    /// Which children there are.
     #[inline]
-    fn most_along(&self, offset: Vec3) -> f32 {
-        let room = SLACK * (offset.abs() + self.corner).element_sum();
-        self.axis.dot(offset) + self.axis.abs().dot(self.corner) + room
+    pub(super) fn exists(&self) -> BVec4A {
+        self.intensity.cmpgt(Vec4::ZERO)
     }
 
-    /// A bound on cosines toward a point that lies so far before any lamp: over the
-    /// least distance of the box.
+    /// The lesser of two bounds. That of the ball holds for all lamps; that of the box
+    /// says more of lamps that shine nearly one way, as those of a ceiling do.
     #[inline]
-    fn cosine_of_box(&self, offset: Vec3, before: f32) -> Option<f32> {
-        if before <= 0.0 {
-            return None;
+    fn cosines(&self, offset: [Vec4; 3], distance_squared: Vec4, from_axis: Angles) -> Cosines {
+        let of_ball = self.cosines_of_ball(from_axis, distance_squared);
+        let of_box = self.cosines_of_box(offset, from_axis);
+        let least = of_ball.bound.min(of_box.bound);
+        Cosines {
+            bound: Vec4::select(self.bound_by_box, least, of_ball.bound),
+            shines: of_ball.shines & (of_box.shines | !self.bound_by_box),
         }
-        let outside = (offset.abs() - self.corner).max(Vec3::ZERO);
-        Some((before / outside.length()).min(1.0))
-    }
-
-    /// The lesser of two bounds. That of the ball holds for all lamps; that of the
-    /// box says more of lamps that shine nearly one way, as those of a ceiling do.
-    #[inline]
-    fn cosine_around(
-        &self,
-        offset: Vec3,
-        distance_squared: f32,
-        spread: Angle,
-        reach: Reach,
-    ) -> Option<f32> {
-        // Not from the cosine, which says little of an angle near 0 or π.
-        let across = self.axis.cross(offset).length();
-        let from_axis = Angle { cos: self.axis.dot(offset), sin: across };
-        let of_ball = self.cosine_of_ball(from_axis, distance_squared, spread, reach)?;
-        if reach == Reach::Nowhere || spread.cos < 0.0 {
-            return Some(of_ball);
-        }
-        let before = self.most_along(offset) * spread.cos + (across + self.radius) * spread.sin;
-        Some(of_ball.min(self.cosine_of_box(offset, before)?))
     }
 
     /// Cosine of the least angle between the direction of a lamp and that from it
@@ -153,22 +169,53 @@ impl Node {
     /// directions, less the angle at which the point sees the ball. Within the ball
     /// it sees it everywhere.
     #[inline]
-    fn cosine_of_ball(
-        &self,
-        from_axis: Angle,
-        distance_squared: f32,
-        spread: Angle,
-        reach: Reach,
-    ) -> Option<f32> {
+    fn cosines_of_ball(&self, from_axis: Angles, distance_squared: Vec4) -> Cosines {
         let tangent_squared = distance_squared - self.radius * self.radius;
-        if tangent_squared <= 0.0 {
-            return Some(1.0);
-        }
-        let ball = Angle { cos: tangent_squared.sqrt(), sin: self.radius };
-        let Some(angle) = from_axis.less(spread).and_then(|angle| angle.less(ball)) else {
-            return Some(1.0);
-        };
+        let seen = Angles { cos: tangent_squared.max(Vec4::ZERO).sqrt(), sin: self.radius };
+        let from_spread = from_axis.less(self.spread);
+        let angle = from_spread.less(seen);
+        let faces = self.everywhere
+            | tangent_squared.cmple(Vec4::ZERO)
+            | from_spread.sin.cmplt(Vec4::ZERO)
+            | angle.sin.cmplt(Vec4::ZERO);
         let cosine = angle.cos / distance_squared + SLACK;
-        if cosine <= reach.cosine() { None } else { Some(cosine.min(1.0)) }
+        Cosines {
+            bound: Vec4::select(faces, Vec4::ONE, cosine.min(Vec4::ONE)),
+            shines: faces | !cosine.cmple(self.reach),
+        }
     }
+
+    /// A bound from the furthest that a point may lie before any lamp, over the least
+    /// distance of the box.
+    #[inline]
+    fn cosines_of_box(&self, offset: [Vec4; 3], from_axis: Angles) -> Cosines {
+        let [x, y, z] = offset.map(Vec4::abs);
+        let room = SLACK * (x + y + z + self.corner_sum);
+        let before_axis = from_axis.cos + self.reach_of_box + room;
+        let before =
+            before_axis * self.spread.cos + (from_axis.sin + self.radius) * self.spread.sin;
+        let [right, up, back] = self.corner;
+        let outside = [x - right, y - up, z - back].map(|along| along.max(Vec4::ZERO));
+        Cosines {
+            bound: (before / dot(outside, outside).sqrt()).min(Vec4::ONE),
+            shines: before.cmpgt(Vec4::ZERO),
+        }
+    }
+}
+
+/// From the centre of a cluster's box to a corner.
+fn corner(cluster: &Cluster) -> Vec3 {
+    let bounds = &cluster.bounds;
+    let centre = bounds.centre();
+    (bounds.max - centre).max(centre - bounds.min)
+}
+
+#[inline]
+fn dot(a: [Vec4; 3], b: [Vec4; 3]) -> Vec4 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline]
+fn cross(a: [Vec4; 3], b: [Vec4; 3]) -> [Vec4; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
