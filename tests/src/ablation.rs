@@ -99,12 +99,11 @@ impl Pictures {
                 render(&spectrum.case.scene, &bdpt, &settings, &Control::default(), observe);
             let rendering = rendering.expect("one thread");
             assert_eq!(rendering.statistics.rejected, 0);
-            for (layer, image) in rendering.layers {
+            for (layer, mean) in rendering.film.develop_layers() {
                 let Technique { s, t, weighted } = Technique::of_layer(layer);
                 let values = pictures.entry(((s.into(), t.into()), weighted)).or_default();
                 // A batch in which a technique found nothing has no picture of it.
                 values.resize(batch as usize, 0.0);
-                let mean = image.mean_over(budget.passes);
                 let sum: f64 = mean.values().iter().map(|rgb| f64::from(rgb.g)).sum();
                 values.push(sum / mean.values().len() as f64);
             }

@@ -53,8 +53,8 @@ fn films(scene: &Scene, passes: u32) -> Result<[Film; LENGTHS], ThreadError> {
         for (technique, picture) in weighted_pass(scene, u64::from(seed))? {
             add(&mut images[class(technique)], &picture);
         }
-        for (film, image) in films.iter_mut().zip(&images) {
-            film.add_pass(image);
+        for (film, image) in films.iter_mut().zip(images) {
+            film.add_pass(seed, image);
         }
     }
     Ok(films)

@@ -56,9 +56,9 @@ fn layers(
     let bdpt = Bdpt { limits, report: Report::Techniques, ..Bdpt::default() };
     let rendering =
         render(scene, &bdpt, settings, &Control::default(), &mut |_| ControlFlow::Continue(()))?;
-    let layers = rendering.layers.iter().map(|(&layer, image)| (Technique::of_layer(layer), image));
-    let wanted = layers.filter(|&(technique, _)| wanted(technique));
-    Ok(wanted.map(|(technique, image)| (technique, image.mean_over(settings.spp))).collect())
+    let layers = rendering.film.develop_layers().into_iter();
+    let pictures = layers.map(|(layer, picture)| (Technique::of_layer(layer), picture));
+    Ok(pictures.filter(|&(technique, _)| wanted(technique)).collect())
 }
 
 #[cfg(test)]

@@ -4,29 +4,37 @@ use crate::outcome::Failure;
 use crate::run::Job;
 use std::fs;
 use std::path::{Path, PathBuf};
-use traylib_scene::Scene;
+use traylib_io::Loaded;
 
 /// Refuses a picture that needs more memory than there is.
 ///
-/// An estimate, of what grows with the picture: sums and pass of the film, and what
-/// threads have for it until a pass is done ([`Job::bytes_per_pixel`]). The scene is in
-/// memory already.
+/// An estimate, of what grows with the picture; the scene is in memory already. If it is the
+/// time that ends the passes, a first pass must have room.
 ///
 /// # Errors
 /// It does not fit.
-pub(crate) fn check(job: &Job<'_>, scene: &Scene) -> Result<(), Failure> {
-    let (width, height) = (scene.camera().width(), scene.camera().height());
-    let per_pixel = job.bytes_per_pixel;
+pub(crate) fn check(job: &Job<'_>, loaded: &Loaded) -> Result<(), Failure> {
+    let camera = loaded.scene.camera();
+    let (width, height) = (camera.width(), camera.height());
+    let per_pixel = bytes_per_pixel(job.spp(loaded).unwrap_or(1), job.layers);
     let needed = u64::from(width) * u64::from(height) * per_pixel;
     match available() {
         Some(available) if needed > available => Err(Failure::output(format_args!(
             "{width}x{height} pixels need about {} of memory, {per_pixel} bytes each, and {} are free; \
-             a smaller --resolution needs less",
+             a smaller --resolution or fewer --spp need less",
             gigabytes(needed),
             gigabytes(available),
         ))),
         _ => Ok(()),
     }
+}
+
+/// What a [`Film`](traylib_scene::Film) has at most, with the pass under way and the picture
+/// that is developed: three bands of 8 bytes in a sum, of 4 in a picture.
+fn bytes_per_pixel(passes: u32, layers: u64) -> u64 {
+    let pass = 24 * (1 + layers);
+    let waiting = u64::from(passes.max(1).ilog2());
+    waiting * (pass + 24) + pass + 12
 }
 
 fn gigabytes(bytes: u64) -> String {
@@ -109,6 +117,14 @@ fn group_leaves(limit: u64, taken: u64, statistics: &str) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// As the film holds them when all but the last pass are there.
+    #[test]
+    fn sums_wait_for_their_other_half() {
+        let known = [(1, 36), (2, 84), (3, 84), (4, 132), (1024, 516)];
+        assert_eq!(known.map(|(passes, _)| (passes, bytes_per_pixel(passes, 0))), known);
+        assert_eq!(bytes_per_pixel(2, 3), 84 + 2 * 3 * 24);
+    }
 
     #[test]
     fn the_system_is_understood() {

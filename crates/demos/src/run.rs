@@ -44,9 +44,9 @@ pub struct Job<'a> {
     pub headlight: Headlight,
     /// A folder for what `finish` writes.
     pub folder: Option<&'a Path>,
-    /// Memory that rendering takes for each pixel, to find out beforehand whether there
-    /// is enough. The film has 72 bytes, and 16 for each contribution of a pass.
-    pub bytes_per_pixel: u64,
+    /// How many pictures beside the picture there may be, to find out beforehand whether
+    /// there is memory for them.
+    pub layers: u64,
     /// The program's own options that change the picture, as words of a command line.
     pub own_options: String,
 }
@@ -66,9 +66,15 @@ impl<'a> Job<'a> {
             wants_picture: true,
             headlight: Headlight::Never,
             folder: None,
-            bytes_per_pixel: 88,
+            layers: 0,
             own_options: String::new(),
         }
+    }
+
+    /// How many passes are asked for; `None` if it is the time that ends them.
+    pub(crate) fn spp(&self, loaded: &Loaded) -> Option<u32> {
+        let default = self.default_spp.unwrap_or(loaded.settings.spp);
+        self.options.spp.or(self.options.time_limit.is_none().then_some(default))
     }
 }
 
@@ -125,7 +131,7 @@ fn try_run<I: Integrator>(
     if !options.quiet {
         announce(job.program, &loaded, &integrator, limits);
     }
-    memory::check(job, &loaded.scene)?;
+    memory::check(job, &loaded)?;
     let outfiles = outfiles(job);
     check_outputs(&outfiles, job.folder, loaded.scene.camera())?;
     if options.check {
@@ -255,11 +261,12 @@ fn render_job(
     integrator: &dyn Integrator,
 ) -> Result<(Rendering, Duration, End), Failure> {
     let options = job.options;
-    let default_spp = job.default_spp.unwrap_or(loaded.settings.spp);
-    let spp = options.spp.or(options.time_limit.is_none().then_some(default_spp));
     let title = format!("{} {}", job.program, loaded.name);
-    let settings =
-        Settings { spp: spp.unwrap_or(u32::MAX), seed: options.seed, threads: options.threads };
+    let settings = Settings {
+        spp: job.spp(loaded).unwrap_or(u32::MAX),
+        seed: options.seed,
+        threads: options.threads,
+    };
     let stop = Arc::new(Stop::default());
     let line = Line::new(&title, &stop, options.time_limit, options.quiet);
     stop.on_interrupt(line.answer_to_interrupt());

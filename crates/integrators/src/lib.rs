@@ -38,7 +38,7 @@ pub use limits::{Limits, Roulette};
 pub use particle::Particle;
 pub use pass::{Pass, RenderChunk};
 pub use puremc::PureMc;
-pub use render::{Progress, Rendering, Settings, ThreadError, render, render_to_end};
+pub use render::{Progress, Renderer, Rendering, Settings, ThreadError, render, render_to_end};
 pub use trace::Trace;
 pub use tracer::Statistics;
 

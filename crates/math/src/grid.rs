@@ -22,6 +22,11 @@ impl<T> Grid<T> {
         (values.len() == width * height).then_some(Self { width, values })
     }
 
+    /// A grid of `f` of each row-major index.
+    pub fn from_fn(width: usize, height: usize, f: impl FnMut(usize) -> T) -> Self {
+        Self { width, values: (0..width * height).map(f).collect() }
+    }
+
     /// Columns.
     pub fn width(&self) -> usize {
         self.width

@@ -1,154 +1,177 @@
 //! Where light is gathered.
 
-use traylib_math::{Defect, Grid, Rgb, planted};
+mod block;
+mod pass_image;
 
-/// One pass over the whole picture: an estimate of the radiance of each pixel,
-/// from its own camera sample and from whatever light paths splatted into it.
-#[derive(Clone, Debug)]
-pub struct PassImage(Grid<[f64; 3]>);
+pub use pass_image::PassImage;
+
+use block::Block;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use traylib_math::{Grid, Rgb};
 
 /// The mean of many passes, and how much they differ.
 ///
 /// Passes are independent of one another; samples within a pass are not, once
 /// light paths splat. So the pass is what variance is estimated from.
-#[derive(Clone, Debug)]
+///
+/// Passes have numbers, and a film may hold any of them. Sums are made of two halves, those
+/// of halves again, as numbers say, whoever rendered what first: a film that is
+/// [merged](Self::merge) from parts has the bits of one that was rendered at once. That takes
+/// 48 bytes a pixel for each such sum that waits for its other half, one for each binary one
+/// in the number of passes if they are the first ones, and half as much for a single pass.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Film {
-    passes: u32,
-    sum: Grid<[f64; 3]>,
-    sum_of_squares: Grid<[f64; 3]>,
+    width: usize,
+    height: usize,
+    /// In the order of their passes; no two of them make one.
+    blocks: Vec<Block>,
 }
 
-impl PassImage {
-    /// A black pass.
-    pub fn new(width: u32, height: u32) -> Self {
-        Self(Grid::filled(width as usize, height as usize, [0.0; 3]))
-    }
-
-    /// Adds radiance to the pixel with this row-major index.
-    pub fn add(&mut self, pixel: u32, radiance: Rgb) {
-        let sum = &mut self.0.values_mut()[pixel as usize];
-        for (sum, band) in sum.iter_mut().zip(radiance.to_array()) {
-            *sum += f64::from(band);
-            if planted(Defect::SplatsAsAtomics) {
-                *sum = f64::from(*sum as f32);
-            }
-        }
-    }
-
-    /// What was added over the number of passes it was added in, as a picture.
-    pub fn mean_over(&self, passes: u32) -> Grid<Rgb> {
-        let n = f64::from(passes.max(1));
-        self.0.map(|sum| Rgb::from(sum.map(|s| (s / n) as f32)))
-    }
+/// Why two films cannot become one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MergeError {
+    /// They have different sizes: width and height of each.
+    #[error("one film has {}x{} pixels, the other {}x{}", .0[0][0], .0[0][1], .0[1][0], .0[1][1])]
+    Size([[usize; 2]; 2]),
+    /// Both have this pass, whose light would count twice.
+    #[error("both films have pass {0}")]
+    SamePass(u64),
 }
 
 impl Film {
     /// A film without light.
     pub fn new(width: u32, height: u32) -> Self {
-        let zero = Grid::filled(width as usize, height as usize, [0.0; 3]);
-        Self { passes: 0, sum: zero.clone(), sum_of_squares: zero }
+        Self { width: width as usize, height: height as usize, blocks: Vec::new() }
     }
 
-    /// Adds a pass of the same size.
+    /// Adds a pass of the same size, which has this number.
     ///
     /// # Panics
-    /// If the sizes differ.
-    pub fn add_pass(&mut self, pass: &PassImage) {
-        assert_eq!(self.sum.values().len(), pass.0.values().len(), "size of a pass");
-        self.passes += 1;
-        let totals = self.sum.values_mut().iter_mut().zip(self.sum_of_squares.values_mut());
-        for ((sum, squares), value) in totals.zip(pass.0.values()) {
-            for band in 0..3 {
-                sum[band] += value[band];
-                squares[band] += value[band] * value[band];
-            }
+    /// If the sizes differ, or the film has this pass.
+    pub fn add_pass(&mut self, number: u32, pass: PassImage) {
+        let (width, height) = (pass.light.width(), pass.light.height());
+        let film = Self { width, height, blocks: vec![Block::of_pass(number, pass)] };
+        if let Err(error) = self.merge(film) {
+            panic!("{error}");
+        }
+    }
+
+    /// Adds the passes of another film, in any order: the result is the same, bit for bit.
+    ///
+    /// # Errors
+    /// [`MergeError`] if the sizes differ or a pass is in both; then nothing is added.
+    pub fn merge(&mut self, other: Self) -> Result<(), MergeError> {
+        let sizes = [self, &other].map(|film| [film.width, film.height]);
+        if sizes[0] != sizes[1] {
+            return Err(MergeError::Size(sizes));
+        }
+        for block in &other.blocks {
+            self.check_free(block.passes())?;
+        }
+        for block in other.blocks {
+            self.insert(block);
+        }
+        Ok(())
+    }
+
+    fn check_free(&self, passes: Range<u64>) -> Result<(), MergeError> {
+        let first = |block: &Block| passes.start.max(block.passes().start);
+        let both = |block: &&Block| first(block) < passes.end.min(block.passes().end);
+        self.blocks.iter().find(both).map_or(Ok(()), |b| Err(MergeError::SamePass(first(b))))
+    }
+
+    /// Adds a block of passes that are not there yet.
+    fn insert(&mut self, block: Block) {
+        let mut place =
+            self.blocks.partition_point(|other| other.passes().start < block.passes().start);
+        self.blocks.insert(place, block);
+        // As long as it has become one half of something, and the other half is there.
+        loop {
+            place = match (place.checked_sub(1), self.blocks.get(place + 1)) {
+                (Some(before), _) if self.blocks[before].joins(&self.blocks[place]) => before,
+                (_, Some(next)) if self.blocks[place].joins(next) => place,
+                _ => return,
+            };
+            let next = self.blocks.remove(place + 1);
+            self.blocks[place].join(&next);
         }
     }
 
     /// How many passes there are.
     pub fn passes(&self) -> u32 {
-        self.passes
+        let count = |block: &Block| (block.passes().end - block.passes().start) as u32;
+        self.blocks.iter().map(count).sum()
     }
 
     /// Mean radiance of each pixel, in W/m²/sr; black without passes.
     pub fn mean(&self) -> Grid<[f64; 3]> {
-        let n = f64::from(self.passes.max(1));
-        self.sum.map(|sum| sum.map(|s| s / n))
+        self.picture(|pixel| self.mean_of(pixel))
     }
 
     /// The mean as a picture.
     pub fn develop(&self) -> Grid<Rgb> {
-        self.mean().map(|mean| Rgb::from(mean.map(|m| m as f32)))
+        self.picture(|pixel| Rgb::from(self.mean_of(pixel).map(|band| band as f32)))
+    }
+
+    /// The means of further pictures, by number, of those into which any light fell.
+    pub fn develop_layers(&self) -> BTreeMap<u16, Grid<Rgb>> {
+        let numbers: BTreeSet<u16> = self.blocks.iter().flat_map(Block::layers).collect();
+        let n = f64::from(self.passes().max(1));
+        let mean = |number, pixel| {
+            let sums = self.blocks.iter().map(|block| block.layer_pixel(number, pixel));
+            Rgb::from(total(sums).map(|sum| (sum / n) as f32))
+        };
+        numbers
+            .into_iter()
+            .map(|number| (number, self.picture(|pixel| mean(number, pixel))))
+            .collect()
     }
 
     /// Estimated variance of each pixel's mean; `None` before two passes.
     pub fn variance_of_mean(&self) -> Option<Grid<[f64; 3]>> {
-        let n = f64::from(self.passes);
-        if self.passes < 2 {
-            return None;
-        }
-        let values = self.sum.values().iter().zip(self.sum_of_squares.values());
-        let variances = values
-            .map(|(sum, squares)| {
-                std::array::from_fn(|band| {
-                    let mean = sum[band] / n;
-                    (squares[band] / n - mean * mean).max(0.0) / (n - 1.0)
-                })
-            })
-            .collect();
-        Grid::from_values(self.sum.width(), self.sum.height(), variances)
+        (self.passes() > 1).then(|| self.picture(|pixel| self.variance_of(pixel)))
     }
 
     /// Estimated error of the picture: root of the mean variance over the mean
     /// radiance; `None` before two passes or without light.
     pub fn relative_error(&self) -> Option<f64> {
-        let total = |grid: &Grid<[f64; 3]>| grid.values().iter().flatten().sum::<f64>();
-        let count = 3.0 * self.sum.values().len() as f64;
-        let variance = total(&self.variance_of_mean()?) / count;
-        let mean = total(&self.sum) / (f64::from(self.passes) * count);
-        (mean > 0.0).then(|| variance.sqrt() / mean)
+        if self.passes() < 2 {
+            return None;
+        }
+        let (mut mean, mut variance) = (0.0, 0.0);
+        for pixel in 0..self.width * self.height {
+            mean += self.mean_of(pixel).iter().sum::<f64>();
+            variance += self.variance_of(pixel).iter().sum::<f64>();
+        }
+        let count = 3.0 * (self.width * self.height) as f64;
+        (mean > 0.0).then(|| (variance / count).sqrt() / (mean / count))
     }
+
+    fn mean_of(&self, pixel: usize) -> [f64; 3] {
+        let n = f64::from(self.passes().max(1));
+        total(self.blocks.iter().map(|block| block.pixel(pixel).0)).map(|sum| sum / n)
+    }
+
+    /// Of at least two passes.
+    fn variance_of(&self, pixel: usize) -> [f64; 3] {
+        let n = f64::from(self.passes());
+        let squares = total(self.blocks.iter().map(|block| block.pixel(pixel).1));
+        let mean = self.mean_of(pixel);
+        [0, 1, 2].map(|band| (squares[band] / n - mean[band] * mean[band]).max(0.0) / (n - 1.0))
+    }
+
+    /// A picture by the row-major indices of its pixels.
+    fn picture<T>(&self, pixel: impl FnMut(usize) -> T) -> Grid<T> {
+        Grid::from_fn(self.width, self.height, pixel)
+    }
+}
+
+/// The sum of vectors, one after the other.
+fn total(values: impl Iterator<Item = [f64; 3]>) -> [f64; 3] {
+    values.fold([0.0; 3], |sum, value| [0, 1, 2].map(|band| sum[band] + value[band]))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn film_of(values: &[f32]) -> Film {
-        let mut film = Film::new(2, 1);
-        for &value in values {
-            let mut pass = PassImage::new(2, 1);
-            pass.add(1, Rgb::splat(value));
-            film.add_pass(&pass);
-        }
-        film
-    }
-
-    #[test]
-    fn mean_and_variance_are_those_of_the_passes() {
-        let film = film_of(&[1.0, 2.0, 6.0]);
-        assert_eq!(*film.develop().get(1, 0), Rgb::splat(3.0));
-        assert_eq!(*film.develop().get(0, 0), Rgb::BLACK);
-        // Sample variance 7, of the mean 7/3.
-        let variance = film.variance_of_mean().unwrap().get(1, 0)[0];
-        assert!((variance - 7.0 / 3.0).abs() < 1e-12, "{variance}");
-        assert!((film.relative_error().unwrap() - (7.0_f64 / 6.0).sqrt() / 1.5).abs() < 1e-12);
-    }
-
-    #[test]
-    fn one_pass_has_no_variance() {
-        assert!(film_of(&[1.0]).variance_of_mean().is_none());
-        assert!(film_of(&[]).relative_error().is_none());
-        assert!(film_of(&[0.0, 0.0]).relative_error().is_none());
-    }
-
-    #[test]
-    fn splats_and_samples_of_a_pass_add_up() {
-        let mut pass = PassImage::new(1, 1);
-        pass.add(0, Rgb::splat(0.5));
-        pass.add(0, Rgb::new(0.25, 0.0, 0.0));
-        let mut film = Film::new(1, 1);
-        film.add_pass(&pass);
-        assert_eq!(*film.develop().get(0, 0), Rgb::new(0.75, 0.5, 0.5));
-    }
-}
+mod tests;

@@ -21,7 +21,7 @@ pub use builder::{MaterialId, Object, ObjectShape, SceneBuilder};
 pub use camera::{Camera, CameraSettings, Projection};
 pub use coincidence::Coincidences;
 pub use error::Error;
-pub use film::{Film, PassImage};
+pub use film::{Film, MergeError, PassImage};
 pub use light::{Emission, Light, LightPoint, PointLight, SpotCone};
 pub use picture_error::{PictureError, error_floor, relative_square_errors};
 pub use scene::{LightChoice, LightDensities, LightId, MOST_PASSAGES, Scene};

@@ -47,13 +47,15 @@ struct Options {
 }
 
 impl Options {
-    /// Measured in closed rooms; a picture of each technique has 24 bytes. Of paths of
-    /// more than ten edges there are so few that most of their pictures is never touched.
-    fn bytes_per_pixel(&self) -> u64 {
+    /// Pictures of techniques. Of paths of more than ten edges there are so few that most of
+    /// their pictures is never touched.
+    fn layers(&self) -> u64 {
+        if self.techniques.is_none() {
+            return 0;
+        }
         let longest = u64::from(self.paths.max_depth.unwrap_or(10).min(10));
         // Paths of k edges have k + 1 techniques, each with two pictures.
-        let pictures = longest * (longest + 3);
-        190 + if self.techniques.is_some() { 24 * pictures } else { 0 }
+        longest * (longest + 3)
     }
 
     fn own_words(&self) -> String {
@@ -67,7 +69,7 @@ fn main() -> ExitCode {
     let job = Job {
         wants_picture: options.pixel.is_none(),
         folder: options.techniques.as_deref(),
-        bytes_per_pixel: options.bytes_per_pixel(),
+        layers: options.layers(),
         own_options: options.own_words(),
         ..Job::new("bdpt", &options.render, Some(&options.paths))
     };

@@ -22,8 +22,6 @@ struct Options {
 
 fn main() -> ExitCode {
     let options: Options = parse();
-    // Measured in closed rooms.
-    let job =
-        Job { bytes_per_pixel: 100, ..Job::new("particle", &options.render, Some(&options.paths)) };
+    let job = Job::new("particle", &options.render, Some(&options.paths));
     run(&job, |_, limits| Ok(Particle { limits }), |_| Ok(()))
 }

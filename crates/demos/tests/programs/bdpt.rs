@@ -19,9 +19,9 @@ fn weighted_techniques_add_up_to_the_picture() {
         })
         .unwrap();
         let whole = rendering.film.develop();
-        let weighted =
-            rendering.layers.iter().filter(|&(&layer, _)| Technique::of_layer(layer).weighted);
-        let layers: Vec<_> = weighted.map(|(_, image)| image.mean_over(3)).collect();
+        let layers = rendering.film.develop_layers();
+        let weighted = layers.into_iter().filter(|&(layer, _)| Technique::of_layer(layer).weighted);
+        let layers: Vec<_> = weighted.map(|(_, picture)| picture).collect();
         assert!(layers.len() > 5);
         for (index, whole) in whole.values().iter().enumerate() {
             let light = |layer: &Grid<Rgb>| layer.values()[index].g;

@@ -160,19 +160,19 @@ fn a_picture_that_does_not_fit_into_memory() {
     for (program, file) in PROGRAMS {
         for more in ["", " --check"] {
             let script = format!(
-                "ulimit -v 500000; exec {file} cornell --resolution 3000x3000 --spp 1 -q{more}"
+                "ulimit -v 500000; exec {file} cornell --resolution 4000x4000 --spp 1 -q{more}"
             );
             let mut shell = Command::new("sh");
             let run =
                 Run::from(shell.current_dir(folder.path()).args(["-c", &script]).output().unwrap());
             assert_eq!((run.status, run.out.as_str()), (Some(4), ""), "{program}: {}", run.err);
-            let words = "error: 3000x3000 pixels need about ";
+            let words = "error: 4000x4000 pixels need about ";
             assert!(run.err.starts_with(words) && run.err.lines().count() == 1, "{}", run.err);
         }
     }
-    let all = "cornell --resolution 16384x16384 --techniques t -q";
+    let all = "cornell --resolution 16384x16384 --techniques t --spp 5 -q";
     let said = fails(&folder, "bdpt", all, 4);
-    assert!(said.contains("888.52 GB of memory, 3310 bytes each"), "{said}");
+    assert!(said.contains("2547.99 GB of memory, 9492 bytes each"), "{said}");
 }
 
 #[test]

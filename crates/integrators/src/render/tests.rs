@@ -3,10 +3,11 @@
 use super::*;
 use crate::bdpt::room;
 use crate::{Bdpt, BlindSpot, Limits, PureMc, Roulette, SceneFacts};
+use crate::{Chunk, ChunkOutput};
 use std::time::{Duration, Instant};
 use traylib_geometry::{Facing, Primitive, Sides, Sphere};
 use traylib_materials::{Lambert, SurfaceModel};
-use traylib_math::{Rgb, Vec3};
+use traylib_math::{Grid, Rgb, Vec3};
 use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, SceneBuilder};
 
 /// An integrator that ends the rendering when it has done a chunk.
@@ -56,6 +57,38 @@ fn a_pass_that_is_given_up_leaves_no_trace() {
             let part = control.part_of_pass();
             assert!((0.0..1.0).contains(&part), "{part}");
         }
+    }
+}
+
+/// The film of some passes.
+fn film_of(passes: impl IntoIterator<Item = u32>, scene: &Scene, threads: usize) -> Film {
+    let bdpt = Bdpt::default();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    let mut renderer = Renderer::new(scene, &bdpt, 5);
+    for pass in passes {
+        assert!(pool.install(|| renderer.render_pass(pass, &Control::default())));
+    }
+    renderer.finish().film
+}
+
+/// In 2, 3 and 7 parts on as many threads, the last part first.
+#[test]
+fn films_of_parts_make_that_of_the_whole() {
+    const PASSES: u32 = 9;
+    let scene = room();
+    let whole = film_of(0..PASSES, &scene, 1);
+    for parts in [2, 3, 7] {
+        let mut film = Film::new(scene.camera().width(), scene.camera().height());
+        for part in (0..parts).rev() {
+            let passes = PASSES * part / parts..PASSES * (part + 1) / parts;
+            film.merge(film_of(passes, &scene, parts as usize)).unwrap();
+        }
+        let bits = |grid: &Grid<[f64; 3]>| -> Vec<u64> {
+            grid.values().as_flattened().iter().map(|value| value.to_bits()).collect()
+        };
+        assert_eq!(bits(&film.mean()), bits(&whole.mean()));
+        let variances = [&film, &whole].map(|film| bits(&film.variance_of_mean().unwrap()));
+        assert_eq!(variances[0], variances[1]);
     }
 }
 

@@ -33,15 +33,14 @@ fn must_stay(technique: Technique, techniques: Techniques) -> bool {
 fn compared(all: &Rendering, techniques: Techniques) -> (usize, usize) {
     let some = pictures(techniques);
     let (mut different, mut values) = (0, 0);
-    for (layer, image) in &some.layers {
-        let technique = Technique::of_layer(*layer);
+    let all = all.film.develop_layers();
+    for (layer, picture) in some.film.develop_layers() {
+        let technique = Technique::of_layer(layer);
         if !must_stay(technique, techniques) {
             continue;
         }
-        let passes = some.film.passes();
-        let before = all.layers.get(layer).map(|image| image.mean_over(passes));
-        let before = before.expect("what a part finds, all together find");
-        for (a, b) in before.values().iter().zip(image.mean_over(passes).values()) {
+        let before = all.get(&layer).expect("what a part finds, all together find");
+        for (a, b) in before.values().iter().zip(picture.values()) {
             let bits = |rgb: &Rgb| rgb.to_array().map(f32::to_bits);
             different += usize::from(bits(a) != bits(b));
             values += usize::from(!b.is_black());
