@@ -60,6 +60,23 @@ impl<T> Grid<T> {
     pub fn map<U>(&self, f: impl FnMut(&T) -> U) -> Grid<U> {
         Grid { width: self.width, values: self.values.iter().map(f).collect() }
     }
+
+    /// The same, where both grids do not fit into memory: what is done with is given back on
+    /// the way.
+    pub fn into_map<U>(mut self, mut f: impl FnMut(T) -> U) -> Grid<U> {
+        /// Values after which memory is given back.
+        const PART: usize = 1 << 20;
+        let mut values = Vec::with_capacity(self.values.len());
+        // From the back, where a vector can shrink.
+        while let Some(value) = self.values.pop() {
+            values.push(f(value));
+            if self.values.len().is_multiple_of(PART) {
+                self.values.shrink_to_fit();
+            }
+        }
+        values.reverse();
+        Grid { width: self.width, values }
+    }
 }
 
 #[cfg(test)]
@@ -72,6 +89,7 @@ mod tests {
         assert_eq!((grid.width(), grid.height()), (3, 2));
         assert_eq!(*grid.get(1, 1), 4);
         assert_eq!(*grid.map(|v| v * 10).get(2, 0), 20);
+        assert_eq!(grid.clone().into_map(|v| v * 10), grid.map(|v| v * 10));
     }
 
     #[test]

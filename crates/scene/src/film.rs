@@ -115,6 +115,21 @@ impl Film {
         self.picture(|pixel| Rgb::from(self.mean_of(pixel).map(|band| band as f32)))
     }
 
+    /// The mean as a picture, for which the film is given up: of a single sum the memory of a
+    /// picture alone is needed in the end, and that of the film on the way.
+    pub fn into_picture(mut self) -> Grid<Rgb> {
+        let n = f64::from(self.passes().max(1));
+        match self.blocks.pop() {
+            Some(only) if self.blocks.is_empty() => {
+                only.into_sum().into_map(|sum| Rgb::from(sum.map(|band| (band / n) as f32)))
+            }
+            last => {
+                self.blocks.extend(last);
+                self.develop()
+            }
+        }
+    }
+
     /// The means of further pictures, by number, of those into which any light fell.
     pub fn develop_layers(&self) -> BTreeMap<u16, Grid<Rgb>> {
         let numbers: BTreeSet<u16> = self.blocks.iter().flat_map(Block::layers).collect();

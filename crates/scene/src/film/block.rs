@@ -61,6 +61,11 @@ impl Block {
         (sum, self.squares.as_ref().map_or_else(|| square(sum), |s| s.values()[index]))
     }
 
+    /// The sums alone.
+    pub(super) fn into_sum(self) -> Grid<[f64; 3]> {
+        self.sum
+    }
+
     /// The sum of a pixel of a layer.
     pub(super) fn layer_pixel(&self, number: u16, index: usize) -> [f64; 3] {
         self.layers.get(&number).map_or([0.0; 3], |layer| layer.values()[index])

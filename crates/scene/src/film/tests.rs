@@ -93,6 +93,14 @@ fn parts_in_any_order_make_the_same_film() {
     }
 }
 
+#[test]
+fn a_film_that_is_given_up_leaves_its_picture() {
+    for passes in 0..9 {
+        let film = film_of_passes(0..passes);
+        assert_eq!(film.clone().into_picture(), film.develop());
+    }
+}
+
 /// One for each binary one of the number of passes.
 #[test]
 fn a_film_has_few_blocks() {
