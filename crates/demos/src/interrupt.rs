@@ -53,12 +53,12 @@ pub(crate) struct Stop {
 
 impl Stop {
     /// Stops when the user or the system says so, and does `answer` then.
-    pub(crate) fn on_interrupt(self: &Arc<Self>, answer: impl Fn() + Send + 'static) {
+    pub(crate) fn on_interrupt(self: &Arc<Self>, answer: impl Fn(Signal) + Send + 'static) {
         let stop = Arc::clone(self);
         on_interrupt(move |signal| {
             stop.interrupted.get_or_init(|| signal);
             stop.control.cancel();
-            answer();
+            answer(signal);
         });
     }
 

@@ -2,6 +2,7 @@
 
 use crate::interrupt::Stop;
 use crate::messages::{count, say};
+use crate::signals::Signal;
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::cell::Cell;
 use std::fmt::Write;
@@ -80,12 +81,14 @@ impl Line {
     }
 
     /// What is said to whoever asks for the end, at once and from any thread.
-    pub(crate) fn answer_to_interrupt(&self) -> impl Fn() + Send + use<> {
+    pub(crate) fn answer_to_interrupt(&self) -> impl Fn(Signal) + Send + use<> {
         let (bar, quiet) = (self.bar.clone(), self.quiet);
-        move || {
+        move |signal| {
             if !quiet {
                 bar.suspend(|| {
-                    say("interrupt: ending with the passes that are done; once more stops at once");
+                    say(format_args!(
+                        "{signal}: ending with the passes that are done; once more stops at once"
+                    ));
                 });
             }
         }

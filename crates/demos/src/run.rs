@@ -148,7 +148,7 @@ fn try_run<I: Integrator>(
     finish(&done)?;
     if !options.quiet {
         warn_if_black(job, &done, &integrator, limits, &picture);
-        summarise(job.program, &done.loaded.name, &done.rendering, elapsed, end.words());
+        summarise(job.program, &done.loaded.name, &done.rendering, elapsed, &end.words());
         suggest(options);
     }
     match end {
@@ -232,11 +232,11 @@ enum End {
 }
 
 impl End {
-    fn words(self) -> &'static str {
+    fn words(self) -> String {
         match self {
-            Self::Spp => "--spp",
-            Self::TimeLimit => "--time-limit",
-            Self::Interrupt(_) => "interrupt",
+            Self::Spp => "--spp".into(),
+            Self::TimeLimit => "--time-limit".into(),
+            Self::Interrupt(signal) => signal.to_string(),
         }
     }
 

@@ -22,6 +22,17 @@ impl Signal {
     }
 }
 
+/// As whoever sent it calls it.
+impl std::fmt::Display for Signal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Hangup => "SIGHUP",
+            Self::Interrupt => "interrupt",
+            Self::Terminate => "SIGTERM",
+        })
+    }
+}
+
 pub(crate) use system::listen;
 
 #[cfg(unix)]

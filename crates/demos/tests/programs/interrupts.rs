@@ -34,7 +34,9 @@ fn send(signal: &str, child: &Child) {
 
 #[test]
 fn signals_end_a_run_with_a_whole_picture() {
-    for (signal, status) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
+    for (signal, status, word) in
+        [("INT", 130, "interrupt"), ("TERM", 143, "SIGTERM"), ("HUP", 129, "SIGHUP")]
+    {
         let folder = Folder::new();
         let mut child = start(&folder);
         // The note on long paths is the last line before the work.
@@ -45,8 +47,10 @@ fn signals_end_a_run_with_a_whole_picture() {
         let err: Vec<String> = lines.map(Result::unwrap).collect();
         let run = Run::from(child.wait_with_output().unwrap());
         assert_eq!((run.status, run.out.as_str()), (Some(status), "a.exr\n"), "{signal}: {err:?}");
-        assert!(err[0].starts_with("interrupt: ending with the passes that are done"), "{err:?}");
-        assert!(err.iter().any(|line| line.ends_with("ended by interrupt")), "{err:?}");
+        let answer = format!("{word}: ending with the passes that are done");
+        assert!(err[0].starts_with(&answer), "{err:?}");
+        let end = format!("ended by {word}");
+        assert!(err.iter().any(|line| line.ends_with(&end)), "{err:?}");
         assert!(err.last().unwrap().starts_with("error: interrupted; what is written has "));
         assert_eq!(folder.names(), ["a.exr"]);
         assert_eq!(load_exr(&folder.path().join("a.exr")).unwrap().height(), 24);
@@ -74,9 +78,11 @@ fn what_ends_a_run_is_heard_within_a_pass() {
 fn signals_are_heard_within_a_pass() {
     let folder = Folder::new();
     folder.write("white.ron", WHITE_ROOM);
-    for (signal, status, program) in
-        [("INT", 130, "bdpt"), ("TERM", 143, "puremc"), ("HUP", 129, "particle")]
-    {
+    for (signal, status, word, program) in [
+        ("INT", 130, "interrupt", "bdpt"),
+        ("TERM", 143, "SIGTERM", "puremc"),
+        ("HUP", 129, "SIGHUP", "particle"),
+    ] {
         let mut command = folder.command(program, "./white.ron --max-depth 100000 -o a.exr");
         let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
@@ -91,8 +97,9 @@ fn signals_are_heard_within_a_pass() {
         assert_eq!(
             err,
             [
-                "interrupt: ending with the passes that are done; once more stops at once",
-                "error: interrupted while the first pass was done to 0 %; nothing is written",
+                format!("{word}: ending with the passes that are done; once more stops at once"),
+                "error: interrupted while the first pass was done to 0 %; nothing is written"
+                    .into(),
             ]
         );
         assert_eq!(folder.names(), ["white.ron"]);
