@@ -1,6 +1,6 @@
 //! What the demo programs have in common: options, loading, progress, saving
-//! and the words of every message. Each program names its integrator and its own
-//! options, and nothing more. `film` renders nothing: it looks into pictures and
+//! and the words of every message. Each program names its method and what else it
+//! writes, and nothing more. `film` renders nothing: it looks into pictures and
 //! compares them ([`FilmCommand`]).
 
 mod black;
@@ -20,17 +20,15 @@ mod signals;
 mod stats;
 mod technique_pictures;
 
-pub use command_line::parse;
+pub use command_line::{CommandLine, parse};
 pub use duration::parse_duration;
 pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions};
 pub use interrupt::on_interrupt;
 pub use messages::{print_notes, say, tell, tell_name};
-pub use options::{
-    HeuristicName, PathOptions, PixelName, RenderOptions, parse_resolution, parse_threads,
-};
+pub use options::{PixelName, RenderOptions, parse_resolution, parse_threads};
 pub use outcome::Failure;
 pub use progress::clock;
-pub use run::{Done, Job, conclude, run};
+pub use run::{Done, Job, conclude, render_by, run};
 pub use signals::Signal;
 pub use technique_pictures::save_techniques;
 
@@ -39,33 +37,27 @@ pub use technique_pictures::save_techniques;
 pub const VERSION: &str = env!("TRAYLIB_VERSION");
 
 /// The examples that end a program's long help.
-#[macro_export]
-macro_rules! examples {
-    ($program:literal) => {
-        concat!(
-            "Examples:\n",
-            "  ",
-            $program,
-            "                                  the built-in scene `cornell`\n",
-            "  ",
-            $program,
-            " pyramid --spp 256 -o out.exr     a built-in scene, linear radiance\n",
-            "  ",
-            $program,
-            " my.ron --time-limit 5m           a file, for five minutes\n",
-            "\n",
-            "The estimated error, `err` while it renders, is the root of the mean variance of\n",
-            "a pixel, as far as its passes tell, over the mean radiance. Light that no path\n",
-            "finds is not in it.\n",
-            "\n",
-            "Pictures in .png and .exr say how they were made, as a command; `film info`\n",
-            "prints it.\n",
-            "\n",
-            "Ends with 0, 2 if the command line was not understood, 3 if a scene cannot be\n",
-            "read or makes no sense, 4 if the picture cannot be written, does not fit into\n",
-            "memory or the time was up in the first pass, 130 after Ctrl-C, 143 if it was\n",
-            "told to terminate, 129 if the terminal was closed. The second time Ctrl-C ends\n",
-            "at once.",
-        )
-    };
+fn examples(program: &str) -> String {
+    let scene = "the built-in scene `cornell`";
+    let blanks = " ".repeat(34);
+    format!(
+        "\
+Examples:
+  {program}{blanks}{scene}
+  {program} pyramid --spp 256 -o out.exr     a built-in scene, linear radiance
+  {program} my.ron --time-limit 5m           a file, for five minutes
+
+The estimated error, `err` while it renders, is the root of the mean variance of
+a pixel, as far as its passes tell, over the mean radiance. Light that no path
+finds is not in it.
+
+Pictures in .png and .exr say how they were made, as a command; `film info`
+prints it.
+
+Ends with 0, 2 if the command line was not understood, 3 if a scene cannot be
+read or makes no sense, 4 if the picture cannot be written, does not fit into
+memory or the time was up in the first pass, 130 after Ctrl-C, 143 if it was
+told to terminate, 129 if the terminal was closed. The second time Ctrl-C ends
+at once."
+    )
 }

@@ -2,14 +2,11 @@
 
 use crate::duration::parse_duration;
 use crate::outcome::Failure;
-use clap::{Args, ValueEnum};
-use std::fmt;
+use clap::Args;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
-use traylib_integrators::{Limits, Roulette};
 use traylib_io::{Headlight, Limit, LoadOptions, MAX_PIXELS, ReadLimits};
-use traylib_math::Heuristic;
 use traylib_scene::Camera;
 
 /// What to render and how much.
@@ -90,62 +87,6 @@ impl RenderOptions {
             root: self.root.as_deref(),
             headlight: Headlight::default(),
             limits,
-        }
-    }
-}
-
-/// How long paths get.
-#[derive(Args, Clone, Copy, Debug)]
-pub struct PathOptions {
-    /// Longest path in edges: 1 is a lamp seen directly, 2 direct light; light
-    /// of longer paths is lost [default: none, roulette ends paths]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    pub max_depth: Option<u32>,
-
-    /// First edge, from 2 on, that roulette may prevent, or `off`, which wants
-    /// --max-depth
-    #[arg(long, value_name = "EDGE", default_value = "3", value_parser = parse_roulette)]
-    pub roulette: Roulette,
-}
-
-impl PathOptions {
-    /// The limits that these options ask for.
-    ///
-    /// # Errors
-    /// Roulette off without a longest path might never end.
-    pub fn limits(&self) -> Result<Limits, Failure> {
-        if self.roulette == Roulette::OFF && self.max_depth.is_none() {
-            let text = "--roulette off wants a --max-depth: some paths would never end";
-            return Err(Failure::usage(text));
-        }
-        Ok(Limits { max_depth: self.max_depth, roulette: self.roulette })
-    }
-}
-
-/// How densities become weights.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum HeuristicName {
-    /// In proportion to the densities
-    Balance,
-    /// In proportion to their squares
-    #[default]
-    Power,
-}
-
-impl fmt::Display for HeuristicName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Balance => "balance",
-            Self::Power => "power",
-        })
-    }
-}
-
-impl From<HeuristicName> for Heuristic {
-    fn from(name: HeuristicName) -> Self {
-        match name {
-            HeuristicName::Balance => Self::Balance,
-            HeuristicName::Power => Self::Power,
         }
     }
 }
@@ -232,16 +173,6 @@ fn parse_limit(text: &str) -> Result<(Limit, u64), String> {
     value.map(|value| (limit, value)).ok_or_else(wanted)
 }
 
-fn parse_roulette(text: &str) -> Result<Roulette, String> {
-    match text {
-        "off" => Ok(Roulette::OFF),
-        _ => match text.parse() {
-            Ok(from_edge) if from_edge >= 2 => Ok(Roulette { from_edge }),
-            _ => Err("wanted: an edge from 2 on, or `off`".into()),
-        },
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -278,12 +209,5 @@ mod tests {
         for bad in ["surfaces", "faces=3", "bytes=", "bytes=-1", "bytes=1T", "bytes=99999999999G"] {
             assert!(parse_limit(bad).unwrap_err().contains("names: bytes, memory,"), "{bad}");
         }
-    }
-
-    #[test]
-    fn roulette_spares_the_first_edge() {
-        assert_eq!(parse_roulette("off"), Ok(Roulette::OFF));
-        assert_eq!(parse_roulette("5"), Ok(Roulette { from_edge: 5 }));
-        assert!(parse_roulette("1").is_err() && parse_roulette("on").is_err());
     }
 }

@@ -1,10 +1,9 @@
 //! How to make a picture again.
 
-use crate::options::PathOptions;
 use crate::run::Job;
 use std::fmt::Write;
 use std::path::Path;
-use traylib_integrators::Roulette;
+use traylib_integrators::Method;
 use traylib_io::Loaded;
 
 /// The command that makes a picture of so many passes again, from the same scene: every
@@ -27,20 +26,10 @@ pub(crate) fn command(job: &Job<'_>, loaded: &Loaded, passes: u32) -> String {
         // A string takes everything.
         let _ = write!(command, " --limit {}={value}", limit.name());
     }
-    let own = job.paths.map(path_words).into_iter().chain([job.own_options.clone()]);
-    for words in own.filter(|words| !words.is_empty()) {
-        command.push(' ');
-        command.push_str(&words);
+    for setting in job.method.into_iter().flat_map(Method::settings) {
+        let _ = write!(command, " {setting}");
     }
     command
-}
-
-fn path_words(paths: &PathOptions) -> String {
-    let longest = paths.max_depth.map_or_else(String::new, |n| format!("--max-depth {n} "));
-    match paths.roulette {
-        Roulette::OFF => format!("{longest}--roulette off"),
-        Roulette { from_edge } => format!("{longest}--roulette {from_edge}"),
-    }
 }
 
 /// A word as a shell takes it.

@@ -3,10 +3,11 @@
 use crate::VERSION;
 use crate::black::{self, Picture};
 use crate::bug::report_bugs;
+use crate::command_line::CommandLine;
 use crate::interrupt::{self, Stop};
 use crate::memory;
 use crate::messages::{announce, describe, say, suggest, summarise, tell, tell_name};
-use crate::options::{PathOptions, RenderOptions};
+use crate::options::RenderOptions;
 use crate::outcome::Failure;
 use crate::progress::Line;
 use crate::recipe;
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Duration;
-use traylib_integrators::{Integrator, Limits, Progress, Rendering, Settings, render};
+use traylib_integrators::{Integrator, Limits, Method, Progress, Rendering, Settings, render};
 use traylib_io::{
     Headlight, LoadOptions, Loaded, PictureInfo, check_file, check_picture, load_scene_with,
     save_picture,
@@ -32,8 +33,8 @@ pub struct Job<'a> {
     pub program: &'static str,
     /// Options that all programs have.
     pub options: &'a RenderOptions,
-    /// Options of programs whose paths may be long.
-    pub paths: Option<&'a PathOptions>,
+    /// What it renders by; `None` for an integrator that is no method.
+    pub method: Option<Method>,
     /// Samples a pixel where the command line names none; `None` for the
     /// scene's number.
     pub default_spp: Option<u32>,
@@ -47,28 +48,32 @@ pub struct Job<'a> {
     /// How many pictures beside the picture there may be, to find out beforehand whether
     /// there is memory for them.
     pub layers: u64,
-    /// The program's own options that change the picture, as words of a command line.
-    pub own_options: String,
 }
 
 impl<'a> Job<'a> {
-    /// The usual: a picture by an integrator of long paths.
-    pub fn new(
-        program: &'static str,
-        options: &'a RenderOptions,
-        paths: Option<&'a PathOptions>,
-    ) -> Self {
+    /// The usual: a picture.
+    pub fn new(program: &'static str, options: &'a RenderOptions) -> Self {
         Self {
             program,
             options,
-            paths,
+            method: None,
             default_spp: None,
             wants_picture: true,
             headlight: Headlight::Never,
             folder: None,
             layers: 0,
-            own_options: String::new(),
         }
+    }
+
+    /// A picture by the method of a command line.
+    pub fn of<O>(line: &'a CommandLine<O>) -> Self {
+        let CommandLine { render, method, .. } = line;
+        Self { method: Some(*method), ..Self::new(method.name(), render) }
+    }
+
+    /// The limits on its paths.
+    fn limits(&self) -> Limits {
+        self.method.and_then(Method::limits).unwrap_or_default()
     }
 
     /// How many passes are asked for; `None` if it is the time that ends them.
@@ -89,13 +94,18 @@ pub struct Done {
     pub seconds: f64,
 }
 
-/// Loads, renders and saves with the integrator that `prepare` makes for the
-/// scene and the limits on its paths, then hands everything to `finish`. Ends the
-/// program's `main`: prints what went wrong, a panic included, and returns the
-/// exit status.
-pub fn run<I: Integrator>(
+/// The whole program of a method that asks for nothing else.
+pub fn render_by(plain: Method) -> ExitCode {
+    let line = CommandLine::<()>::parse(plain);
+    run(&Job::of(&line), |_| Ok(line.method.build()), |_| Ok(()))
+}
+
+/// Loads, renders and saves with the integrator that `prepare` makes for the scene, then
+/// hands everything to `finish`. Ends the program's `main`: prints what went wrong, a
+/// panic included, and returns the exit status.
+pub fn run(
     job: &Job<'_>,
-    prepare: impl FnOnce(&Scene, Limits) -> Result<I, Failure>,
+    prepare: impl FnOnce(&Scene) -> Result<Box<dyn Integrator>, Failure>,
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> ExitCode {
     conclude(job.program, || try_run(job, prepare, finish))
@@ -116,20 +126,20 @@ pub fn conclude(program: &'static str, work: impl FnOnce() -> Result<(), Failure
     }
 }
 
-fn try_run<I: Integrator>(
+fn try_run(
     job: &Job<'_>,
-    prepare: impl FnOnce(&Scene, Limits) -> Result<I, Failure>,
+    prepare: impl FnOnce(&Scene) -> Result<Box<dyn Integrator>, Failure>,
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let options = job.options;
     if let Some(file) = &options.stats {
         return stats(options, file);
     }
-    let limits = job.paths.map_or(Ok(Limits::default()), PathOptions::limits)?;
     let loaded = load(job)?;
-    let integrator = prepare(&loaded.scene, limits)?;
+    let integrator = prepare(&loaded.scene)?;
+    let integrator = integrator.as_ref();
     if !options.quiet {
-        announce(job.program, &loaded, &integrator, limits);
+        announce(job.program, &loaded, integrator, job.limits());
     }
     memory::check(job, &loaded)?;
     let outfiles = outfiles(job);
@@ -138,7 +148,7 @@ fn try_run<I: Integrator>(
         return tell(describe(&loaded.name, &loaded.scene));
     }
     make_folder(job.folder)?;
-    let (rendering, elapsed, end) = render_job(job, &loaded, &integrator)?;
+    let (rendering, elapsed, end) = render_job(job, &loaded, integrator)?;
     let done = Done { loaded, rendering, seconds: elapsed.as_secs_f64() };
     let picture = done.rendering.film.develop();
     for file in &outfiles {
@@ -147,7 +157,7 @@ fn try_run<I: Integrator>(
     }
     finish(&done)?;
     if !options.quiet {
-        warn_if_black(job, &done, &integrator, limits, &picture);
+        warn_if_black(job, &done, integrator, &picture);
         summarise(job.program, &done.loaded.name, &done.rendering, elapsed, &end.words());
         suggest(options);
     }
@@ -161,17 +171,11 @@ fn try_run<I: Integrator>(
 }
 
 /// Nobody should have to guess why a picture is black.
-fn warn_if_black(
-    job: &Job<'_>,
-    done: &Done,
-    integrator: &dyn Integrator,
-    limits: Limits,
-    radiance: &Grid<Rgb>,
-) {
+fn warn_if_black(job: &Job<'_>, done: &Done, integrator: &dyn Integrator, radiance: &Grid<Rgb>) {
     if !job.wants_picture {
         return;
     }
-    let (program, scene) = (job.program, &done.loaded.scene);
+    let (program, scene, limits) = (job.program, &done.loaded.scene, job.limits());
     let exposure = done.loaded.settings.exposure;
     let picture = Picture { program, scene, integrator, limits, exposure, radiance };
     if let Some(reason) = black::reason(&picture, job.options) {

@@ -32,8 +32,8 @@ fn a_panic_is_told_of_in_one_line() {
     if let Some(file) = std::env::var_os(INSIDE) {
         let arguments = ["broken", "--resolution", "64x64", "-q", "--threads", "4", "-o"];
         let options = Options::parse_from(arguments.map(Into::into).into_iter().chain([file]));
-        let job = Job::new("broken", &options.render, None);
-        let code = run(&job, |_, _| Ok(Broken), |_| Ok(()));
+        let job = Job::new("broken", &options.render);
+        let code = run(&job, |_| Ok(Box::new(Broken)), |_| Ok(()));
         assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::from(1)));
         return;
     }

@@ -13,6 +13,7 @@ mod connect;
 mod connection_roulette;
 mod direct_sum;
 mod report;
+mod settings;
 mod subset;
 mod techniques;
 mod vertex;
@@ -20,6 +21,7 @@ mod walk;
 mod weight;
 
 pub use report::{Report, Technique};
+pub use settings::BdptSettings;
 pub use subset::TechniqueSet;
 pub use techniques::{LightSampling, Techniques};
 

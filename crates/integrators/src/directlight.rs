@@ -16,7 +16,7 @@ use traylib_scene::{Scene, SurfacePoint, Walk};
 /// sample could have been drawn: seen directly, or after a perfect mirror. (The
 /// paper does not count it there either, which leaves lamps black in mirrors.)
 /// With `combine`, both ways count everywhere, weighted.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DirectLight {
     /// How long paths get.
     pub limits: Limits,

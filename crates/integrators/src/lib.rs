@@ -10,6 +10,7 @@
 //!
 //! All of them estimate the same radiance wherever they can see it; what one
 //! cannot see at all, [`Integrator::blind_spots`] tells before rendering starts.
+//! [`Method`] is the list of them with their settings, spelled as on command lines.
 //! [`render`] owns threads, random streams and the film.
 
 mod bdpt;
@@ -20,6 +21,7 @@ mod direct;
 mod directlight;
 mod emission;
 mod limits;
+mod method;
 mod particle;
 mod pass;
 mod puremc;
@@ -29,12 +31,15 @@ mod step;
 mod trace;
 mod tracer;
 
-pub use bdpt::{Bdpt, LightSampling, Report, Technique, TechniqueSet, Techniques, Weighting};
+pub use bdpt::{
+    Bdpt, BdptSettings, LightSampling, Report, Technique, TechniqueSet, Techniques, Weighting,
+};
 pub use blind::{BlindSpot, SceneFacts};
 pub use chunk::{Chunk, ChunkOutput};
 pub use control::Control;
 pub use directlight::DirectLight;
 pub use limits::{Limits, Roulette};
+pub use method::{Method, MethodError, MethodOption, Setting, Values};
 pub use particle::Particle;
 pub use pass::{Pass, RenderChunk};
 pub use puremc::PureMc;

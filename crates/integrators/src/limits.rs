@@ -13,6 +13,9 @@ pub struct Limits {
 }
 
 impl Limits {
+    /// No longest path, and roulette where it usually begins: the default.
+    pub const NONE: Self = Self { max_depth: None, roulette: Roulette::DEFAULT };
+
     /// Whether a path of this many edges may be rendered.
     pub fn allow(&self, edges: u32) -> bool {
         self.max_depth.is_none_or(|max| edges <= max)
@@ -36,7 +39,7 @@ pub struct Roulette {
 
 impl Default for Roulette {
     fn default() -> Self {
-        Self { from_edge: 3 }
+        Self::DEFAULT
     }
 }
 
@@ -44,6 +47,8 @@ impl Default for Roulette {
 const SMALLEST_CHANCE: f32 = 0.05;
 
 impl Roulette {
+    /// From the third edge on: direct light is always found.
+    pub const DEFAULT: Self = Self { from_edge: 3 };
     /// No roulette: paths end at a length limit, or never.
     pub const OFF: Self = Self { from_edge: u32::MAX };
 

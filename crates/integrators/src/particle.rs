@@ -10,7 +10,7 @@ use traylib_scene::{Scene, Walk};
 
 /// Walks from the lamps; every vertex that the camera sees is splatted into the
 /// pixel it appears in. Lamps seen directly come from a camera ray a pixel.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Particle {
     /// How long paths get.
     pub limits: Limits,

@@ -11,7 +11,7 @@ use traylib_scene::{Scene, Walk};
 /// Walks from the camera and adds what the walk happens to hit.
 ///
 /// Point lights cannot be hit; they are sampled at every vertex.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PureMc {
     /// How long paths get.
     pub limits: Limits,

@@ -11,7 +11,7 @@ use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
 /// Emission seen directly, and one shadow ray to each point light; no other
 /// light, no interreflection. Without `jitter` the ray goes through the middle
 /// of the pixel and nothing is random.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Trace {
     /// Draw the film point uniformly in its pixel, for pictures of several
     /// samples.

@@ -1,33 +1,14 @@
 //! Bidirectional path tracing.
 
-use clap::Parser;
+use clap::Args;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use traylib_demos::{
-    Failure, HeuristicName, Job, PathOptions, PixelName, RenderOptions, parse, print_notes, run,
-    save_techniques,
-};
-use traylib_integrators::{Bdpt, Report, Weighting};
+use traylib_demos::{CommandLine, Job, PixelName, print_notes, run, save_techniques};
+use traylib_integrators::{Method, Report};
 
-/// Bidirectional path tracing: all ways to join walks from both ends, weighted
-#[derive(Parser)]
-#[command(
-    name = "bdpt",
-    version = traylib_demos::VERSION,
-    max_term_width = 80,
-    after_long_help = traylib_demos::examples!("bdpt")
-)]
-struct Options {
-    #[command(flatten)]
-    render: RenderOptions,
-    #[command(flatten)]
-    paths: PathOptions,
-    /// How densities become weights
-    #[arg(long, value_enum, default_value_t)]
-    heuristic: HeuristicName,
-    /// Compute weights by summing over all techniques: slow, for comparison
-    #[arg(long)]
-    direct_sum: bool,
+/// What it shows beside the picture.
+#[derive(Args, Clone, Debug)]
+struct Reports {
     /// Also write a picture of each technique (s, t), raw and weighted, into a
     /// folder
     #[arg(long, value_name = "DIR")]
@@ -46,46 +27,38 @@ struct Options {
     pixel: Option<PixelName>,
 }
 
-impl Options {
-    /// Pictures of techniques. Of paths of more than ten edges there are so few that most of
-    /// their pictures is never touched.
-    fn layers(&self) -> u64 {
-        if self.techniques.is_none() {
-            return 0;
-        }
-        let longest = u64::from(self.paths.max_depth.unwrap_or(10).min(10));
-        // Paths of k edges have k + 1 techniques, each with two pictures.
-        longest * (longest + 3)
+/// Pictures of techniques. Of paths of more than ten edges there are so few that most of
+/// their pictures is never touched.
+fn layers(line: &CommandLine<Reports>) -> u64 {
+    if line.own.techniques.is_none() {
+        return 0;
     }
-
-    fn own_words(&self) -> String {
-        let direct_sum = if self.direct_sum { " --direct-sum" } else { "" };
-        format!("--heuristic {}{direct_sum}", self.heuristic)
-    }
+    let max_depth = line.method.limits().and_then(|limits| limits.max_depth);
+    let longest = u64::from(max_depth.unwrap_or(10).min(10));
+    // Paths of k edges have k + 1 techniques, each with two pictures.
+    longest * (longest + 3)
 }
 
 fn main() -> ExitCode {
-    let options: Options = parse();
+    let line = CommandLine::<Reports>::parse(Method::BDPT);
+    let Reports { techniques, pixel } = &line.own;
     let job = Job {
-        wants_picture: options.pixel.is_none(),
-        folder: options.techniques.as_deref(),
-        layers: options.layers(),
-        own_options: options.own_words(),
-        ..Job::new("bdpt", &options.render, Some(&options.paths))
+        wants_picture: pixel.is_none(),
+        folder: techniques.as_deref(),
+        layers: layers(&line),
+        ..Job::of(&line)
     };
-    let weighting = if options.direct_sum { Weighting::DirectSum } else { Weighting::Recursive };
     run(
         &job,
-        |scene, limits| {
-            let report = match (&options.techniques, options.pixel) {
+        |scene| {
+            let report = match (techniques, pixel) {
                 (Some(_), _) => Report::Techniques,
                 (None, Some(pixel)) => Report::Pixel(pixel.index_in(scene.camera())?),
                 (None, None) => Report::None,
             };
-            let heuristic = options.heuristic.into();
-            Ok(Bdpt { limits, heuristic, weighting, report, ..Bdpt::default() })
+            Ok(line.method.build_with(report))
         },
-        |done| -> Result<(), Failure> {
+        |done| {
             print_notes(&done.rendering)?;
             job.folder.map_or(Ok(()), |folder| save_techniques(folder, &job, done))
         },

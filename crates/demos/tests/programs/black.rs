@@ -1,6 +1,6 @@
 //! Pictures that are black say why.
 
-use crate::common::{Folder, PROGRAMS};
+use crate::common::{Folder, programs};
 
 /// A scene of these objects, seen from z = 4.
 fn scene(target: &str, objects: &str, lights: &str) -> String {
@@ -46,7 +46,7 @@ fn the_reason_is_told_by_every_program() {
     let behind = scene(middle, TURNED, POINT);
     let dark = scene(middle, &DARK_BALL.replace("radius: 1", "radius: 3"), POINT);
     let shut = scene(middle, &format!("{BALL}{SHUT}{BACKDROP}"), POINT);
-    for (program, _) in PROGRAMS {
+    for program in programs() {
         for (text, reason) in [
             (&past, "the camera looks past everything: no ray of the picture"),
             (&behind, "behind surfaces of one side, whose backs are not there"),

@@ -3,15 +3,20 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::atomic::{AtomicU32, Ordering};
+use traylib_integrators::Method;
 
-/// Name and file of every program that renders.
-pub(crate) const PROGRAMS: [(&str, &str); 5] = [
-    ("trace", env!("CARGO_BIN_EXE_trace")),
-    ("puremc", env!("CARGO_BIN_EXE_puremc")),
-    ("directlight", env!("CARGO_BIN_EXE_directlight")),
-    ("particle", env!("CARGO_BIN_EXE_particle")),
-    ("bdpt", env!("CARGO_BIN_EXE_bdpt")),
-];
+/// Every program that renders: one a method, and named as it is.
+pub(crate) fn programs() -> [&'static str; Method::ALL.len()] {
+    Method::ALL.map(Method::name)
+}
+
+/// The file of a program.
+pub(crate) fn file(program: &str) -> PathBuf {
+    let file = Path::new(env!("CARGO_BIN_EXE_film")).with_file_name(program);
+    let file = file.with_extension(std::env::consts::EXE_EXTENSION);
+    assert!(file.is_file(), "crates/demos/src/bin/{program}.rs is missing");
+    file
+}
 
 /// A scene that makes sense, for tests to damage.
 pub(crate) const SCENE: &str = r#"(
@@ -55,10 +60,7 @@ impl Folder {
 
     /// A program that is to run here, with arguments separated by blanks.
     pub(crate) fn command(&self, program: &str, arguments: &str) -> Command {
-        let film = ("film", env!("CARGO_BIN_EXE_film"));
-        let mut programs = PROGRAMS.into_iter().chain([film]);
-        let (_, file) = programs.find(|(name, _)| *name == program).unwrap();
-        let mut command = Command::new(file);
+        let mut command = Command::new(file(program));
         command.current_dir(&self.0).args(arguments.split_whitespace());
         command
     }

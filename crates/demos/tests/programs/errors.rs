@@ -1,7 +1,7 @@
 //! Errors: one clear message with its place, the right status, nothing on
 //! standard output, no file left behind.
 
-use crate::common::{Folder, PROGRAMS, Run, SCENE};
+use crate::common::{Folder, Run, SCENE, file, programs};
 use std::process::Command;
 
 /// Runs a program that must fail, and returns what it says.
@@ -23,7 +23,7 @@ fn scene_fails(from: &str, to: &str, place: &str, words: &str) {
     assert_eq!(SCENE.matches(from).count(), 1, "{from}");
     let folder = Folder::new();
     folder.write("bad.ron", &SCENE.replace(from, to));
-    for (program, _) in PROGRAMS {
+    for program in programs() {
         let said = fails(&folder, program, "bad.ron --spp 1", 3);
         assert!(said.contains(&format!("--> bad.ron:{place}\n")), "{said}");
         assert!(said.contains(words), "{said}");
@@ -157,7 +157,9 @@ fn command_lines_that_make_no_sense() {
 #[cfg(target_os = "linux")]
 fn a_picture_that_does_not_fit_into_memory() {
     let folder = Folder::new();
-    for (program, file) in PROGRAMS {
+    for program in programs() {
+        let file = file(program);
+        let file = file.display();
         for more in ["", " --check"] {
             let script = format!(
                 "ulimit -v 500000; exec {file} cornell --resolution 4000x4000 --spp 1 -q{more}"

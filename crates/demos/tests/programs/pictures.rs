@@ -1,6 +1,6 @@
 //! The programs' pictures, and what they say about them.
 
-use crate::common::{Folder, PROGRAMS, SCENE};
+use crate::common::{Folder, SCENE, programs};
 use std::process::Command;
 use traylib_io::load_exr;
 
@@ -12,7 +12,7 @@ fn is_png(bytes: &[u8]) -> bool {
 
 #[test]
 fn every_program_writes_both_kinds_of_picture_and_their_names() {
-    for (program, _) in PROGRAMS {
+    for program in programs() {
         let folder = Folder::new();
         let run = folder.run(program, &format!("{TINY} -o a.png cornell --outfile b.exr"));
         assert_eq!(run.status, Some(0), "{program}: {}", run.err);
@@ -38,7 +38,7 @@ fn a_scene_of_ones_own_goes_to_a_picture_named_as_the_program() {
 #[test]
 fn threads_do_not_change_the_picture_and_seeds_do() {
     let folder = Folder::new();
-    for (program, _) in PROGRAMS {
+    for program in programs() {
         let pixels = |options: &str| {
             let run = folder.run(program, &format!("{TINY} -q -o a.exr {options}"));
             assert_eq!(run.status, Some(0), "{program}: {}", run.err);
@@ -135,7 +135,7 @@ fn programs_say_their_version_and_revision() {
     let folder = Folder::new();
     let git = Command::new("git").args(["rev-parse", "--short=12", "HEAD"]).output();
     let revision = git.ok().filter(|output| output.status.success());
-    for program in PROGRAMS.map(|(name, _)| name).into_iter().chain(["film"]) {
+    for program in programs().into_iter().chain(["film"]) {
         let said = folder.run(program, "--version").out;
         assert!(said.starts_with(&format!("{program} {}", env!("CARGO_PKG_VERSION"))), "{said}");
         if let Some(revision) = &revision {
@@ -195,7 +195,7 @@ fn programs_say_what_they_cannot_see() {
 #[test]
 fn help_fits_a_terminal_and_ends_with_examples() {
     let folder = Folder::new();
-    for (program, _) in PROGRAMS {
+    for program in programs() {
         let long = folder.run(program, "--help");
         let short = folder.run(program, "-h");
         assert_eq!((long.status, short.status), (Some(0), Some(0)));

@@ -1,0 +1,40 @@
+//! What is chosen of bidirectional path tracing on a command line.
+
+use super::{Bdpt, Report, Techniques, Weighting};
+use crate::Limits;
+use traylib_math::Heuristic;
+
+/// The settings of [`Bdpt`] as a method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BdptSettings {
+    /// How long paths get.
+    pub limits: Limits,
+    /// How densities become weights.
+    pub heuristic: Heuristic,
+    /// Whether weights are computed by [`Weighting::DirectSum`].
+    pub direct_sum: bool,
+    /// Whether the techniques with s ≥ 2 and t ≥ 2 are left out.
+    pub no_connections: bool,
+}
+
+impl BdptSettings {
+    /// All techniques, and weights by the power heuristic.
+    pub const DEFAULT: Self = Self {
+        limits: Limits::NONE,
+        heuristic: Heuristic::Power,
+        direct_sum: false,
+        no_connections: false,
+    };
+
+    /// The techniques that take part.
+    pub fn techniques(self) -> Techniques {
+        Techniques { connections: !self.no_connections, ..Techniques::ALL }
+    }
+
+    /// The integrator, which also records this.
+    pub fn integrator(self, report: Report) -> Bdpt {
+        let weighting = if self.direct_sum { Weighting::DirectSum } else { Weighting::Recursive };
+        let (limits, heuristic, techniques) = (self.limits, self.heuristic, self.techniques());
+        Bdpt { limits, heuristic, weighting, techniques, report }
+    }
+}

@@ -1,0 +1,265 @@
+//! Which integrator to render by, with which settings: the one list of them.
+//!
+//! A [`Method`] is data. Its spelling is a command line without a scene, as
+//! `directlight --combine`; [`Method::build`] makes the [`Integrator`].
+
+mod option;
+mod spelling;
+#[cfg(test)]
+mod tests;
+
+pub use option::{MethodOption, Setting, Values};
+pub use spelling::MethodError;
+
+use crate::bdpt::BdptSettings;
+use crate::{
+    DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Techniques, Trace,
+};
+use traylib_math::Heuristic;
+
+/// The choice of an integrator with its settings.
+///
+/// Where an integrator is nothing but its settings, it stands for them. `Display` and
+/// `FromStr` are each other's inverse: `bdpt --max-depth 6 --no-connections`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// `trace`.
+    Trace(Trace),
+    /// `puremc`.
+    PureMc(PureMc),
+    /// `directlight`, strict or with `--combine`.
+    DirectLight(DirectLight),
+    /// `particle`.
+    Particle(Particle),
+    /// `bdpt`.
+    Bdpt(BdptSettings),
+}
+
+impl Method {
+    /// `trace`, as one sample a pixel is rendered.
+    pub const TRACE: Self = Self::Trace(Trace { jitter: false });
+    /// `puremc`.
+    pub const PURE_MC: Self = Self::PureMc(PureMc { limits: Limits::NONE });
+    /// `directlight`, strict as in the paper.
+    pub const DIRECT_LIGHT: Self =
+        Self::DirectLight(DirectLight { limits: Limits::NONE, combine: None });
+    /// `directlight --combine`, weighted by the power heuristic.
+    pub const COMBINED: Self =
+        Self::DirectLight(DirectLight { limits: Limits::NONE, combine: Some(Heuristic::Power) });
+    /// `particle`.
+    pub const PARTICLE: Self = Self::Particle(Particle { limits: Limits::NONE });
+    /// `bdpt`, weighted by the power heuristic.
+    pub const BDPT: Self = Self::Bdpt(BdptSettings::DEFAULT);
+
+    /// Each as it is without any option.
+    pub const ALL: [Self; 5] = {
+        let mut all = [Self::TRACE; 5];
+        let mut last = 0;
+        while let Some(next) = all[last].after() {
+            last += 1;
+            all[last] = next;
+        }
+        assert!(last + 1 == all.len(), "a method is missing");
+        all
+    };
+
+    /// What tables and charts compare: estimators of the mean over a pixel, each as it
+    /// is by default.
+    pub const COMPARED: [Self; 6] = [
+        Self::Trace(Trace { jitter: true }),
+        Self::PURE_MC,
+        Self::DIRECT_LIGHT,
+        Self::COMBINED,
+        Self::PARTICLE,
+        Self::BDPT,
+    ];
+
+    /// The next of [`ALL`](Self::ALL); a match, so that no method is forgotten there.
+    const fn after(self) -> Option<Self> {
+        match self {
+            Self::Trace(_) => Some(Self::PURE_MC),
+            Self::PureMc(_) => Some(Self::DIRECT_LIGHT),
+            Self::DirectLight(_) => Some(Self::BDPT),
+            Self::Bdpt(_) => Some(Self::PARTICLE),
+            Self::Particle(_) => None,
+        }
+    }
+
+    /// The first word of its spelling, which methods with other settings share.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Trace(_) => "trace",
+            Self::PureMc(_) => "puremc",
+            Self::DirectLight(_) => "directlight",
+            Self::Particle(_) => "particle",
+            Self::Bdpt(_) => "bdpt",
+        }
+    }
+
+    /// What it does, in a line, and what else is to be said of it.
+    pub fn about(self) -> (&'static str, Option<&'static str>) {
+        match self {
+            Self::Trace(_) => {
+                ("One ray a pixel with a shadow ray to each point lamp; no interreflection", None)
+            }
+            Self::PureMc(_) => {
+                ("Pure Monte Carlo path tracing: walks from the camera until a lamp is hit", None)
+            }
+            Self::DirectLight(_) => (
+                "Path tracing that aims at a lamp from every vertex",
+                Some(
+                    "A lamp that the path hits by itself counts only where no lamp could have \
+                     been aimed at: seen directly, or after a perfect mirror. With --combine both \
+                     count everywhere, weighted.",
+                ),
+            ),
+            Self::Particle(_) => (
+                "Particle tracing: walks from the lamps, splatted where the camera sees them",
+                None,
+            ),
+            Self::Bdpt(_) => (
+                "Bidirectional path tracing: all ways to join walks from both ends, weighted",
+                None,
+            ),
+        }
+    }
+
+    /// The options that it takes, in the order of help texts and spellings.
+    pub fn options(self) -> &'static [MethodOption] {
+        use MethodOption::{
+            Combine, DirectSum, Heuristic, Jitter, MaxDepth, NoConnections, Roulette,
+        };
+        match self {
+            Self::Trace(_) => &[Jitter],
+            Self::PureMc(_) | Self::Particle(_) => &[MaxDepth, Roulette],
+            Self::DirectLight(_) => &[MaxDepth, Roulette, Combine, Heuristic],
+            Self::Bdpt(_) => &[MaxDepth, Roulette, Heuristic, DirectSum, NoConnections],
+        }
+    }
+
+    /// How long its paths get; `None` if their length is fixed.
+    pub fn limits(self) -> Option<Limits> {
+        match self {
+            Self::Trace(_) => None,
+            Self::PureMc(PureMc { limits })
+            | Self::DirectLight(DirectLight { limits, .. })
+            | Self::Particle(Particle { limits })
+            | Self::Bdpt(BdptSettings { limits, .. }) => Some(limits),
+        }
+    }
+
+    /// The same with these limits, where it has any.
+    #[must_use]
+    pub fn with_limits(self, limits: Limits) -> Self {
+        match self {
+            Self::Trace(_) => self,
+            Self::PureMc(_) => Self::PureMc(PureMc { limits }),
+            Self::DirectLight(own) => Self::DirectLight(DirectLight { limits, ..own }),
+            Self::Particle(_) => Self::Particle(Particle { limits }),
+            Self::Bdpt(own) => Self::Bdpt(BdptSettings { limits, ..own }),
+        }
+    }
+
+    /// The same for paths of at most so many edges.
+    #[must_use]
+    pub fn up_to(self, max_depth: Option<u32>) -> Self {
+        let limits = self.limits().unwrap_or_default();
+        self.with_limits(Limits { max_depth, ..limits })
+    }
+
+    /// The same for pictures of many samples a pixel, which find its mean: `trace` then
+    /// draws their places.
+    #[must_use]
+    pub fn for_many_samples(self) -> Self {
+        match self {
+            Self::Trace(_) => Self::Trace(Trace { jitter: true }),
+            Self::PureMc(_) | Self::DirectLight(_) | Self::Particle(_) | Self::Bdpt(_) => self,
+        }
+    }
+
+    /// By which techniques of bidirectional path tracing it finds light; lamps are seen
+    /// directly by all.
+    pub fn techniques(self) -> Techniques {
+        let from_camera = Techniques { hits: false, ..Techniques::COMBINED };
+        match self {
+            Self::Trace(_) => {
+                Techniques { light_samples: LightSampling::PointLights, ..from_camera }
+            }
+            Self::PureMc(_) => Techniques::PURE_MC,
+            Self::DirectLight(DirectLight { combine: None, .. }) => from_camera,
+            Self::DirectLight(DirectLight { combine: Some(_), .. }) => Techniques::COMBINED,
+            Self::Particle(_) => Techniques::PARTICLE,
+            Self::Bdpt(settings) => settings.techniques(),
+        }
+    }
+
+    /// The integrator.
+    pub fn build(self) -> Box<dyn Integrator> {
+        self.build_with(Report::None)
+    }
+
+    /// The integrator that records this, too; only `bdpt` has anything to report.
+    pub fn build_with(self, report: Report) -> Box<dyn Integrator> {
+        match self {
+            Self::Trace(trace) => Box::new(trace),
+            Self::PureMc(pure_mc) => Box::new(pure_mc),
+            Self::DirectLight(direct_light) => Box::new(direct_light),
+            Self::Particle(particle) => Box::new(particle),
+            Self::Bdpt(settings) => Box::new(settings.integrator(report)),
+        }
+    }
+
+    /// All that is set, whether by an option or by default, in the order of
+    /// [`options`](Self::options).
+    pub fn settings(self) -> Vec<Setting> {
+        let mut settings = Vec::new();
+        if let Some(Limits { max_depth, roulette }) = self.limits() {
+            settings.extend(max_depth.map(Setting::MaxDepth));
+            settings.push(Setting::Roulette(roulette));
+        }
+        match self {
+            Self::Trace(own) => settings.extend(own.jitter.then_some(Setting::Jitter)),
+            Self::PureMc(_) | Self::Particle(_) => {}
+            Self::DirectLight(own) => {
+                let combined = own.combine.map(|by| [Setting::Combine, Setting::Heuristic(by)]);
+                settings.extend(combined.into_iter().flatten());
+            }
+            Self::Bdpt(own) => {
+                settings.push(Setting::Heuristic(own.heuristic));
+                settings.extend(own.direct_sum.then_some(Setting::DirectSum));
+                settings.extend(own.no_connections.then_some(Setting::NoConnections));
+            }
+        }
+        settings
+    }
+
+    /// The same method with these settings, and what is not among them by default. They are
+    /// of its [`options`](Self::options), others mean nothing to it.
+    ///
+    /// # Errors
+    /// What does not go together: roulette off without a longest path, or a heuristic where
+    /// nothing is weighted.
+    pub fn with(self, given: &[Setting]) -> Result<Self, MethodError> {
+        let has = |setting| given.contains(&setting);
+        let limits = option::limits(given)?;
+        let heuristic = option::heuristic(given);
+        Ok(match self {
+            Self::Trace(_) => Self::Trace(Trace { jitter: has(Setting::Jitter) }),
+            Self::PureMc(_) => Self::PureMc(PureMc { limits }),
+            Self::DirectLight(_) => {
+                let combine = has(Setting::Combine).then(|| heuristic.unwrap_or_default());
+                if combine.is_none() && heuristic.is_some() {
+                    return Err(MethodError::NothingWeighted);
+                }
+                Self::DirectLight(DirectLight { limits, combine })
+            }
+            Self::Particle(_) => Self::Particle(Particle { limits }),
+            Self::Bdpt(_) => Self::Bdpt(BdptSettings {
+                limits,
+                heuristic: heuristic.unwrap_or_default(),
+                direct_sum: has(Setting::DirectSum),
+                no_connections: has(Setting::NoConnections),
+            }),
+        })
+    }
+}

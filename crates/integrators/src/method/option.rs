@@ -1,0 +1,229 @@
+//! The options of methods: how they are spelled, and how their values are read.
+
+use super::MethodError;
+use crate::{Limits, Roulette};
+use std::fmt;
+use traylib_math::Heuristic;
+
+/// An option of methods, with or without a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MethodOption {
+    /// `--jitter`.
+    Jitter,
+    /// `--max-depth N`.
+    MaxDepth,
+    /// `--roulette EDGE`.
+    Roulette,
+    /// `--combine`.
+    Combine,
+    /// `--heuristic HEURISTIC`.
+    Heuristic,
+    /// `--direct-sum`.
+    DirectSum,
+    /// `--no-connections`.
+    NoConnections,
+}
+
+/// What may stand after an option.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Values {
+    /// Nothing.
+    None,
+    /// Text of this name in help texts.
+    Text(&'static str),
+    /// One of these words, each with what it means, together of this name.
+    OneOf(&'static str, &'static [(&'static str, &'static str)]),
+}
+
+/// An option with its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Setting {
+    /// Points of a pixel are drawn by chance.
+    Jitter,
+    /// The longest path, in edges.
+    MaxDepth(u32),
+    /// From where on paths may end by chance.
+    Roulette(Roulette),
+    /// Light samples and hits are weighted against each other.
+    Combine,
+    /// How densities become weights.
+    Heuristic(Heuristic),
+    /// Weights are summed over all techniques.
+    DirectSum,
+    /// The techniques with s and t from 2 on take no part.
+    NoConnections,
+}
+
+impl MethodOption {
+    /// Its name on a command line, without the hyphens before it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Jitter => "jitter",
+            Self::MaxDepth => "max-depth",
+            Self::Roulette => "roulette",
+            Self::Combine => "combine",
+            Self::Heuristic => "heuristic",
+            Self::DirectSum => "direct-sum",
+            Self::NoConnections => "no-connections",
+        }
+    }
+
+    /// What may stand after it.
+    pub fn values(self) -> Values {
+        match self {
+            Self::MaxDepth => Values::Text("N"),
+            Self::Roulette => Values::Text("EDGE"),
+            Self::Heuristic => Values::OneOf(
+                "HEURISTIC",
+                &[
+                    ("balance", "In proportion to the densities"),
+                    ("power", "In proportion to their squares"),
+                ],
+            ),
+            Self::Jitter | Self::Combine | Self::DirectSum | Self::NoConnections => Values::None,
+        }
+    }
+
+    /// The value that holds where it is not given, if there is one.
+    pub fn default_value(self) -> Option<&'static str> {
+        match self {
+            Self::Roulette => Some("3"),
+            Self::Heuristic => Some("power"),
+            Self::Jitter
+            | Self::MaxDepth
+            | Self::Combine
+            | Self::DirectSum
+            | Self::NoConnections => None,
+        }
+    }
+
+    /// What it is for.
+    pub fn help(self) -> &'static str {
+        match self {
+            Self::Jitter => {
+                "Draw the point of a pixel by chance also of one sample, which else goes through \
+                 the middle; with more samples or a --time-limit it always is"
+            }
+            Self::MaxDepth => {
+                "Longest path in edges: 1 is a lamp seen directly, 2 direct light; light of \
+                 longer paths is lost [default: none, roulette ends paths]"
+            }
+            Self::Roulette => {
+                "First edge, from 2 on, that roulette may prevent, or `off`, which wants \
+                 --max-depth"
+            }
+            Self::Combine => "Combine aimed and chance hits by multiple importance sampling",
+            Self::Heuristic => "How densities become weights; in directlight with --combine alone",
+            Self::DirectSum => {
+                "Compute weights by summing over all techniques: slow, for comparison"
+            }
+            Self::NoConnections => {
+                "Leave out the techniques that connect two walks (s and t from 2 on), which \
+                 saves shadow rays; the others share their light"
+            }
+        }
+    }
+
+    /// The option with a value, as it stands on a command line; one without has none.
+    ///
+    /// # Errors
+    /// What was wanted instead.
+    pub fn read(self, value: &str) -> Result<Setting, &'static str> {
+        let alone = |setting| if value.is_empty() { Ok(setting) } else { Err("takes no value") };
+        match self {
+            Self::Jitter => alone(Setting::Jitter),
+            Self::Combine => alone(Setting::Combine),
+            Self::DirectSum => alone(Setting::DirectSum),
+            Self::NoConnections => alone(Setting::NoConnections),
+            Self::MaxDepth => {
+                let edges = value.parse().ok().filter(|edges| *edges > 0);
+                edges.map(Setting::MaxDepth).ok_or("wanted: a number of edges from 1 on")
+            }
+            Self::Roulette => read_roulette(value).map(Setting::Roulette),
+            Self::Heuristic => match value {
+                "balance" => Ok(Setting::Heuristic(Heuristic::Balance)),
+                "power" => Ok(Setting::Heuristic(Heuristic::Power)),
+                _ => Err("wanted: balance or power"),
+            },
+        }
+    }
+}
+
+fn read_roulette(text: &str) -> Result<Roulette, &'static str> {
+    match text {
+        "off" => Ok(Roulette::OFF),
+        _ => match text.parse() {
+            Ok(from_edge) if from_edge >= 2 => Ok(Roulette { from_edge }),
+            _ => Err("wanted: an edge from 2 on, or `off`"),
+        },
+    }
+}
+
+impl Setting {
+    /// The option that it belongs to.
+    pub fn option(self) -> MethodOption {
+        match self {
+            Self::Jitter => MethodOption::Jitter,
+            Self::MaxDepth(_) => MethodOption::MaxDepth,
+            Self::Roulette(_) => MethodOption::Roulette,
+            Self::Combine => MethodOption::Combine,
+            Self::Heuristic(_) => MethodOption::Heuristic,
+            Self::DirectSum => MethodOption::DirectSum,
+            Self::NoConnections => MethodOption::NoConnections,
+        }
+    }
+
+    /// The value; empty where there is none.
+    pub fn value(self) -> String {
+        match self {
+            Self::MaxDepth(edges) => edges.to_string(),
+            Self::Roulette(Roulette::OFF) => "off".into(),
+            Self::Roulette(Roulette { from_edge }) => from_edge.to_string(),
+            Self::Heuristic(Heuristic::Balance) => "balance".into(),
+            Self::Heuristic(Heuristic::Power) => "power".into(),
+            Self::Jitter | Self::Combine | Self::DirectSum | Self::NoConnections => String::new(),
+        }
+    }
+}
+
+/// As on a command line: `--max-depth 6`.
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, value) = (self.option().name(), self.value());
+        let blank = if value.is_empty() { "" } else { " " };
+        write!(f, "--{name}{blank}{value}")
+    }
+}
+
+/// The limits among settings, defaults where there are none.
+pub(super) fn limits(given: &[Setting]) -> Result<Limits, MethodError> {
+    let mut limits = Limits::NONE;
+    for setting in given {
+        match *setting {
+            Setting::MaxDepth(edges) => limits.max_depth = Some(edges),
+            Setting::Roulette(roulette) => limits.roulette = roulette,
+            Setting::Jitter
+            | Setting::Combine
+            | Setting::Heuristic(_)
+            | Setting::DirectSum
+            | Setting::NoConnections => {}
+        }
+    }
+    if limits.roulette == Roulette::OFF && limits.max_depth.is_none() {
+        return Err(MethodError::Endless);
+    }
+    Ok(limits)
+}
+
+/// The heuristic among settings.
+pub(super) fn heuristic(given: &[Setting]) -> Option<Heuristic> {
+    given.iter().find_map(|setting| match *setting {
+        Setting::Heuristic(heuristic) => Some(heuristic),
+        Setting::Jitter
+        | Setting::MaxDepth(_)
+        | Setting::Roulette(_)
+        | Setting::Combine
+        | Setting::DirectSum
+        | Setting::NoConnections => None,
+    })
+}
