@@ -1,4 +1,4 @@
-//! Programs against one another on the same scene.
+//! Methods against one another on the same scene.
 //!
 //! Welch's test on tiles and on the image mean, decided at fixed looks after
 //! 1, 4 and 16 times the first number of passes, the level split among them: a
@@ -12,10 +12,10 @@
 
 use crate::ledger::Finding;
 use crate::measure::{each_pass, samples_in_a_pass};
-use crate::programs::Program;
+use crate::methods;
 use crate::statistics::{Sample, batch_means, holm, tile_means, uniformity, welch};
 use statrs::distribution::{ContinuousCDF, StudentsT};
-use traylib_integrators::Settings;
+use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings};
 use traylib_math::Vec2;
 use traylib_scene::Scene;
 
@@ -28,11 +28,11 @@ const CHANCE: f64 = 0.15;
 /// Of the interval that has to lie within the promise.
 const EQUIVALENCE_LEVEL: f64 = 1e-3;
 
-/// A program to hold against `bdpt`.
+/// A method to hold against `bdpt`.
 #[derive(Clone, Copy, Debug)]
 pub struct Other {
     /// Which.
-    pub program: Program,
+    pub method: Method,
     /// How many of its passes go with one of `bdpt`.
     pub passes: u32,
     /// How far the ratio of the means may be from one, and the interval of it.
@@ -63,15 +63,15 @@ pub struct Agreement {
     /// The claims.
     pub findings: Vec<Finding>,
     /// The probabilities of Welch's test for the tiles at the last look, a list a
-    /// program.
-    pub p_values: Vec<(Program, Vec<f64>)>,
+    /// method.
+    pub p_values: Vec<(Method, Vec<f64>)>,
 }
 
-/// Holds programs against `bdpt` on one scene.
+/// Holds methods against `bdpt` on one scene.
 pub fn agree(subject: &Subject<'_>, others: &[Other], budget: &Budget) -> Agreement {
-    let mut bdpt = Tiles::new(subject, Program::BdptPower, budget.tile);
+    let mut bdpt = Tiles::new(subject, methods::BDPT, budget.tile);
     let mut open: Vec<(Other, Tiles)> =
-        others.iter().map(|&o| (o, Tiles::new(subject, o.program, budget.tile))).collect();
+        others.iter().map(|&o| (o, Tiles::new(subject, o.method, budget.tile))).collect();
     let mut done = Agreement::default();
     let level = SCENE_LEVEL / (budget.looks.len() * others.len()) as f64;
     for (look, &passes) in budget.looks.iter().enumerate() {
@@ -86,7 +86,7 @@ pub fn agree(subject: &Subject<'_>, others: &[Other], budget: &Budget) -> Agreem
             let comparison = Comparison::of(&other, &bdpt, &tiles, level);
             if is_last || comparison.is_decided() {
                 done.findings.push(comparison.finding(subject, &other, &tiles, level));
-                done.p_values.push((other.program, comparison.p_values));
+                done.p_values.push((other.method, comparison.p_values));
             } else {
                 undecided.push((other, tiles));
             }
@@ -99,19 +99,19 @@ pub fn agree(subject: &Subject<'_>, others: &[Other], budget: &Budget) -> Agreem
 /// Whether the probabilities of all tiles are as even as those of the same
 /// pictures must be: sees a bias that is too small for any one tile.
 ///
-/// Of one program alone: all are held against the same picture of `bdpt`, so
+/// Of one method alone: all are held against the same picture of `bdpt`, so
 /// what they find hangs together.
-pub fn evenness(program: Program, agreements: &[Agreement]) -> Finding {
+pub fn evenness(method: Method, agreements: &[Agreement]) -> Finding {
     let p_values: Vec<f64> = agreements
         .iter()
         .flat_map(|agreement| &agreement.p_values)
-        .filter(|(other, _)| *other == program)
+        .filter(|(other, _)| *other == method)
         .flat_map(|(_, p_values)| p_values.iter().copied())
         .collect();
     let p = uniformity(&p_values);
     Finding {
         claim: format!(
-            "{program:?} and bdpt: Welch's probabilities of {} tiles are even",
+            "{method} and bdpt: Welch's probabilities of {} tiles are even",
             p_values.len()
         ),
         statistic: format!("Kolmogorov-Smirnov p = {p:.3}"),
@@ -123,28 +123,30 @@ pub fn evenness(program: Program, agreements: &[Agreement]) -> Finding {
 
 /// Tiles of one rendering: a value a pass.
 struct Tiles {
-    program: Program,
+    method: Method,
     side: usize,
     values: Vec<Vec<f64>>,
-    /// Tiles whose picture this program can make.
+    /// Tiles whose picture this method can make.
     visible: Vec<bool>,
 }
 
 impl Tiles {
-    fn new(subject: &Subject<'_>, program: Program, side: usize) -> Self {
+    fn new(subject: &Subject<'_>, method: Method, side: usize) -> Self {
         let mut visible = tiles_without_mirrors(subject.scene, side);
-        if program != Program::Particle {
+        let facts = SceneFacts { mirrors: true, ..SceneFacts::of(subject.scene) };
+        if !method.build().blind_spots(&facts).contains(&BlindSpot::SeenInMirrors) {
             visible.fill(true);
         }
-        Self { program, side, values: vec![Vec::new(); visible.len()], visible }
+        Self { method, side, values: vec![Vec::new(); visible.len()], visible }
     }
 
     /// Adds passes until there are so many, with numbers of their own.
     fn render(&mut self, subject: &Subject<'_>, passes: u32) {
         let before = self.values[0].len() as u32;
-        let seed = 1 + self.program as u64 + 1000 * u64::from(before);
+        let place = methods::WALKING.iter().position(|&other| other == self.method);
+        let seed = 1 + place.unwrap_or(0) as u64 + 1000 * u64::from(before);
         let settings = Settings { spp: passes - before, seed, threads: 0 };
-        let integrator = self.program.integrator(None);
+        let integrator = self.method.build();
         let (values, side) = (&mut self.values, self.side);
         let statistics = each_pass(subject.scene, integrator.as_ref(), &settings, |pass| {
             let luminance = pass.map(|[r, g, b]| 0.2126 * r + 0.7152 * g + 0.0722 * b);
@@ -152,7 +154,7 @@ impl Tiles {
                 tile.push(mean);
             }
         });
-        assert_eq!(statistics.rejected, 0, "{}, {:?}", subject.name, self.program);
+        assert_eq!(statistics.rejected, 0, "{}, {:?}", subject.name, self.method);
     }
 
     fn is_steady(&self, tile: usize) -> bool {
@@ -193,7 +195,7 @@ fn tiles_without_mirrors(scene: &Scene, side: usize) -> Vec<bool> {
     free
 }
 
-/// One program and `bdpt` at one look.
+/// One method and `bdpt` at one look.
 struct Comparison {
     p_values: Vec<f64>,
     refused: bool,
@@ -248,7 +250,7 @@ impl Comparison {
             claim: format!(
                 "{}: {:?} = bdpt within {} % of the mean, and on {} of {} tiles",
                 subject.name,
-                other.program,
+                other.method,
                 100.0 * promise,
                 self.p_values.len(),
                 self.tiles,

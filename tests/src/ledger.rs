@@ -15,7 +15,7 @@ pub const FILE: &str = "TRAYLIB_LEDGER";
 /// One comparison and what came of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// What should be so: scene, program, quantity.
+    /// What should be so: scene, method, quantity.
     pub claim: String,
     /// What was measured, and what it was held against.
     pub statistic: String,

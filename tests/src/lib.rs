@@ -7,7 +7,7 @@ pub mod known;
 pub mod laws;
 pub mod ledger;
 pub mod measure;
-pub mod programs;
+pub mod methods;
 pub mod relations;
 pub mod scenes;
 pub mod stability;

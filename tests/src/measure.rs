@@ -2,11 +2,10 @@
 //! what they leave possible.
 
 use crate::ledger::{Finding, settle};
-use crate::programs::Program;
 use crate::statistics::{Interval, mean_interval, sidak};
 use std::ops::ControlFlow;
 use traylib_geometry::Vec3;
-use traylib_integrators::{Control, Integrator, Settings, Statistics, render};
+use traylib_integrators::{Control, Integrator, Method, Settings, Statistics, render};
 use traylib_math::{Grid, Vec2};
 use traylib_scene::{Camera, Scene};
 
@@ -82,27 +81,27 @@ pub fn pass_means(
     (means, statistics)
 }
 
-/// Compares a program with the truth: every sample sound, the truth within the
+/// Compares a method with the truth: every sample sound, the truth within the
 /// interval of the family's level, and the interval narrow. The number of passes
 /// and the seed are the caller's, fixed beforehand.
-pub fn compare(case: &Case, program: Program, passes: u32, seed: u64) -> Finding {
-    compare_within(case, program, passes, seed, EQUIVALENCE)
+pub fn compare(case: &Case, method: Method, passes: u32, seed: u64) -> Finding {
+    compare_within(case, method, passes, seed, EQUIVALENCE)
 }
 
 /// The same, where the interval may be as wide as `equivalence` to either side,
 /// relative to the truth.
 pub fn compare_within(
     case: &Case,
-    program: Program,
+    method: Method,
     passes: u32,
     seed: u64,
     equivalence: f64,
 ) -> Finding {
-    let integrator = program.integrator(case.max_depth);
+    let integrator = method.up_to(case.max_depth).build();
     let settings = Settings { spp: passes, seed, threads: 1 };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let samples = u64::from(passes) * samples_in_a_pass(&case.scene);
-    let claim = format!("{}, {program:?}: mean radiance", case.name);
+    let claim = format!("{}, {method}: mean radiance", case.name);
     judge(claim, &Measured { means, statistics, samples }, case.truth, equivalence)
 }
 
@@ -152,13 +151,13 @@ pub fn samples_in_a_pass(scene: &Scene) -> u64 {
     u64::from(scene.camera().width()) * u64::from(scene.camera().height())
 }
 
-/// [`compare`] for each of these programs, with its number of passes.
+/// [`compare`] for each of these methods, with its number of passes.
 ///
 /// # Panics
 /// With everything that did not hold.
-pub fn all_hold(case: &Case, seed: u64, programs: &[(Program, u32)]) {
+pub fn all_hold(case: &Case, seed: u64, methods: &[(Method, u32)]) {
     let findings: Vec<Finding> =
-        programs.iter().map(|&(program, passes)| compare(case, program, passes, seed)).collect();
+        methods.iter().map(|&(method, passes)| compare(case, method, passes, seed)).collect();
     settle(&findings);
 }
 

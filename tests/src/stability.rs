@@ -1,4 +1,4 @@
-//! Where estimators fail: every program over every failure scene, measured and
+//! Where estimators fail: every method over every failure scene, measured and
 //! judged.
 //!
 //! Each cell of the table is rendered in sixteen independent runs. What is kept
@@ -8,7 +8,6 @@
 
 pub mod cell;
 pub mod closed;
-pub mod column;
 pub mod cost;
 pub mod crowded;
 pub mod expected;

@@ -94,7 +94,7 @@ fn the_judge_sees_a_twentieth() {
     let case = Case::read(&folder().join("floor-at-zero.ron")).unwrap();
     let verdict = |mean: f64| {
         let built = std::sync::Arc::new(workshop.build(&case.drawn).unwrap());
-        let estimator = Estimator::Program(traylib_tests::programs::Program::PureMc);
+        let estimator = Estimator::Method(traylib_tests::methods::PURE_MC);
         let part = judge::Part { built, estimator, brightest: 1.0, is_rare: true };
         let claim = judge::Claim {
             what: String::new(),

@@ -3,10 +3,10 @@
 mod field;
 mod outcome;
 
-use crate::contestant::Contestant;
 use crate::csv;
 use crate::how::build_key;
 use crate::lengths::lengths;
+use crate::method::suits;
 use crate::options::{ORACLE, Options};
 use crate::oracle::oracle;
 use crate::outside::{self, OutsideEntry};
@@ -24,7 +24,7 @@ use outcome::{finished, shown, told, told_without};
 use std::path::Path;
 use std::time::Instant;
 use traylib_demos::{Failure, say};
-use traylib_integrators::Control;
+use traylib_integrators::{Control, Method};
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_math::{Grid, Rgb};
 
@@ -61,7 +61,7 @@ struct Work<'a> {
     scenes: Vec<Prepared>,
     with_oracle: bool,
     outside: Vec<OutsideEntry>,
-    contestants: Vec<Contestant>,
+    methods: Vec<Method>,
     budgets: Vec<f64>,
     references: Store,
     runs: Store,
@@ -81,7 +81,7 @@ impl<'a> Work<'a> {
         let scenes: Vec<Prepared> =
             rendered.map(|scene| prepare(scene, options)).collect::<Result<_, _>>()?;
         field::check_names(&scenes)?;
-        field::check_fit(&options.integrators, &scenes)?;
+        field::check_fit(&options.methods, &scenes)?;
         for (file, scene) in options.reference.iter().zip(&scenes) {
             outside::warn_of_another(file, &scene.loaded.name);
         }
@@ -93,7 +93,7 @@ impl<'a> Work<'a> {
             scenes,
             with_oracle: asked.iter().any(|scene| scene == ORACLE),
             outside: outside.unwrap_or_default(),
-            contestants: options.contestants(),
+            methods: options.methods(),
             budgets: options.budgets(),
             references: store(options.folder().join("references"))?,
             runs: store(options.folder().join("runs"))?,
@@ -141,7 +141,7 @@ impl<'a> Work<'a> {
             let results = told_without(prepared, reference, &why);
             return Ok(Some((results, pictures, String::new())));
         }
-        let contestants = self.contestants_on(prepared);
+        let methods = self.methods_on(prepared);
         let field = Field {
             race: Race {
                 scene: &prepared.loaded.scene,
@@ -151,7 +151,7 @@ impl<'a> Work<'a> {
                 stop: self.stop,
             },
             key: key_of(&(self.key, prepared.key, reference.picture.values())),
-            contestants: &contestants,
+            methods: &methods,
             seeds: self.options.seeds(),
             first_seed: self.options.first_seed,
             store: &self.runs,
@@ -161,16 +161,16 @@ impl<'a> Work<'a> {
         let lines = csv::lines(&prepared.loaded.name, &all, &reference, first_seed);
         let entries = finished(&prepared.loaded.name, all);
         let outside = outside::measure(&self.outside, &prepared.loaded.name, &reference)?;
-        let techniques = self.techniques(prepared, &contestants, plan)?;
-        let lengths = self.lengths(prepared, &contestants, &reference, plan)?;
+        let techniques = self.techniques(prepared, &methods, plan)?;
+        let lengths = self.lengths(prepared, &methods, &reference, plan)?;
         let (points, outside): (Vec<_>, Vec<_>) = outside.into_iter().unzip();
         let pictures = shown(prepared, &reference, &entries, outside, techniques);
         let results = told(prepared, reference, &entries, points, lengths);
         Ok(results.map(|results| (results, pictures, lines)))
     }
 
-    fn contestants_on(&self, prepared: &Prepared) -> Vec<Contestant> {
-        self.contestants.iter().filter(|c| c.suits(&prepared.facts)).cloned().collect()
+    fn methods_on(&self, prepared: &Prepared) -> Vec<Method> {
+        self.methods.iter().copied().filter(|&method| suits(method, &prepared.facts)).collect()
     }
 
     fn reference(&self, prepared: &Prepared, plan: &Plan) -> Result<Option<Reference>, Failure> {
@@ -203,10 +203,10 @@ impl<'a> Work<'a> {
     fn techniques(
         &self,
         prepared: &Prepared,
-        contestants: &[Contestant],
+        methods: &[Method],
         plan: &Plan,
     ) -> Result<Vec<(traylib_integrators::Technique, Grid<Rgb>)>, Failure> {
-        if self.stopped() || !with_bdpt(contestants) {
+        if self.stopped() || !with_bdpt(methods) {
             return Ok(Vec::new());
         }
         plan.detail("techniques of bdpt");
@@ -222,11 +222,11 @@ impl<'a> Work<'a> {
     fn lengths(
         &self,
         prepared: &Prepared,
-        contestants: &[Contestant],
+        methods: &[Method],
         reference: &Reference,
         plan: &Plan,
     ) -> Result<Vec<LengthShare>, Failure> {
-        if self.stopped() || !with_bdpt(contestants) {
+        if self.stopped() || !with_bdpt(methods) {
             return Ok(Vec::new());
         }
         plan.detail("path lengths of bdpt");
@@ -239,7 +239,7 @@ impl<'a> Work<'a> {
         let longest = self.budgets.last().copied().unwrap_or(0.0);
         let runs = f64::from(self.options.seeds()) * longest * OVERHEAD;
         let scene = |prepared: &Prepared| {
-            2.0 * self.reference_seconds() + runs * self.contestants_on(prepared).len() as f64
+            2.0 * self.reference_seconds() + runs * self.methods_on(prepared).len() as f64
         };
         self.scenes.iter().map(scene).sum()
     }
@@ -265,8 +265,8 @@ fn outside(file: &Path, scenes: &[Prepared]) -> Result<Vec<OutsideEntry>, Failur
 /// Columns of the pictures of techniques.
 const THUMBNAIL: u32 = 64;
 
-fn with_bdpt(contestants: &[Contestant]) -> bool {
-    contestants.iter().any(|contestant| contestant.name() == "bdpt")
+fn with_bdpt(methods: &[Method]) -> bool {
+    methods.contains(&Method::BDPT)
 }
 
 fn warn(prepared: &Prepared) {

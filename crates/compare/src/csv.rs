@@ -20,7 +20,7 @@ pub fn lines(scene: &str, entries: &[Entry], reference: &Reference, first_seed: 
                 text,
                 "{},{},{seed},{},{:.6},{error:e},{:e},{:e},{:e},{:.8},{camera},{bounce},{shadow},{},{}",
                 quoted(scene),
-                quoted(entry.contestant.name()),
+                quoted(&entry.method.to_string()),
                 record.passes,
                 record.seconds,
                 reference.results.own_error,
@@ -50,7 +50,7 @@ mod tests {
     #[test]
     fn names_with_commas_stay_one_field() {
         assert_eq!(quoted("a,b"), "\"a,b\"");
-        assert_eq!(quoted("bdpt:depth=6"), "bdpt:depth=6");
+        assert_eq!(quoted("bdpt --max-depth 6"), "bdpt --max-depth 6");
         assert_eq!(quoted("6\" disk"), "\"6\"\" disk\"");
     }
 }

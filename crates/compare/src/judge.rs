@@ -9,13 +9,13 @@ pub use trust::{doubted_by, withhold};
 pub use verdict::{no_verdict, verdict};
 
 use crate::bootstrap::{self, quantile};
-use crate::contestant::Contestant;
+use crate::method::{blind_spots, is_biased, longest_path};
 use crate::reference::Reference;
 use crate::results::{Estimate, MethodResults, Metrics, Rays, Target};
 use crate::run::{Picture, Record};
 use curve::{averaged, budgets, powers_of_two};
 use steadiness::steadiness;
-use traylib_integrators::SceneFacts;
+use traylib_integrators::{Method, SceneFacts};
 use traylib_math::Grid;
 use traylib_scene::relative_square_errors;
 use traylib_tests::statistics::Sample;
@@ -26,11 +26,11 @@ pub const TARGETS: [f64; 3] = [1e-1, 1e-2, 1e-3];
 /// Of every interval but those that hold together.
 const LEVEL: f64 = 0.05;
 
-/// A contestant and its runs.
+/// A method and its runs.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// Who.
-    pub contestant: Contestant,
+    pub method: Method,
     /// What came of each run.
     pub records: Vec<Record>,
     /// Its picture at the end of each.
@@ -112,16 +112,16 @@ fn best(methods: &[MethodResults]) -> Option<usize> {
 }
 
 fn method(entry: &Entry, reference: &Reference, facts: SceneFacts) -> MethodResults {
-    let biased = entry.contestant.is_biased(&facts);
+    let biased = is_biased(entry.method, &facts);
     let spread = Spread::of(entry, reference);
     let lost = if biased { spread.lost } else { 0.0 };
     let mut points = budgets(entry, reference);
     points.extend(averaged(entry, reference));
     let method = MethodResults {
-        name: entry.contestant.name().to_string(),
+        name: entry.method.to_string(),
         biased,
-        blind: entry.contestant.blind_spots(&facts),
-        longest_path: entry.contestant.longest_path(),
+        blind: blind_spots(entry.method, &facts),
+        longest_path: longest_path(entry.method),
         points: powers_of_two(entry, reference),
         budgets: points,
         cost: bootstrap::mean(&entry.costs(reference), LEVEL),

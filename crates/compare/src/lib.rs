@@ -2,7 +2,7 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`options`], [`contestant`], [`prepare`], [`radiance`] | what is compared |
+//! | [`options`], [`method`], [`prepare`], [`radiance`] | what is compared |
 //! | [`reference`](mod@reference) | what pictures are held against |
 //! | [`race`], [`run`](mod@run), [`store`] | the runs, by turns, kept on disk |
 //! | [`judge`], [`bootstrap`] | from runs to intervals and a verdict |
@@ -13,13 +13,13 @@
 pub mod bootstrap;
 mod chart;
 pub mod compare;
-pub mod contestant;
 pub mod csv;
 pub mod folder;
 pub mod how;
 pub mod judge;
 pub mod lengths;
 pub mod memory;
+pub mod method;
 mod mirrors;
 pub mod options;
 pub mod oracle;

@@ -1,13 +1,14 @@
 //! The command line.
 
-use crate::contestant::{Contestant, DEFAULT, QUICK};
+use crate::method::by_default;
 use clap::Parser;
 use std::path::PathBuf;
 use std::time::Duration;
 use traylib_demos::{Failure, parse_duration, parse_resolution, parse_threads};
+use traylib_integrators::Method;
 
-/// Which integrator reaches which error in which time: renders each scene by each
-/// of them, many times and by turns, and charts error against time
+/// Which method reaches which error in which time: renders each scene by each of
+/// them, many times and by turns, and charts error against time
 ///
 /// Writes index.html, results.json and results.csv and prints the main table. If it
 /// is interrupted, it keeps what is done; the same command goes on from there.
@@ -25,16 +26,16 @@ pub struct Options {
     /// and oracle]
     pub scenes: Vec<String>,
 
-    /// Integrators with their settings, as puremc,bdpt:depth=6,combined:balance
-    /// [default: all, some in several settings]
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub integrators: Vec<Contestant>,
+    /// Methods, each spelled as a command line without a scene, as
+    /// \"puremc,bdpt --max-depth 6\" [default: all, some in several settings]
+    #[arg(long, alias = "integrators", value_name = "LIST", value_delimiter = ',')]
+    pub methods: Vec<Method>,
 
     /// When each run is looked at; it ends with the last [default: 0.25s,0.5s,1s,2s]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_duration)]
     pub budgets: Vec<Duration>,
 
-    /// Runs of each integrator, each with a seed of its own [default: 16]
+    /// Runs of each method, each with a seed of its own [default: 16]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1024))]
     pub seeds: Option<u32>,
 
@@ -43,7 +44,7 @@ pub struct Options {
     pub first_seed: u64,
 
     /// Picture to hold all others against, EXR or Radiance, of one scene, taken for true
-    /// [default: a closed form, or two long renders by different integrators]
+    /// [default: a closed form, or two long renders by different methods]
     #[arg(long, value_name = "FILE")]
     pub reference: Option<PathBuf>,
 
@@ -61,7 +62,7 @@ pub struct Options {
     #[arg(long, value_name = "FILE")]
     pub outside: Option<PathBuf>,
 
-    /// Smaller pictures, eight short runs, each program in one setting: under two
+    /// Smaller pictures, eight short runs, each method in one setting: under two
     /// minutes, for a look
     #[arg(long)]
     pub quick: bool,
@@ -78,7 +79,7 @@ pub struct Options {
 
 const EXAMPLES: &str = "Examples:
   cargo xtask compare-integrators --quick
-  cargo xtask compare-integrators my.ron --integrators bdpt,combined --open
+  cargo xtask compare-integrators my.ron --methods \"bdpt,directlight --combine\" --open
   cargo xtask compare-integrators pyramid --budgets 1s,4s,16s --seeds 32";
 
 /// The paper's scenes.
@@ -94,13 +95,11 @@ impl Options {
     }
 
     /// Who takes part.
-    pub fn contestants(&self) -> Vec<Contestant> {
-        let names: &[&str] = if self.quick { &QUICK } else { &DEFAULT };
-        if self.integrators.is_empty() {
-            names.iter().filter_map(|name| name.parse().ok()).collect()
-        } else {
-            self.integrators.clone()
+    pub fn methods(&self) -> Vec<Method> {
+        if self.methods.is_empty() {
+            return by_default(self.quick);
         }
+        self.methods.iter().map(|method| method.for_many_samples()).collect()
     }
 
     /// The budgets in seconds, ascending.
@@ -117,7 +116,7 @@ impl Options {
         budgets
     }
 
-    /// Runs of each contestant.
+    /// Runs of each method.
     pub fn seeds(&self) -> u32 {
         self.seeds.unwrap_or(if self.quick { 8 } else { 16 })
     }
@@ -141,11 +140,11 @@ impl Options {
         if self.reference.is_some() && rendered != 1 {
             return Err(Failure::usage("--reference is a picture of one scene: name just that"));
         }
-        let names: Vec<String> = self.contestants().iter().map(|c| c.name().to_string()).collect();
-        let twice = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name));
+        let methods = self.methods();
+        let twice = methods.iter().enumerate().find(|(i, method)| methods[..*i].contains(method));
         match twice {
-            Some((_, name)) => {
-                Err(Failure::usage(format_args!("--integrators has `{name}` twice")))
+            Some((_, method)) => {
+                Err(Failure::usage(format_args!("--methods has `{method}` twice")))
             }
             None => Ok(()),
         }
@@ -156,25 +155,30 @@ impl Options {
 mod tests {
     use super::*;
 
-    fn options(words: &str) -> Options {
-        Options::try_parse_from(["x"].into_iter().chain(words.split_whitespace())).unwrap()
+    fn options(words: &[&str]) -> Options {
+        Options::try_parse_from([&["x"], words].concat()).unwrap()
     }
 
     #[test]
     fn lists_are_split_and_sorted() {
-        let found = options("--budgets 4s,1s,4s --integrators bdpt,bdpt:depth=6 cornell");
+        let methods = "trace,bdpt --max-depth 6";
+        let found = options(&["--budgets", "4s,1s,4s", "--methods", methods, "cornell"]);
         assert_eq!(found.budgets(), [1.0, 4.0]);
-        assert_eq!(found.contestants()[1].name(), "bdpt:depth=6");
+        let names = found.methods().iter().map(ToString::to_string).collect::<Vec<_>>();
+        assert_eq!(names, ["trace --jitter", "bdpt --max-depth 6"]);
         assert_eq!(found.scenes(), ["cornell"]);
         assert!(found.check().is_ok());
     }
 
     #[test]
     fn what_does_not_go_together_is_refused() {
-        assert!(options("--reference a.exr").check().is_err());
-        assert!(options("--reference a.exr pyramid oracle").check().is_ok());
-        assert!(options("--integrators bdpt,bdpt").check().is_err());
+        assert!(options(&["--reference", "a.exr"]).check().is_err());
+        assert!(options(&["--reference", "a.exr", "pyramid", "oracle"]).check().is_ok());
+        assert!(options(&["--methods", "bdpt,bdpt"]).check().is_err());
         assert!(Options::try_parse_from(["x", "--seeds", "1"]).is_err());
-        assert!(Options::try_parse_from(["x", "--integrators", "pt"]).is_err());
+        assert!(Options::try_parse_from(["x", "--methods", "pt"]).is_err());
+        let old = Options::try_parse_from(["x", "--integrators", "combined:balance"]);
+        let told = old.unwrap_err().to_string();
+        assert!(told.contains("`directlight --combine --heuristic balance` now"), "{told}");
     }
 }

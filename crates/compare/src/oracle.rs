@@ -16,12 +16,12 @@ use traylib_math::Heuristic;
 use traylib_tests::known::estimators::Estimator;
 use traylib_tests::statistics::{Interval, Moments};
 
-/// The estimators, by the names of the methods.
-const METHODS: [(&str, Estimator); 4] = [
-    ("puremc", Estimator::Walks),
-    ("directlight", Estimator::LightSamples),
-    ("combined", Estimator::Both(Heuristic::Power)),
-    ("combined:balance", Estimator::Both(Heuristic::Balance)),
+/// Those whose noise is known.
+const ESTIMATORS: [Estimator; 4] = [
+    Estimator::Walks,
+    Estimator::LightSamples,
+    Estimator::Both(Heuristic::Power),
+    Estimator::Both(Heuristic::Balance),
 ];
 
 /// Two sides of the normal law, 0.1 % outside.
@@ -60,15 +60,16 @@ pub fn oracle(quick: bool, tell: &dyn Fn(&str)) -> Oracle {
 }
 
 fn measure(size: &Size, tell: &dyn Fn(&str)) -> Oracle {
-    let mut curves = METHODS.map(|(name, _)| OracleCurve { method: name.into(), points: vec![] });
+    let mut curves =
+        ESTIMATORS.map(|of| OracleCurve { method: of.method().to_string(), points: vec![] });
     for (number, &radius) in size.radii.iter().enumerate() {
         tell(&format!("noise at R/h = {radius}"));
-        let costs = Costs::measure(radius, &METHODS.map(|(_, of)| of), size.timing);
-        let noise: [Moments; METHODS.len()] = side_by_side(|i| {
-            let seed = (number * METHODS.len() + i) as u64;
-            METHODS[i].1.samples(radius, size.passes, seed)
+        let costs = Costs::measure(radius, &ESTIMATORS, size.timing);
+        let noise: [Moments; ESTIMATORS.len()] = side_by_side(|i| {
+            let seed = (number * ESTIMATORS.len() + i) as u64;
+            ESTIMATORS[i].samples(radius, size.passes, seed)
         });
-        for (i, (_, estimator)) in METHODS.into_iter().enumerate() {
+        for (i, estimator) in ESTIMATORS.into_iter().enumerate() {
             curves[i].points.push(OraclePoint {
                 radius,
                 theory: estimator.theory(radius),

@@ -1,8 +1,7 @@
-//! All runs on a scene: every contestant once, then all again with the next seed.
+//! All runs on a scene: every method once, then all again with the next seed.
 //!
 //! By turns, so that whatever else the machine does falls on all alike.
 
-use crate::contestant::Contestant;
 use crate::judge::Entry;
 use crate::precision::{double, single};
 use crate::progress::Plan;
@@ -10,8 +9,9 @@ use crate::run::{Picture, Race, Record};
 use crate::store::{Store, key_of};
 use std::time::Duration;
 use traylib_demos::Failure;
+use traylib_integrators::Method;
 
-/// What each contestant does before the race, in seconds.
+/// What each method does before the race, in seconds.
 pub const WARM_UP: f64 = 0.1;
 
 /// Looking and keeping cost so much on top.
@@ -22,10 +22,10 @@ pub const OVERHEAD: f64 = 1.15;
 pub struct Field<'a> {
     /// What they have in common.
     pub race: Race<'a>,
-    /// Hash of scene, reference and program: all that the contestants do not decide.
+    /// Hash of scene, reference and program: all that the methods do not decide.
     pub key: u64,
     /// Who runs.
-    pub contestants: &'a [Contestant],
+    pub methods: &'a [Method],
     /// Runs of each.
     pub seeds: u32,
     /// Seed of the first.
@@ -39,12 +39,8 @@ pub struct Field<'a> {
 /// # Errors
 /// The system refuses threads, or a file cannot be written.
 pub fn race(field: &Field<'_>, plan: &Plan) -> Result<Vec<Entry>, Failure> {
-    let entry = |contestant: &Contestant| Entry {
-        contestant: contestant.clone(),
-        records: Vec::new(),
-        pictures: Vec::new(),
-    };
-    let mut entries: Vec<Entry> = field.contestants.iter().map(entry).collect();
+    let entry = |&method: &Method| Entry { method, records: Vec::new(), pictures: Vec::new() };
+    let mut entries: Vec<Entry> = field.methods.iter().map(entry).collect();
     let mut warm = false;
     for turn in 0..field.seeds {
         // Nobody always follows the same neighbour.
@@ -52,13 +48,8 @@ pub fn race(field: &Field<'_>, plan: &Plan) -> Result<Vec<Entry>, Failure> {
             let number = entries.len();
             let entry = &mut entries[(place + turn as usize) % number];
             let seed = field.first_seed + u64::from(turn);
-            plan.detail(&format!(
-                "{}, run {} of {}",
-                entry.contestant.name(),
-                turn + 1,
-                field.seeds
-            ));
-            let Some((record, picture)) = field.one(&entry.contestant, seed, &mut warm)? else {
+            plan.detail(&format!("{}, run {} of {}", entry.method, turn + 1, field.seeds));
+            let Some((record, picture)) = field.one(entry.method, seed, &mut warm)? else {
                 return Ok(entries);
             };
             entry.records.push(record);
@@ -77,12 +68,12 @@ impl Field<'_> {
 
     fn one(
         &self,
-        contestant: &Contestant,
+        method: Method,
         seed: u64,
         warm: &mut bool,
     ) -> Result<Option<(Record, Picture)>, Failure> {
         let Race { budgets, threads, .. } = self.race;
-        let key = key_of(&(self.key, contestant.name(), seed, budgets, threads));
+        let key = key_of(&(self.key, method.to_string(), seed, budgets, threads));
         let found = self.store.numbers(key).zip(self.store.picture(key, "mean"));
         if found.is_some() {
             return Ok(found);
@@ -93,7 +84,7 @@ impl Field<'_> {
         if self.race.stop.is_cancelled() {
             return Ok(None);
         }
-        let done = self.race.run(contestant, seed).map_err(Failure::output)?;
+        let done = self.race.run(method, seed).map_err(Failure::output)?;
         // As it would come from the store, so that it makes no difference whether it does.
         let done = done.map(|(record, picture)| (record, double(&single(&picture))));
         if let Some((record, picture)) = &done {
@@ -103,9 +94,9 @@ impl Field<'_> {
     }
 
     fn warm_up(&self) -> Result<(), Failure> {
-        for contestant in self.contestants {
+        for &method in self.methods {
             let time = Duration::from_secs_f64(WARM_UP);
-            self.race.warm_up(contestant, time).map_err(Failure::output)?;
+            self.race.warm_up(method, time).map_err(Failure::output)?;
         }
         Ok(())
     }

@@ -183,7 +183,7 @@ pub struct Verdict {
 /// What was found of one method on one scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MethodResults {
-    /// Its name with its settings, as `bdpt:depth=6`.
+    /// Its name with its settings, as `bdpt --max-depth 6`.
     pub name: String,
     /// Whether some light is lost however long it renders, because of a limit on
     /// path lengths or because it is blind to some.

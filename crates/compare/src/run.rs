@@ -1,11 +1,11 @@
-//! One run: a contestant renders until its time is up, and is looked at on the way.
+//! One run: a method renders until its time is up, and is looked at on the way.
 
-use crate::contestant::Contestant;
 use crate::memory::peak_during;
 use crate::reference::Reference;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
+use traylib_integrators::Method;
 use traylib_integrators::{
     Control, Progress, Rendering, Settings, Statistics, ThreadError, render,
 };
@@ -75,13 +75,9 @@ impl Race<'_> {
     ///
     /// # Errors
     /// The system refuses threads.
-    pub fn run(
-        &self,
-        contestant: &Contestant,
-        seed: u64,
-    ) -> Result<Option<(Record, Picture)>, ThreadError> {
+    pub fn run(&self, method: Method, seed: u64) -> Result<Option<(Record, Picture)>, ThreadError> {
         let settings = Settings { spp: u32::MAX, seed, threads: self.threads };
-        let integrator = contestant.integrator();
+        let integrator = method.build();
         let mut watch = Watch::new(self);
         let (rendering, peak_bytes) = peak_during(|| {
             render(self.scene, integrator.as_ref(), &settings, self.stop, &mut |p| {
@@ -98,10 +94,10 @@ impl Race<'_> {
     ///
     /// # Errors
     /// The system refuses threads.
-    pub fn warm_up(&self, contestant: &Contestant, time: Duration) -> Result<(), ThreadError> {
+    pub fn warm_up(&self, method: Method, time: Duration) -> Result<(), ThreadError> {
         let start = Instant::now();
         let settings = Settings { spp: u32::MAX, seed: 0, threads: self.threads };
-        let integrator = contestant.integrator();
+        let integrator = method.build();
         render(self.scene, integrator.as_ref(), &settings, self.stop, &mut |_| {
             if start.elapsed() >= time { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         })?;

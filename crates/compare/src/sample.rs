@@ -21,7 +21,7 @@ pub fn sample() -> (Results, Vec<ScenePictures>) {
 const CORNELL: [Kind; 5] = [
     kind("directlight", 0.021, 0.011),
     kind("bdpt", 0.024, 0.048),
-    Kind { floor: 2.0e-3, ..kind("bdpt:depth=6", 0.017, 0.034) },
+    Kind { floor: 2.0e-3, ..kind("bdpt --max-depth 6", 0.017, 0.034) },
     kind("puremc", 1.9, 0.0085),
     Kind { floor: 0.4, blind: true, ..kind("particle", 0.35, 0.019) },
 ];
@@ -29,7 +29,7 @@ const CORNELL: [Kind; 5] = [
 const CAUSTIC: [Kind; 5] = [
     Kind { alarm: true, ..kind("directlight", 340.0, 0.012) },
     kind("bdpt", 0.09, 0.051),
-    Kind { floor: 5.0e-4, ..kind("bdpt:depth=6", 0.085, 0.04) },
+    Kind { floor: 5.0e-4, ..kind("bdpt --max-depth 6", 0.085, 0.04) },
     Kind { floor: 0.97, blind: true, ..kind("puremc", 0.02, 0.009) },
     kind("particle", 0.04, 0.02),
 ];

@@ -55,7 +55,7 @@ fn every_method_and_every_verdict_is_there() {
 fn who_does_not_see_all_light_is_marked_everywhere() {
     let results = sample().0;
     let page = text(&results);
-    for (name, badge) in [("bdpt:depth=6", "biased"), ("particle", "blind")] {
+    for (name, badge) in [("bdpt --max-depth 6", "biased"), ("particle", "blind")] {
         let scene = page.split("<section").nth(1).unwrap();
         let marked = format!("</svg>{name}</span> <span class=\"tag\">{badge}</span>");
         assert_eq!(
@@ -95,7 +95,7 @@ fn a_ratio_is_the_same_number_everywhere() {
     assert!(page.contains("puremc  1.31 times as long (1.29 to 1.33)"));
     let terminal = table(&results);
     assert!(terminal.contains(" 1.31 (1.29 to 1.33) "), "{terminal}");
-    for name in ["bdpt:depth=6 (biased) ", "particle (blind) "] {
+    for name in ["bdpt --max-depth 6 (biased) ", "particle (blind) "] {
         assert!(terminal.contains(name), "{terminal}");
     }
 }

@@ -47,8 +47,10 @@ fn program(out: &Path) -> Command {
     command
 }
 
+/// A plus stands for a blank within a word.
 fn compare(out: &Path, words: &str) -> Output {
-    program(out).args(words.split_whitespace()).output().unwrap()
+    let words = words.split_whitespace().map(|word| word.replace('+', " "));
+    program(out).args(words).output().unwrap()
 }
 
 fn err(output: &Output) -> String {
@@ -56,7 +58,7 @@ fn err(output: &Output) -> String {
 }
 
 const SMALL: &str =
-    "--resolution 16x12 --budgets 0.004s,0.008s --seeds 4 --integrators puremc,combined";
+    "--resolution 16x12 --budgets 0.004s,0.008s --seeds 4 --methods puremc,directlight+--combine";
 
 /// A closed form, so no reference has to be rendered.
 #[test]
@@ -79,7 +81,7 @@ fn all_that_is_promised_lies_there() {
     assert_eq!(csv.lines().count(), 1 + 2 * 4);
     let page = std::fs::read_to_string(out.0.join("index.html")).unwrap();
     assert!(page.contains(&scene.verdict.sentence));
-    assert!(out.text("furnace-error.svg").contains("\ncombined\n"));
+    assert!(out.text("furnace-error.svg").contains("\ndirectlight --combine\n"));
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(told.contains(&scene.verdict.sentence) && told.contains("index.html"), "{told}");
 }
@@ -128,7 +130,7 @@ fn two_methods_make_a_reference_that_finds_its_runs_again() {
 #[test]
 fn an_interrupt_keeps_what_is_done() {
     let out = Folder::new("interrupt");
-    let words = "furnace --resolution 16x12 --budgets 0.02s --seeds 500 --integrators puremc";
+    let words = "furnace --resolution 16x12 --budgets 0.02s --seeds 500 --methods puremc";
     let mut child = program(&out.0).args(words.split_whitespace()).spawn().unwrap();
     let runs = out.0.join("runs");
     let done = || std::fs::read_dir(&runs).map_or(0, Iterator::count);
@@ -221,7 +223,8 @@ fn mistakes_are_told_in_a_line() {
     let unknown = format!("furnace --outside {}", list.display());
     for (words, code, text) in [
         ("no-such-scene", 3, "no-such-scene"),
-        ("furnace --integrators pt", 2, "pt"),
+        ("furnace --methods pt", 2, "pt"),
+        ("furnace --methods bdpt:no-connections", 2, "is spelled `bdpt --no-connections` now"),
         ("furnace cornell --reference a.exr", 2, "--reference"),
         ("furnace --reference no-such.exr", 3, "no-such.exr"),
         ("furnace --outside no-such.json", 3, "no-such.json"),
@@ -246,7 +249,7 @@ fn nothing_done_replaces_nothing() {
     assert!(compare(&out.0, &format!("furnace {SMALL}")).status.success());
     let left = || ["index.html", "results.json", "results.csv"].map(|n| out.text(n));
     let before = left();
-    let words = "cornell --resolution 16x12 --budgets 60s --integrators puremc";
+    let words = "cornell --resolution 16x12 --budgets 60s --methods puremc";
     let mut child = program(&out.0);
     let child = child.args(words.split_whitespace()).stderr(std::process::Stdio::piped());
     let mut child = child.spawn().unwrap();
@@ -293,10 +296,7 @@ fn names_and_methods_that_do_not_fit_are_told_at_once() {
     for (words, texts) in [
         (format!("{a} {b}"), [a.as_str(), b.as_str(), "called `room`"]),
         ("furnace furnace".into(), ["`furnace` and `furnace`", "called", "furnace"]),
-        (
-            "furnace --integrators trace".into(),
-            ["furnace: trace", "no point lights", "nobody else"],
-        ),
+        ("furnace --methods trace".into(), ["furnace: trace", "no point lights", "nobody else"]),
     ] {
         let output = compare(&out.0, &words);
         assert_eq!(output.status.code(), Some(2), "{words}: {}", err(&output));

@@ -105,7 +105,7 @@ fn again(file: &Path, plan: &Plan) -> Tally {
 fn summary(tally: &Tally, time: Duration) {
     let mut by_claim: BTreeMap<(Relation, String), Vec<First>> = BTreeMap::new();
     for (relation, what, first) in &tally.held {
-        let what = if *relation == Relation::Programs { what.clone() } else { String::new() };
+        let what = if *relation == Relation::Methods { what.clone() } else { String::new() };
         by_claim.entry((*relation, what)).or_default().push(*first);
     }
     for ((relation, what), firsts) in &by_claim {

@@ -1,21 +1,24 @@
-//! `cargo xtask stability`: every program over every failure scene, judged.
+//! `cargo xtask stability`: every method over every failure scene, judged.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use traylib_integrators::Method;
 use traylib_io::printable;
 use traylib_io::write_file;
+use traylib_tests::stability::expected::METHODS;
 use traylib_tests::stability::page::{page, save_pictures};
 use traylib_tests::stability::run::{Choice, run};
 use traylib_tests::stability::table::{Agreement, Judged, markdown};
 
 const HELP: &str = "\
-Renders every failure scene by every program and judges what comes of it.
+Renders every failure scene by every method and judges what comes of it.
 
 Usage: cargo xtask stability [OPTIONS]
 
   --scene F10      this scene alone
-  --program bdpt   this program alone; it is then compared with itself
+  --method bdpt    this method alone, as \"directlight --combine\"; it is then
+                   compared with itself
   --quick          an eighth of the passes: for a look, not for a verdict
   --out FOLDER     where table.md, index.html and results.json go
                    [default: target/stability]
@@ -51,13 +54,19 @@ fn understand(arguments: &[String]) -> Option<(Choice, PathBuf)> {
     while let Some(word) = words.next() {
         match word.as_str() {
             "--scene" => choice.scene = Some(words.next()?.clone()),
-            "--program" => choice.program = Some(words.next()?.clone()),
+            "--method" => choice.method = Some(method(words.next()?)?),
             "--quick" => choice.quick = true,
             "--out" => folder = PathBuf::from(words.next()?),
             _ => return None,
         }
     }
     Some((choice, folder))
+}
+
+/// A method of the table; `trace` stands there for many samples.
+fn method(text: &str) -> Option<Method> {
+    let method = text.parse::<Method>().ok()?.for_many_samples();
+    METHODS.contains(&method).then_some(method)
 }
 
 /// Whether all verdicts are as they should be; at least one there must be.

@@ -3,9 +3,8 @@
 use crate::known::analytic::disk;
 use crate::known::variance::{mean, of_both, of_light_samples, of_walks};
 use crate::measure::each_pass;
-use crate::programs::Program;
 use crate::statistics::Moments;
-use traylib_integrators::{DirectLight, Integrator, Settings};
+use traylib_integrators::{DirectLight, Method, Settings};
 use traylib_math::Heuristic;
 
 /// An estimator of light that arrives straight from a lamp.
@@ -37,14 +36,15 @@ impl Estimator {
         }
     }
 
-    /// The program.
-    pub fn integrator(self) -> Box<dyn Integrator> {
+    /// The method.
+    pub fn method(self) -> Method {
         match self {
-            Self::Walks => Program::PureMc.integrator(None),
-            Self::LightSamples => Program::Strict.integrator(None),
-            Self::Both(heuristic) => {
-                Box::new(DirectLight { combine: Some(heuristic), ..DirectLight::default() })
-            }
+            Self::Walks => Method::PURE_MC,
+            Self::LightSamples => Method::DIRECT_LIGHT,
+            Self::Both(heuristic) => Method::DirectLight(DirectLight {
+                combine: Some(heuristic),
+                ..DirectLight::default()
+            }),
         }
     }
 
@@ -58,9 +58,10 @@ impl Estimator {
         let unit = case.truth / mean(radius);
         let settings = Settings { spp: passes, seed, threads: 1 };
         let mut samples = Vec::new();
-        let statistics = each_pass(&case.scene, self.integrator().as_ref(), &settings, |pass| {
-            samples.extend(pass.values().iter().map(|bands| bands[1] / unit));
-        });
+        let statistics =
+            each_pass(&case.scene, self.method().build().as_ref(), &settings, |pass| {
+                samples.extend(pass.values().iter().map(|bands| bands[1] / unit));
+            });
         assert_eq!(statistics.rejected, 0);
         Moments::of(&samples)
     }

@@ -82,7 +82,7 @@ pub fn mirrored_point() -> Case {
     Case { name: "C3".into(), scene, max_depth: Some(3), truth }
 }
 
-/// C2 and C3 together: light that no program here can find, and what it is.
+/// C2 and C3 together: light that no method here can find, and what it is.
 pub fn mirrored_point_in_a_mirror() -> Case {
     let scene = second_mirror(point_below_mirror(in_mirror())).build();
     let truth = FLOOR * MIRROR * MIRROR / PI * INTENSITY * 3.0 / 10.0_f64.powf(1.5);

@@ -1,4 +1,4 @@
-//! All scenes of a run together: how far two programs are apart on average.
+//! All scenes of a run together: how far two methods are apart on average.
 
 use crate::relations::judge::First;
 use crate::statistics::Interval;

@@ -3,9 +3,9 @@
 
 mod changed;
 mod furnace;
+mod methods;
 mod nudged;
 mod outsider;
-mod programs;
 mod reciprocity;
 mod right;
 mod superposition;
@@ -30,8 +30,8 @@ pub enum Relation {
     Right,
     /// A light on a surface is on one side of it or on the other.
     Nudged,
-    /// All programs that can see the light of a scene find the same.
-    Programs,
+    /// All methods that can see the light of a scene find the same.
+    Methods,
     /// Some techniques of `bdpt` that find every path find the same.
     Techniques,
     /// The scene in another form has the same light.
@@ -72,7 +72,7 @@ impl Relation {
         let alone = [
             Self::Right,
             Self::Nudged,
-            Self::Programs,
+            Self::Methods,
             Self::Techniques,
             Self::Superposition,
             Self::Outsider,
@@ -93,7 +93,7 @@ impl Relation {
         match self {
             Self::Right => Ok(right::claims(subject)),
             Self::Nudged => nudged::claims(subject),
-            Self::Programs => Ok(programs::claims(subject)),
+            Self::Methods => Ok(methods::claims(subject)),
             Self::Techniques => Ok(techniques::claims(subject, dice)),
             Self::Changed(change) => changed::claims(change, subject, dice),
             Self::Superposition => superposition::claims(subject, dice),
@@ -124,7 +124,7 @@ impl fmt::Display for Relation {
             Self::Changed(change) => write!(f, "{change:?}"),
             Self::Right
             | Self::Nudged
-            | Self::Programs
+            | Self::Methods
             | Self::Techniques
             | Self::Superposition
             | Self::Outsider
@@ -159,8 +159,7 @@ fn side(drawn: &DrawnScene, built: &Arc<Built>, estimator: Estimator) -> Side {
 /// The words for an estimator.
 fn name(estimator: Estimator) -> String {
     match estimator {
-        Estimator::Program(program) => format!("{program:?}"),
-        Estimator::Trace => String::from("trace"),
+        Estimator::Method(method) => method.to_string(),
         Estimator::Among(_) => String::from("techniques"),
     }
 }

@@ -1,7 +1,6 @@
 //! A drawn scene as numbers: the mean of the picture and of its quarters, for
 //! each pass.
 
-use crate::programs::Program;
 use crate::relations::form::Files;
 use crate::relations::scene::DrawnScene;
 use std::fs;
@@ -13,7 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 use traylib_integrators::{
-    Bdpt, Control, Integrator, Limits, Progress, Roulette, Settings, TechniqueSet, Trace,
+    Bdpt, Control, Integrator, Limits, Method, Progress, Roulette, Settings, TechniqueSet,
     Weighting, render,
 };
 use traylib_math::Heuristic;
@@ -25,10 +24,8 @@ pub const CELLS: usize = 5;
 /// What estimates the light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Estimator {
-    /// A program.
-    Program(Program),
-    /// `trace`, with a place of its own in the pixel for each sample.
-    Trace,
+    /// A method.
+    Method(Method),
     /// `bdpt` with some of its techniques.
     Among(TechniqueSet),
 }
@@ -37,8 +34,7 @@ impl Estimator {
     /// The integrator, for paths of at most `max_depth` edges.
     pub fn integrator(self, max_depth: Option<u32>) -> Box<dyn Integrator> {
         match self {
-            Self::Program(program) => program.integrator(max_depth),
-            Self::Trace => Box::new(Trace { jitter: true }),
+            Self::Method(method) => method.up_to(max_depth).build(),
             Self::Among(set) => Box::new(Bdpt {
                 limits: Limits { max_depth, roulette: Roulette::default() },
                 heuristic: Heuristic::Balance,

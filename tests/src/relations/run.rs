@@ -174,7 +174,7 @@ impl Bench<'_> {
             Ok(subject) => Subject { right: self.right, ..subject },
             Err(trouble) => {
                 let failed = Verdict::Failed(trouble);
-                tally.others.push(outcome(Relation::Programs, "the scene can be loaded", failed));
+                tally.others.push(outcome(Relation::Methods, "the scene can be loaded", failed));
                 return tally;
             }
         };

@@ -1,11 +1,10 @@
-//! A program over a scene: sixteen runs, and what is kept of their passes.
+//! A method over a scene: sixteen runs, and what is kept of their passes.
 
 use crate::measure::each_pass;
-use crate::stability::column::Column;
 use crate::stability::moments::{Energy, Moments};
 use crate::stability::reference::{Reference, values};
 use crate::stability::tail::Largest;
-use traylib_integrators::Settings;
+use traylib_integrators::{Method, Settings};
 use traylib_scene::Scene;
 
 /// Independent runs of each cell.
@@ -43,12 +42,12 @@ pub struct Kept {
 pub fn run(
     scene: &Scene,
     reference: &Reference,
-    column: Column,
+    method: Method,
     max_depth: Option<u32>,
     passes: u32,
 ) -> Kept {
     let units: Vec<f64> = reference.scales().into_iter().map(f64::sqrt).collect();
-    let integrator = column.integrator(max_depth);
+    let integrator = method.up_to(max_depth).build();
     let mut kept = Kept { passes, ..Kept::default() };
     for seed in 1..=RUNS {
         let settings = Settings { spp: passes, seed, threads: 1 };

@@ -1,8 +1,9 @@
 //! The table as it was expected, written down before anything was measured, and
 //! where measuring showed it wrong.
 
-use crate::stability::column::Column;
+use crate::methods;
 use crate::stability::judge::Verdict;
+use traylib_integrators::Method;
 
 /// A verdict foreseen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,8 +26,17 @@ pub enum Expected {
 
 use Expected::{Alarm, Blind, No, Ok, Same, Sparks, V};
 
-/// Rows by the scene's name, columns as in [`Column::ALL`]: trace, puremc,
-/// directlight, combined, particle, bdpt.
+/// The columns of the table.
+pub const METHODS: [Method; 6] = [
+    methods::TRACE,
+    methods::PURE_MC,
+    methods::DIRECT_LIGHT,
+    methods::COMBINED,
+    methods::PARTICLE,
+    methods::BDPT,
+];
+
+/// Rows by the scene's name, columns as in [`METHODS`].
 pub const EXPECTED: [(&str, [Expected; 6]); 18] = [
     ("F1", [No, V, Ok, Ok, Ok, Ok]),
     ("F2", [No, Ok, V, Ok, V, Ok]),
@@ -57,8 +67,8 @@ pub const EXPECTED: [(&str, [Expected; 6]); 18] = [
 pub struct Correction {
     /// The scene's name.
     pub scene: &'static str,
-    /// The program.
-    pub column: Column,
+    /// The method.
+    pub method: Method,
     /// The verdict that stands.
     pub verdict: Expected,
     /// Why, in a line.
@@ -69,42 +79,42 @@ pub struct Correction {
 pub const CORRECTIONS: &[Correction] = &[
     corrected(
         "F1",
-        Column::Particle,
+        methods::PARTICLE,
         V,
         "light paths hit a pixel or miss it, which is a relMSE of 5 a pass; one light sample, with \
          1e-4, is done after the first",
     ),
-    corrected("F2", Column::Combined, Sparks, LOBE_EDGE),
-    corrected("F2", Column::Bdpt, Sparks, LOBE_EDGE),
-    corrected("F3", Column::PureMc, Alarm, STAIRCASE),
-    corrected("F3", Column::DirectLight, Alarm, STAIRCASE),
-    corrected("F3", Column::Particle, Alarm, STAIRCASE),
-    corrected("F3", Column::Combined, Alarm, UNDECIDED),
-    corrected("F3", Column::Bdpt, Alarm, UNDECIDED),
+    corrected("F2", methods::COMBINED, Sparks, LOBE_EDGE),
+    corrected("F2", methods::BDPT, Sparks, LOBE_EDGE),
+    corrected("F3", methods::PURE_MC, Alarm, STAIRCASE),
+    corrected("F3", methods::DIRECT_LIGHT, Alarm, STAIRCASE),
+    corrected("F3", methods::PARTICLE, Alarm, STAIRCASE),
+    corrected("F3", methods::COMBINED, Alarm, UNDECIDED),
+    corrected("F3", methods::BDPT, Alarm, UNDECIDED),
     corrected(
         "F8",
-        Column::Bdpt,
+        methods::BDPT,
         Ok,
         "nine tenths of its light paths start at the relevant lamp: power serves them as well",
     ),
-    corrected("F8b", Column::Combined, Ok, HITS),
-    corrected("F8b", Column::Bdpt, Ok, HITS),
+    corrected("F8b", methods::COMBINED, Ok, HITS),
+    corrected("F8b", methods::BDPT, Ok, HITS),
     corrected(
         "F8p",
-        Column::Trace,
+        methods::TRACE,
         V,
         "1000 shadow rays a pixel bring relMSE to 3e-4 in the first pass, where 1e-2 is asked: the \
          others have that after eight passes of one shadow ray",
     ),
     corrected(
         "F8p",
-        Column::Bdpt,
+        methods::BDPT,
         Ok,
         "power serves it as it serves directlight, and its light paths weigh next to nothing",
     ),
     corrected(
         "F12p",
-        Column::Particle,
+        methods::PARTICLE,
         V,
         "as in F1: hits and misses, a relMSE of 11 a pass, against shadow rays to a point, which \
          know no chance but that of the place in the pixel",
@@ -129,23 +139,23 @@ const HITS: &str = "a thousand equal lamps make light samples rare but not their
 
 const fn corrected(
     scene: &'static str,
-    column: Column,
+    method: Method,
     verdict: Expected,
     reason: &'static str,
 ) -> Correction {
-    Correction { scene, column, verdict, reason }
+    Correction { scene, method, verdict, reason }
 }
 
 /// What was expected of a cell; `None` for a scene that is not in the table.
-pub fn expected(scene: &str, column: Column) -> Option<Expected> {
+pub fn expected(scene: &str, method: Method) -> Option<Expected> {
     let (_, row) = EXPECTED.iter().find(|(id, _)| *id == scene)?;
-    let index = Column::ALL.iter().position(|&other| other == column)?;
+    let index = METHODS.iter().position(|&other| other == method)?;
     Some(row[index])
 }
 
 /// The correction of a cell, if it has one.
-pub fn correction(scene: &str, column: Column) -> Option<&'static Correction> {
-    CORRECTIONS.iter().find(|c| c.scene == scene && c.column == column)
+pub fn correction(scene: &str, method: Method) -> Option<&'static Correction> {
+    CORRECTIONS.iter().find(|c| c.scene == scene && c.method == method)
 }
 
 impl Expected {

@@ -5,7 +5,7 @@ use crate::stability::tail;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// Times the best program's time to relMSE 10⁻² beyond which a cell is slow.
+/// Times the best method's time to relMSE 10⁻² beyond which a cell is slow.
 pub const SLOW: f64 = 10.0;
 
 /// Where even the best needs more passes than this to relMSE 10⁻², all are slow.
@@ -24,7 +24,7 @@ const SLOPE: f64 = 0.05;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
-    /// No light of the scene is of a kind that the program is for, and it says so.
+    /// No light of the scene is of a kind that the method is for, and it says so.
     NotApplicable,
     /// It found nothing, and said so beforehand.
     Blind,
@@ -61,7 +61,7 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// What the program said of itself before rendering, as far as it matters here.
+/// What the method said of itself before rendering, as far as it matters here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Word {
     /// It can produce the light of this scene.
@@ -140,7 +140,7 @@ fn wrong(figures: &Figures) -> Option<String> {
     }
 }
 
-/// What keeps a fast program from being ok.
+/// What keeps a fast method from being ok.
 fn unsteady(figures: &Figures) -> Option<String> {
     match figures.slope {
         Some(slope) if (slope.slope + 1.0).abs() > SLOPE => {

@@ -1,6 +1,6 @@
 //! The table as a page to look at.
 
-use crate::stability::column::Column;
+use crate::stability::expected::METHODS;
 use crate::stability::judge::Verdict;
 use crate::stability::run::{Pictures, Row};
 use crate::stability::table::{Agreement, Judged, short};
@@ -31,7 +31,7 @@ pub fn page(rows: &[Row]) -> String {
                 table {
                     tr {
                         th { "scene" } th { "reference" }
-                        @for column in Column::ALL { th { (column.name()) } }
+                        @for method in METHODS { th { (method) } }
                     }
                     @for row in rows { (table_row(row)) }
                 }
@@ -47,8 +47,8 @@ fn table_row(row: &Row) -> Markup {
         tr {
             th { (first.scene) small { (first.title) } }
             td { @if row.pictures.is_some() { img src=(file(&first.scene, "reference")) alt=""; } }
-            @for column in Column::ALL {
-                @match row.cells.iter().find(|cell| cell.column == column) {
+            @for method in METHODS {
+                @match row.cells.iter().find(|cell| cell.method == method) {
                     Some(cell) => (table_cell(cell)),
                     None => td {},
                 }
@@ -66,7 +66,7 @@ fn table_cell(cell: &Judged) -> Markup {
     };
     html! {
         td class=(cell.verdict.to_string()) {
-            @if cell.figures.is_some() { img src=(file(&cell.scene, cell.column.name())) alt=""; }
+            @if cell.figures.is_some() { img src=(file(&cell.scene, &cell.method.to_string())) alt=""; }
             b { (cell.word()) (mark) }
             @if let Agreement::Corrected(reason) = cell.agreement() { small { (reason) } }
             @if let Verdict::Unsettled(what) = &cell.verdict { small { (what) } }
@@ -87,7 +87,7 @@ fn alpha(index: Option<crate::stability::tail::TailIndex>) -> String {
 }
 
 fn file(scene: &str, what: &str) -> String {
-    format!("{scene}-{what}.png")
+    format!("{scene}-{}.png", what.replace(" --", "-"))
 }
 
 /// Writes the pictures of a row beside the page.
@@ -116,5 +116,7 @@ pub fn save_pictures(folder: &Path, row: &Row) -> Result<(), traylib_io::Error> 
         save_picture(&folder.join(file(&cell.scene, what)), &grid, &info)
     };
     save("reference", &reference.pixels, 0)?;
-    equal_time.iter().try_for_each(|(column, passes, pixels)| save(column.name(), pixels, *passes))
+    equal_time
+        .iter()
+        .try_for_each(|(method, passes, pixels)| save(&method.to_string(), pixels, *passes))
 }

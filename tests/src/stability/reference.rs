@@ -1,10 +1,9 @@
 //! What the cells of a row are held against.
 
 use crate::measure::each_pass;
-use crate::stability::column::Column;
 use crate::stability::scene::{FailureScene, Truth};
 use traylib_geometry::Vec3;
-use traylib_integrators::Settings;
+use traylib_integrators::{Method, Settings};
 use traylib_math::{Grid, Vec2};
 use traylib_scene::{Camera, Scene};
 
@@ -44,8 +43,8 @@ impl Reference {
         Self { variances: vec![0.0; pixels.len()], pixels, width: width as usize }
     }
 
-    fn rendered(row: &FailureScene, scene: &Scene, by: Column, passes: u32) -> Self {
-        let integrator = by.integrator(row.max_depth);
+    fn rendered(row: &FailureScene, scene: &Scene, by: Method, passes: u32) -> Self {
+        let integrator = by.up_to(row.max_depth).build();
         let settings = Settings { spp: passes, seed: SEED, threads: 1 };
         let size = (scene.camera().width() * scene.camera().height()) as usize;
         let (mut sums, mut squares) = (vec![0.0; size], vec![0.0; size]);

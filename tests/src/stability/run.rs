@@ -1,8 +1,8 @@
 //! Running the table: what to render, by two threads, one cell each.
 
 use crate::stability::cell::{self, Kept};
-use crate::stability::column::Column;
 use crate::stability::cost::seconds_per_pass;
+use crate::stability::expected::METHODS;
 use crate::stability::figures::Figures;
 use crate::stability::judge::{Verdict, Word, best, factor, judge};
 use crate::stability::reference::Reference;
@@ -12,7 +12,7 @@ use crate::stability::table::Judged;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use traylib_integrators::{BlindSpot, SceneFacts};
+use traylib_integrators::{BlindSpot, Method, SceneFacts};
 use traylib_scene::Scene;
 
 /// Cells rendered at a time, each by one thread.
@@ -23,20 +23,20 @@ const AT_A_TIME: usize = 2;
 pub struct Choice {
     /// One scene by its name, or all.
     pub scene: Option<String>,
-    /// One program by its name, or all.
-    pub program: Option<String>,
+    /// One method of the table, or all.
+    pub method: Option<Method>,
     /// An eighth of the passes.
     pub quick: bool,
 }
 
-/// Pictures of a row: what it should be, and what each program has after the
+/// Pictures of a row: what it should be, and what each method has after the
 /// same time.
 #[derive(Clone, Debug)]
 pub struct Pictures {
     /// The reference.
     pub reference: Reference,
-    /// By program, of the first run: passes and pixels.
-    pub equal_time: Vec<(Column, u32, Vec<f64>)>,
+    /// By method, of the first run: passes and pixels.
+    pub equal_time: Vec<(Method, u32, Vec<f64>)>,
 }
 
 /// A row of the table.
@@ -58,27 +58,27 @@ struct Prepared {
 /// Renders and judges all that was chosen; `tell` is called with a line a cell.
 pub fn run(choice: &Choice, tell: &(dyn Fn(&str) + Sync)) -> Vec<Row> {
     let chosen: Vec<&FailureScene> = SCENES.iter().filter(|row| choice.scene(row.id)).collect();
-    let columns: Vec<Column> =
-        Column::ALL.into_iter().filter(|column| choice.column(*column)).collect();
+    let methods: Vec<Method> =
+        METHODS.into_iter().filter(|method| choice.method(*method)).collect();
     let prepared = in_parallel(&chosen, |row| {
         let scene = row.build();
         let reference = Reference::of(row, &scene);
         tell(&format!("{} reference, mean {:.5}", row.id, reference.mean()));
         Prepared { row: choice.shortened(row), scene, reference }
     });
-    let cells: Vec<(usize, Column)> = (0..prepared.len())
-        .flat_map(|row| columns.iter().map(move |&column| (row, column)))
+    let cells: Vec<(usize, Method)> = (0..prepared.len())
+        .flat_map(|row| methods.iter().map(move |&method| (row, method)))
         .collect();
-    let kept = in_parallel(&cells, |&(row, column)| prepared[row].render(column, tell));
-    let mut by_row: BTreeMap<usize, Vec<(Column, Option<Kept>)>> = BTreeMap::new();
-    for ((row, column), kept) in cells.into_iter().zip(kept) {
-        by_row.entry(row).or_default().push((column, kept));
+    let kept = in_parallel(&cells, |&(row, method)| prepared[row].render(method, tell));
+    let mut by_row: BTreeMap<usize, Vec<(Method, Option<Kept>)>> = BTreeMap::new();
+    for ((row, method), kept) in cells.into_iter().zip(kept) {
+        by_row.entry(row).or_default().push((method, kept));
     }
     let mut rows: Vec<Row> =
         by_row.into_iter().map(|(row, cells)| prepared[row].judge(&cells)).collect();
     if choice.scene("F11") {
         let at = rows.iter().position(|row| row.cells[0].scene == "F12").unwrap_or(rows.len());
-        rows.insert(at, Row { cells: in_parallel(&columns, |&c| scaled(c)), pictures: None });
+        rows.insert(at, Row { cells: in_parallel(&methods, |&c| scaled(c)), pictures: None });
     }
     rows
 }
@@ -88,8 +88,8 @@ impl Choice {
         self.scene.as_ref().is_none_or(|wanted| wanted.eq_ignore_ascii_case(id))
     }
 
-    fn column(&self, column: Column) -> bool {
-        self.program.as_ref().is_none_or(|wanted| wanted == column.name())
+    fn method(&self, method: Method) -> bool {
+        self.method.is_none_or(|wanted| wanted == method)
     }
 
     fn shortened(&self, row: &FailureScene) -> FailureScene {
@@ -99,33 +99,33 @@ impl Choice {
 }
 
 impl Prepared {
-    fn announced(&self, column: Column) -> Vec<BlindSpot> {
-        column.integrator(self.row.max_depth).blind_spots(&SceneFacts::of(&self.scene))
+    fn announced(&self, method: Method) -> Vec<BlindSpot> {
+        method.up_to(self.row.max_depth).build().blind_spots(&SceneFacts::of(&self.scene))
     }
 
-    /// `None` where the program is not for lamps like these, and says so.
-    fn render(&self, column: Column, tell: &(dyn Fn(&str) + Sync)) -> Option<Kept> {
-        let announced = self.announced(column).contains(&BlindSpot::AreaLights);
+    /// `None` where the method is not for lamps like these, and says so.
+    fn render(&self, method: Method, tell: &(dyn Fn(&str) + Sync)) -> Option<Kept> {
+        let announced = self.announced(method).contains(&BlindSpot::AreaLights);
         if announced && self.row.has_area_lamps_only() {
             return None;
         }
         let mut kept =
-            cell::run(&self.scene, &self.reference, column, self.row.max_depth, self.row.passes);
-        let integrator = column.integrator(self.row.max_depth);
+            cell::run(&self.scene, &self.reference, method, self.row.max_depth, self.row.passes);
+        let integrator = method.up_to(self.row.max_depth).build();
         kept.seconds = seconds_per_pass(&self.scene, integrator.as_ref());
         let speed = kept.seconds * 1e3;
-        tell(&format!("{} {}, {speed:.2} ms a pass", self.row.id, column.name()));
+        tell(&format!("{} {}, {speed:.2} ms a pass", self.row.id, method));
         Some(kept)
     }
 
-    fn judge(&self, cells: &[(Column, Option<Kept>)]) -> Row {
+    fn judge(&self, cells: &[(Method, Option<Kept>)]) -> Row {
         let figures: Vec<Option<Figures>> = cells
             .iter()
             .map(|(_, kept)| kept.as_ref().map(|kept| Figures::of(kept, &self.reference)))
             .collect();
         let best = best(figures.iter().flatten());
-        let judged = cells.iter().zip(&figures).map(|(&(column, _), figures)| {
-            let announced = self.announced(column);
+        let judged = cells.iter().zip(&figures).map(|(&(method, _), figures)| {
+            let announced = self.announced(method);
             let concerns = announced.iter().any(|spot| self.row.light.contains(spot));
             let word = if concerns { Word::Announced } else { Word::Sees };
             let verdict = figures
@@ -135,7 +135,7 @@ impl Prepared {
             Judged {
                 scene: self.row.id.into(),
                 title: self.row.title.into(),
-                column,
+                method,
                 verdict,
                 factor,
                 figures: figures.clone(),
@@ -145,23 +145,23 @@ impl Prepared {
         Row { cells: judged.collect(), pictures: Some(self.pictures(cells)) }
     }
 
-    /// After as long as the slowest program needs for 16 passes, to the next
+    /// After as long as the slowest method needs for 16 passes, to the next
     /// power of two of passes.
-    fn pictures(&self, cells: &[(Column, Option<Kept>)]) -> Pictures {
-        let rendered = || cells.iter().filter_map(|(column, kept)| Some((*column, kept.as_ref()?)));
+    fn pictures(&self, cells: &[(Method, Option<Kept>)]) -> Pictures {
+        let rendered = || cells.iter().filter_map(|(method, kept)| Some((*method, kept.as_ref()?)));
         let seconds = 16.0 * rendered().map(|(_, kept)| kept.seconds).fold(0.0, f64::max);
-        let picture = |(column, kept): (Column, &Kept)| {
+        let picture = |(method, kept): (Method, &Kept)| {
             let level = (seconds / kept.seconds).log2().round() as usize;
             let level = level.min(kept.last_level());
-            (column, 1 << level, kept.picture(0, level))
+            (method, 1 << level, kept.picture(0, level))
         };
         let equal_time = rendered().map(picture).collect();
         Pictures { reference: self.reference.clone(), equal_time }
     }
 }
 
-fn scaled(column: Column) -> Judged {
-    let differences = scale::differences(column);
+fn scaled(method: Method) -> Judged {
+    let differences = scale::differences(method);
     let verdict = if differences.is_empty() {
         Verdict::Identical
     } else {
@@ -170,7 +170,7 @@ fn scaled(column: Column) -> Judged {
     Judged {
         scene: "F11".into(),
         title: "scaled by powers of two".into(),
-        column,
+        method,
         verdict,
         factor: None,
         figures: None,

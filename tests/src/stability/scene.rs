@@ -1,9 +1,9 @@
 //! The rows of the table: failure scenes.
 
-use crate::stability::column::Column;
+use crate::methods;
 use crate::stability::{closed, crowded, plate};
 use traylib_geometry::Vec3;
-use traylib_integrators::BlindSpot;
+use traylib_integrators::{BlindSpot, Method};
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_scene::Scene;
 
@@ -41,9 +41,9 @@ pub enum Source {
 pub enum Truth {
     /// The radiance seen from a place in a unit direction, of each band.
     Closed(fn(Vec3, Vec3) -> f64),
-    /// The mean of so many passes of a program, with random numbers that no
+    /// The mean of so many passes of a method, with random numbers that no
     /// cell uses.
-    Rendered(Column, u32),
+    Rendered(Method, u32),
 }
 
 impl FailureScene {
@@ -88,7 +88,7 @@ pub const SCENES: [FailureScene; 17] = [
     file("F1", "small lamp", "f01-small-lamp", closed(closed::small_lamp), AREA).passes(256),
     file("F2", "large lamp, sharp lobe", "f02-sharp-lobe", closed(closed::sharp_lobe), AREA)
         .passes(512),
-    file("F3", "plates", "f03-plates", rendered(Column::Combined), AREA).up_to(2).passes(2048),
+    file("F3", "plates", "f03-plates", rendered(methods::COMBINED), AREA).up_to(2).passes(2048),
     file("F4", "caustic", "f04-caustic", closed(closed::caustic), CAUSTIC).up_to(3).passes(256),
     file(
         "F5",
@@ -99,18 +99,18 @@ pub const SCENES: [FailureScene; 17] = [
     )
     .up_to(4)
     .passes(2048),
-    file("F6", "indirect light only", "f06-baffle", rendered(Column::Bdpt), AREA).passes(256),
-    file("F7", "door ajar", "f07-ajar-door", rendered(Column::Bdpt), AREA).passes(1024),
+    file("F6", "indirect light only", "f06-baffle", rendered(methods::BDPT), AREA).passes(256),
+    file("F7", "door ajar", "f07-ajar-door", rendered(methods::BDPT), AREA).passes(1024),
     code("F8", "1000 lamps, 999 weak", crowded::weak, closed(crowded::weak_radiance), AREA)
         .passes(256),
     code("F8b", "1000 lamps, 999 hidden", crowded::hidden, closed(crowded::one_radiance), AREA)
         .passes(256),
     code("F8p", "1000 points, 999 weak", crowded::points, closed(crowded::points_radiance), &[])
         .passes(64),
-    file("F9", "bright room", "f09-bright-room", rendered(Column::Combined), AREA).passes(128),
+    file("F9", "bright room", "f09-bright-room", rendered(methods::COMBINED), AREA).passes(128),
     file("F10", "corner", "f10-corner", closed(closed::corner), AREA).passes(1024),
-    code("F12", "bump plate", plate::under_lamp, rendered(Column::Combined), AREA).passes(256),
-    code("F12p", "bump plate, point light", plate::under_point, rendered(Column::Trace), &[])
+    code("F12", "bump plate", plate::under_lamp, rendered(methods::COMBINED), AREA).passes(256),
+    code("F12p", "bump plate, point light", plate::under_point, rendered(methods::TRACE), &[])
         .passes(256),
     file("F13", "camera sees 1e-4", "f13-small-view", closed(closed::small_view), &[]).passes(256),
     file(
@@ -138,7 +138,7 @@ const fn closed(radiance: fn(Vec3, Vec3) -> f64) -> Truth {
 }
 
 /// More than twenty times the passes of a run.
-const fn rendered(by: Column) -> Truth {
+const fn rendered(by: Method) -> Truth {
     Truth::Rendered(by, 8192)
 }
 

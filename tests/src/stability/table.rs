@@ -1,11 +1,11 @@
 //! The finished table, and how it is written as text.
 
-use crate::stability::column::Column;
-use crate::stability::expected::{Expected, correction, expected};
+use crate::stability::expected::{Expected, METHODS, correction, expected};
 use crate::stability::figures::Figures;
 use crate::stability::judge::{SLOW, Verdict};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
+use traylib_integrators::Method;
 
 /// Times on a busy machine scatter by about a third; a factor as near as this to
 /// the limit, either way, decides nothing.
@@ -18,15 +18,16 @@ pub struct Judged {
     pub scene: String,
     /// What it is.
     pub title: String,
-    /// The program.
-    pub column: Column,
+    /// The method.
+    #[serde(with = "crate::methods")]
+    pub method: Method,
     /// The verdict.
     pub verdict: Verdict,
-    /// Time to relMSE 10⁻² over that of the best program of the row.
+    /// Time to relMSE 10⁻² over that of the best method of the row.
     pub factor: Option<f64>,
     /// What it was judged by; `None` where nothing random was measured.
     pub figures: Option<Figures>,
-    /// Kinds of light that the program said it cannot produce.
+    /// Kinds of light that the method said it cannot produce.
     pub announced: Vec<String>,
 }
 
@@ -47,7 +48,7 @@ pub enum Agreement {
 impl Judged {
     /// Whether the verdict is what the tables say.
     pub fn agreement(&self) -> Agreement {
-        if let Some(correction) = correction(&self.scene, self.column) {
+        if let Some(correction) = correction(&self.scene, self.method) {
             let agrees = correction.verdict.agrees(&self.verdict);
             return if agrees {
                 Agreement::Corrected(correction.reason)
@@ -55,7 +56,7 @@ impl Judged {
                 Agreement::Disagrees
             };
         }
-        let expected = expected(&self.scene, self.column);
+        let expected = expected(&self.scene, self.method);
         if expected.is_some_and(|expected| expected.agrees(&self.verdict)) {
             Agreement::Expected
         } else if self.is_at_the_border() && matches!(expected, Some(Expected::Ok | Expected::V)) {
@@ -94,22 +95,22 @@ pub fn scenes(cells: &[Judged]) -> Vec<(&str, &str)> {
 }
 
 /// A cell by its place.
-pub fn cell<'a>(cells: &'a [Judged], scene: &str, column: Column) -> Option<&'a Judged> {
-    cells.iter().find(|cell| cell.scene == scene && cell.column == column)
+pub fn cell<'a>(cells: &'a [Judged], scene: &str, method: Method) -> Option<&'a Judged> {
+    cells.iter().find(|cell| cell.scene == scene && cell.method == method)
 }
 
 /// The table, the figures behind it and every difference from the expectation,
 /// in Markdown and without a word about the machine's speed.
 pub fn markdown(cells: &[Judged]) -> String {
     let mut text = String::from("| scene |");
-    for column in Column::ALL {
-        let _ = write!(text, " {} |", column.name());
+    for method in METHODS {
+        let _ = write!(text, " {method} |");
     }
     text += "\n|---|---|---|---|---|---|---|\n";
     for (id, title) in scenes(cells) {
         let _ = write!(text, "| {id} {title} |");
-        for column in Column::ALL {
-            let _ = write!(text, " {} |", cell(cells, id, column).map_or_else(String::new, marked));
+        for method in METHODS {
+            let _ = write!(text, " {} |", cell(cells, id, method).map_or_else(String::new, marked));
         }
         text.push('\n');
     }
@@ -148,7 +149,7 @@ fn figures(cells: &[Judged]) -> String {
             text,
             "| {} {} | {} | {:.4} | {:.4} | {} | {} | {} | {} | {} | {} | {} | {:.0} % | {:.0} | {slope} |",
             cell.scene,
-            cell.column.name(),
+            cell.method,
             f.passes,
             f.mean / f.truth,
             f.half_width / f.truth,
@@ -169,8 +170,8 @@ fn figures(cells: &[Judged]) -> String {
 fn differences(cells: &[Judged]) -> String {
     let mut text = String::new();
     for cell in cells {
-        let expected = expected(&cell.scene, cell.column).map_or("?", |e| e.name());
-        let place = format!("{} {}", cell.scene, cell.column.name());
+        let expected = expected(&cell.scene, cell.method).map_or("?", |e| e.name());
+        let place = format!("{} {}", cell.scene, cell.method);
         let why = match (cell.agreement(), &cell.verdict) {
             (Agreement::Expected, _) => continue,
             (Agreement::Border, _) => String::from("too near to 10× to tell"),

@@ -1,12 +1,11 @@
-//! The programs against one another on the project's scenes; how, stands in
+//! The methods against one another on the project's scenes; how, stands in
 //! `traylib_tests::agreement`.
 
+use traylib_integrators::Method;
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_tests::agreement::{Agreement, Budget, Other, Subject, agree, evenness};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::programs::Program::{
-    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
-};
+use traylib_tests::methods::{BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 fn agreement(name: &str, others: &[Other], budget: &Budget) -> Agreement {
     let options = LoadOptions { resolution: Some((48, 36)), ..LoadOptions::default() };
@@ -14,8 +13,8 @@ fn agreement(name: &str, others: &[Other], budget: &Budget) -> Agreement {
     agree(&Subject { name, scene: &scene }, others, budget)
 }
 
-const fn other(program: Program, passes: u32, promise: f64) -> Other {
-    Other { program, passes, promise }
+const fn other(method: Method, passes: u32, promise: f64) -> Other {
+    Other { method, passes, promise }
 }
 
 /// In the short form passes may not even have met rare light, so the pairs are
@@ -25,9 +24,9 @@ const fn other(program: Program, passes: u32, promise: f64) -> Other {
 fn programs_agree() {
     let budget = Budget { tile: 12, looks: vec![96] };
     let pairs = [
-        ("cornell", vec![other(Combined, 4, 0.04), other(PureMc, 8, 0.04)]),
-        ("pyramid", vec![other(Particle, 1, 0.1)]),
-        ("plates", vec![other(Combined, 4, 0.15)]),
+        ("cornell", vec![other(COMBINED, 4, 0.04), other(PURE_MC, 8, 0.04)]),
+        ("pyramid", vec![other(PARTICLE, 1, 0.1)]),
+        ("plates", vec![other(COMBINED, 4, 0.15)]),
     ];
     let findings: Vec<Finding> =
         pairs.iter().flat_map(|(name, others)| agreement(name, others, &budget).findings).collect();
@@ -37,7 +36,7 @@ fn programs_agree() {
 /// How far the means may be apart, the interval included.
 const SAME: f64 = 5e-3;
 
-/// Every program whose light on this scene has a usable variance, to 0.5 % of the
+/// Every method whose light on this scene has a usable variance, to 0.5 % of the
 /// mean or to what its noise leaves after the last look.
 ///
 /// Left out are `directlight` and `particle` on `cornell` and `small-light`:
@@ -50,37 +49,37 @@ fn all_agree(scene: &str, others: &[Other]) {
 }
 
 /// With the same promise, and passes that take about the same time.
-fn alike<const N: usize>(programs: [Program; N], promise: f64) -> [Other; N] {
-    programs.map(|program| {
-        let passes = match program {
-            PureMc => 8,
-            Combined | Strict => 4,
-            BdptPower | BdptBalance | Particle => 1,
+fn alike<const N: usize>(methods: [Method; N], promise: f64) -> [Other; N] {
+    methods.map(|method| {
+        let passes = match method {
+            Method::PureMc(_) => 8,
+            Method::DirectLight(_) => 4,
+            Method::Bdpt(_) | Method::Particle(_) | Method::Trace(_) => 1,
         };
-        other(program, passes, promise)
+        other(method, passes, promise)
     })
 }
 
-const EVERY: [Program; 5] = [Combined, BdptBalance, Strict, PureMc, Particle];
+const EVERY: [Method; 5] = [COMBINED, BDPT_BALANCE, DIRECT_LIGHT, PURE_MC, PARTICLE];
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn on_cornell() {
-    all_agree("cornell", &alike([Combined, BdptBalance, PureMc], SAME));
+    all_agree("cornell", &alike([COMBINED, BDPT_BALANCE, PURE_MC], SAME));
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn on_small_light() {
-    all_agree("small-light", &alike([Combined, BdptBalance, PureMc], 0.1));
+    all_agree("small-light", &alike([COMBINED, BDPT_BALANCE, PURE_MC], 0.1));
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn on_pyramid() {
-    let from_lamp = [other(BdptBalance, 1, SAME), other(Particle, 1, 0.01)];
-    let walks = [other(PureMc, 16, 0.06)];
-    let others = [&alike([Combined, Strict], 0.06)[..], &walks, &from_lamp].concat();
+    let from_lamp = [other(BDPT_BALANCE, 1, SAME), other(PARTICLE, 1, 0.01)];
+    let walks = [other(PURE_MC, 16, 0.06)];
+    let others = [&alike([COMBINED, DIRECT_LIGHT], 0.06)[..], &walks, &from_lamp].concat();
     all_agree("pyramid", &others);
 }
 
@@ -100,8 +99,11 @@ fn on_furnace() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn on_hangar() {
-    let strict = other(Strict, 8, 0.015);
-    all_agree("hangar", &[&alike([Combined, BdptBalance, PureMc], 0.015)[..], &[strict]].concat());
+    let strict = other(DIRECT_LIGHT, 8, 0.015);
+    all_agree(
+        "hangar",
+        &[&alike([COMBINED, BDPT_BALANCE, PURE_MC], 0.015)[..], &[strict]].concat(),
+    );
 }
 
 #[test]
@@ -119,8 +121,8 @@ fn on_reference_a() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn on_reference_c() {
-    let noisy = [other(Strict, 8, SAME), other(PureMc, 16, 0.02)];
-    let others = [&alike([Combined, BdptBalance, Particle], SAME)[..], &noisy].concat();
+    let noisy = [other(DIRECT_LIGHT, 8, SAME), other(PURE_MC, 16, 0.02)];
+    let others = [&alike([COMBINED, BDPT_BALANCE, PARTICLE], SAME)[..], &noisy].concat();
     all_agree("reference-c", &others);
 }
 
@@ -129,9 +131,9 @@ fn on_reference_c() {
 #[ignore = "at length: cargo xtask prove"]
 fn probabilities_are_even() {
     let budget = Budget { tile: 4, looks: vec![256] };
-    let others = [other(Combined, 4, 1.0)];
+    let others = [other(COMBINED, 4, 1.0)];
     let scenes = ["cornell", "office-lamps", "reference-a"];
     let agreements: Vec<Agreement> =
         scenes.iter().map(|name| agreement(name, &others, &budget)).collect();
-    settle(&[evenness(Combined, &agreements)]);
+    settle(&[evenness(COMBINED, &agreements)]);
 }

@@ -9,14 +9,12 @@ use traylib_tests::known::horizon::cut_sphere;
 use traylib_tests::known::polygonal::{standing, sunk_pentagon, tilted_triangle};
 use traylib_tests::known::tubes::cones_and_a_tube;
 use traylib_tests::measure::all_hold;
-use traylib_tests::programs::Program::{
-    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
-};
+use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 #[test]
 fn a4_cut_sphere() {
-    all_hold(&cut_sphere(2.0, 0.3), 41, &[(BdptPower, 176)]);
-    all_hold(&cut_sphere(1.1, 0.2), 44, &[(Strict, 340)]);
+    all_hold(&cut_sphere(2.0, 0.3), 41, &[(BDPT, 176)]);
+    all_hold(&cut_sphere(1.1, 0.2), 44, &[(DIRECT_LIGHT, 340)]);
 }
 
 /// Light sampling wastes what it draws below the horizon: half of the ball, and
@@ -24,52 +22,52 @@ fn a4_cut_sphere() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn a4_cut_sphere_by_all_programs() {
-    all_hold(&cut_sphere(1.1, 0.2), 45, &[(PureMc, 900), (Combined, 340), (BdptBalance, 340)]);
+    all_hold(&cut_sphere(1.1, 0.2), 45, &[(PURE_MC, 900), (COMBINED, 340), (BDPT_BALANCE, 340)]);
     for (seed, cosine, passes) in [(46, 0.0, 560), (47, -0.3, 2400)] {
-        let programs = [Strict, BdptPower].map(|program| (program, passes));
-        all_hold(&cut_sphere(2.0, cosine), seed, &programs);
+        let methods = [DIRECT_LIGHT, BDPT].map(|method| (method, passes));
+        all_hold(&cut_sphere(2.0, cosine), seed, &methods);
     }
 }
 
 #[test]
 fn a6_standing_rectangle() {
-    all_hold(&standing(1.0, 1.0, 1.0), 61, &[(Strict, 80)]);
-    all_hold(&standing(2.0, 1.0, 0.5), 62, &[(BdptPower, 192)]);
+    all_hold(&standing(1.0, 1.0, 1.0), 61, &[(DIRECT_LIGHT, 80)]);
+    all_hold(&standing(2.0, 1.0, 0.5), 62, &[(BDPT, 192)]);
 }
 
 /// Lamps of several triangles, which are drawn by how large and how near they are.
 /// What of the pentagon is nearest is below the floor, which draws cannot know.
 #[test]
 fn a7_polygons() {
-    all_hold(&tilted_triangle(), 71, &[(Strict, 64), (BdptPower, 64)]);
-    all_hold(&sunk_pentagon(), 72, &[(Combined, 144), (BdptPower, 144)]);
+    all_hold(&tilted_triangle(), 71, &[(DIRECT_LIGHT, 64), (BDPT, 64)]);
+    all_hold(&sunk_pentagon(), 72, &[(COMBINED, 144), (BDPT, 144)]);
 }
 
 /// No noise: whichever is drawn gives the same.
 #[test]
 fn a9_coincident_lights() {
     for count in [1, 4, 1000] {
-        let programs = Program::FROM_CAMERA.map(|program| (program, 32));
-        all_hold(&coincident_lights(count), 91, &programs);
+        let methods = methods::from_camera(32);
+        all_hold(&coincident_lights(count), 91, &methods);
     }
 }
 
 /// A lamp that is round has a chance from all sides.
 #[test]
 fn a10_cones_and_a_tube() {
-    all_hold(&cones_and_a_tube(), 92, &[(Strict, 400), (Combined, 400), (BdptPower, 400)]);
+    all_hold(&cones_and_a_tube(), 92, &[(DIRECT_LIGHT, 400), (COMBINED, 400), (BDPT, 400)]);
 }
 
 #[test]
 fn whole_surfaces() {
-    all_hold(&disks(1.0), 93, &[(BdptPower, 320), (Particle, 1450)]);
+    all_hold(&disks(1.0), 93, &[(BDPT, 320), (PARTICLE, 1450)]);
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn whole_surfaces_by_all_programs() {
-    let programs =
-        [(PureMc, 6500), (Combined, 500), (BdptPower, 500), (BdptBalance, 640), (Particle, 5600)];
-    all_hold(&disks(2.0), 94, &programs);
-    all_hold(&opposite_sides(), 95, &programs);
+    let methods =
+        [(PURE_MC, 6500), (COMBINED, 500), (BDPT, 500), (BDPT_BALANCE, 640), (PARTICLE, 5600)];
+    all_hold(&disks(2.0), 94, &methods);
+    all_hold(&opposite_sides(), 95, &methods);
 }

@@ -2,41 +2,40 @@
 //! derivations stand in `traylib_tests::known::furnace`. The comparisons belong to one
 //! family with those of `analytic.rs`.
 
+use traylib_integrators::Method;
 use traylib_tests::known::furnace::{
     central_light, diffuse_walls, glowing_ball, glowing_cube, mirroring_walls, offset_light,
     offset_light_wide,
 };
 use traylib_tests::measure::all_hold;
-use traylib_tests::programs::Program::{
-    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
-};
+use traylib_tests::methods::{BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 /// Samples of 1024 pixels a pass: a million light paths for the particle tracer,
 /// of which a sixth ends up in view.
-const WIDE: [(Program, u32); 6] = [
-    (PureMc, 192),
-    (Strict, 192),
-    (Combined, 192),
-    (BdptPower, 128),
-    (BdptBalance, 128),
-    (Particle, 900),
+const WIDE: [(Method, u32); 6] = [
+    (PURE_MC, 192),
+    (DIRECT_LIGHT, 192),
+    (COMBINED, 192),
+    (BDPT, 128),
+    (BDPT_BALANCE, 128),
+    (PARTICLE, 900),
 ];
 
 /// Samples of 4096 pixels a pass.
-const SPOT: [(Program, u32); 5] =
-    [(PureMc, 96), (Strict, 96), (Combined, 96), (BdptPower, 48), (BdptBalance, 48)];
+const SPOT: [(Method, u32); 5] =
+    [(PURE_MC, 96), (DIRECT_LIGHT, 96), (COMBINED, 96), (BDPT, 48), (BDPT_BALANCE, 48)];
 
 /// All but one.
-fn without(program: Program, programs: &[(Program, u32)]) -> Vec<(Program, u32)> {
-    programs.iter().copied().filter(|&(other, _)| other != program).collect()
+fn without(method: Method, methods: &[(Method, u32)]) -> Vec<(Method, u32)> {
+    methods.iter().copied().filter(|&(other, _)| other != method).collect()
 }
 
-/// Programs for the cube: without the strict `directlight`. Two patches near an
+/// Methods for the cube: without the strict `directlight`. Two patches near an
 /// edge of the room see each other with a kernel that grows as 1/d², which light
 /// sampling by area does not follow. Such a sample has a tail index of 1.5 and no
 /// variance, so its interval means nothing. In a ball the kernel is constant.
-fn cube() -> Vec<(Program, u32)> {
-    without(Strict, &WIDE)
+fn cube() -> Vec<(Method, u32)> {
+    without(DIRECT_LIGHT, &WIDE)
 }
 
 #[test]
@@ -62,24 +61,24 @@ fn b1_glowing_cube_to_four_edges() {
 /// Without the particle tracer, which cannot see what a mirror shows.
 #[test]
 fn b2_mirroring_ball() {
-    let programs = without(Particle, &WIDE);
-    all_hold(&glowing_ball(mirroring_walls(), None), 121, &programs);
-    all_hold(&glowing_ball(mirroring_walls(), Some(4)), 122, &programs);
+    let methods = without(PARTICLE, &WIDE);
+    all_hold(&glowing_ball(mirroring_walls(), None), 121, &methods);
+    all_hold(&glowing_ball(mirroring_walls(), Some(4)), 122, &methods);
 }
 
 #[test]
 fn b2_mirroring_cube() {
-    let programs = without(Particle, &cube());
-    all_hold(&glowing_cube(mirroring_walls(), None), 123, &programs);
-    all_hold(&glowing_cube(mirroring_walls(), Some(4)), 124, &programs);
+    let methods = without(PARTICLE, &cube());
+    all_hold(&glowing_cube(mirroring_walls(), None), 123, &methods);
+    all_hold(&glowing_cube(mirroring_walls(), Some(4)), 124, &methods);
 }
 
 /// All light of the particle tracer comes by splats here: cv² = 2.
 #[test]
 fn b4_light_in_the_middle_of_a_ball() {
-    let programs = [without(Particle, &WIDE), vec![(Particle, 2100)]].concat();
-    all_hold(&central_light(None), 141, &programs);
-    all_hold(&central_light(Some(5)), 142, &programs);
+    let methods = [without(PARTICLE, &WIDE), vec![(PARTICLE, 2100)]].concat();
+    all_hold(&central_light(None), 141, &methods);
+    all_hold(&central_light(Some(5)), 142, &methods);
 }
 
 #[test]

@@ -14,9 +14,7 @@ use traylib_tests::known::hard::{
 use traylib_tests::known::polygonal::standing;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{FAMILY_LEVEL, all_hold, each_pass, pass_means, samples_in_a_pass};
-use traylib_tests::programs::Program::{
-    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
-};
+use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 use traylib_tests::stability::tail::{KEPT, Largest};
 use traylib_tests::statistics::{Sample, sidak, welch};
 
@@ -69,60 +67,60 @@ fn corner_bound(passes: u32) -> Finding {
 #[test]
 fn d1_corner() {
     settle(&[corner_tail(1000), corner_bound(300)]);
-    all_hold(&corner(), 303, &[(BdptBalance, 1000)]);
+    all_hold(&corner(), 303, &[(BDPT_BALANCE, 1000)]);
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn d1_corner_by_all_programs() {
     settle(&[corner_tail(8000), corner_bound(2000)]);
-    let programs = [(PureMc, 4500), (Combined, 1500), (BdptPower, 1200), (Particle, 4800)];
-    all_hold(&corner(), 304, &programs);
+    let methods = [(PURE_MC, 4500), (COMBINED, 1500), (BDPT, 1200), (PARTICLE, 4800)];
+    all_hold(&corner(), 304, &methods);
 }
 
 #[test]
 fn d2_lamp_at_a_wall() {
-    all_hold(&standing(1.0, 1.0, 0.01), 311, &[(Combined, 720)]);
+    all_hold(&standing(1.0, 1.0, 0.01), 311, &[(COMBINED, 720)]);
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn d2_lamp_at_a_wall_by_all_programs() {
-    let programs = [(PureMc, 1200), (BdptPower, 800), (BdptBalance, 800)];
-    all_hold(&standing(1.0, 1.0, 0.01), 310, &programs);
+    let methods = [(PURE_MC, 1200), (BDPT, 800), (BDPT_BALANCE, 800)];
+    all_hold(&standing(1.0, 1.0, 0.01), 310, &methods);
 }
 
 #[test]
 fn d3_lamp_close_above_the_floor() {
-    let programs = [(PureMc, 32), (Combined, 32), (BdptPower, 32)];
-    all_hold(&close_lamp(DVec3::Z, 1e-6), 312, &programs);
-    all_hold(&close_lamp(DVec3::new(0.3, -0.5, 0.8), 2e-5), 312, &programs);
+    let methods = [(PURE_MC, 32), (COMBINED, 32), (BDPT, 32)];
+    all_hold(&close_lamp(DVec3::Z, 1e-6), 312, &methods);
+    all_hold(&close_lamp(DVec3::new(0.3, -0.5, 0.8), 2e-5), 312, &methods);
 }
 
 #[test]
 fn d4_and_d5_grazing() {
-    all_hold(&grazing_view(), 313, &[(Combined, 80), (BdptPower, 80)]);
-    all_hold(&grazing_light(), 314, &Program::FROM_CAMERA.map(|program| (program, 32)));
-    all_hold(&standing(0.01, 1.0, 1.0), 315, &[(Strict, 144)]);
+    all_hold(&grazing_view(), 313, &[(COMBINED, 80), (BDPT, 80)]);
+    all_hold(&grazing_light(), 314, &methods::from_camera(32));
+    all_hold(&standing(0.01, 1.0, 1.0), 315, &[(DIRECT_LIGHT, 144)]);
 }
 
 #[test]
 fn d8_and_d9_tiny_lamps() {
-    all_hold(&tiny_lamp(), 318, &[(Strict, 32), (Combined, 32), (BdptPower, 32)]);
-    all_hold(&phong_disk(1e6, 1e-3), 319, &[(Combined, 80), (BdptPower, 80)]);
+    all_hold(&tiny_lamp(), 318, &[(DIRECT_LIGHT, 32), (COMBINED, 32), (BDPT, 32)]);
+    all_hold(&phong_disk(1e6, 1e-3), 319, &[(COMBINED, 80), (BDPT, 80)]);
 }
 
-/// D7: no closed form; programs agree, each pair by Welch's test.
+/// D7: no closed form; methods agree, each pair by Welch's test.
 fn bumpy(passes: u32) -> Vec<Finding> {
     let scene = bumpy_plate();
-    let programs = [Combined, BdptPower, Particle];
+    let methods = [COMBINED, BDPT, PARTICLE];
     let samples: Vec<Sample> = (0..)
-        .zip(programs)
-        .map(|(i, program)| {
+        .zip(methods)
+        .map(|(i, method)| {
             let settings = Settings { spp: passes, seed: 320 + i, threads: 1 };
-            let integrator = program.integrator(None);
+            let integrator = method.build();
             let (means, statistics) = pass_means(&scene, integrator.as_ref(), &settings);
-            assert_eq!(statistics.rejected, 0, "{program:?}");
+            assert_eq!(statistics.rejected, 0, "{method}");
             Sample::of(&means)
         })
         .collect();
@@ -133,7 +131,7 @@ fn bumpy(passes: u32) -> Vec<Finding> {
             let [of_a, of_b] = [a, b].map(|i| samples[i].mean);
             let error = samples[a].variance_of_mean.sqrt().max(samples[b].variance_of_mean.sqrt());
             Finding {
-                claim: format!("D7 slopes of 5: {:?} and {:?} agree", programs[a], programs[b]),
+                claim: format!("D7 slopes of 5: {:?} and {:?} agree", methods[a], methods[b]),
                 statistic: format!("{of_a:.5} and {of_b:.5} to {error:.5}, p = {p:.1e}"),
                 level: Some(level),
                 samples: 2 * u64::from(passes) * samples_in_a_pass(&scene),
@@ -159,21 +157,21 @@ const SCALES: [f32; 4] = [1e-4, 1e-2, 1e3, 1e6];
 
 #[test]
 fn d6_and_d10_rooms() {
-    all_hold(&cube_of_slivers(), 331, &[(BdptPower, 128)]);
+    all_hold(&cube_of_slivers(), 331, &[(BDPT, 128)]);
     for scale in SCALES {
         let case = lit_cube(format!("D10 × {scale:e}"), Vec3::ZERO, scale);
-        all_hold(&case, 332, &[(BdptPower, 128)]);
+        all_hold(&case, 332, &[(BDPT, 128)]);
     }
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn d6_and_d10_by_other_programs() {
-    let programs = [(Combined, 300), (BdptBalance, 300), (Particle, 2500)];
-    all_hold(&cube_of_slivers(), 333, &programs);
+    let methods = [(COMBINED, 300), (BDPT_BALANCE, 300), (PARTICLE, 2500)];
+    all_hold(&cube_of_slivers(), 333, &methods);
     for scale in SCALES {
         let case = lit_cube(format!("D10 × {scale:e}"), Vec3::ZERO, scale);
-        all_hold(&case, 334, &programs);
+        all_hold(&case, 334, &methods);
     }
 }
 
@@ -187,14 +185,14 @@ const FAR: Vec3 = Vec3::new(2e4, -2e4, 1e4);
 #[test]
 fn d11_far_from_the_origin() {
     let case = lit_cube("D11".into(), FAR, 1.0);
-    let findings = [PureMc, BdptPower].map(|program| {
+    let findings = [PURE_MC, BDPT].map(|method| {
         let settings = Settings { spp: 160, seed: 341, threads: 1 };
-        let integrator = program.integrator(None);
+        let integrator = method.build();
         let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
         let ratio = Sample::of(&means).mean / case.truth;
         let bound = 4.0 * 6.0 * 2e4 * 2.0_f64.powi(-24);
         Finding {
-            claim: format!("D11, {program:?}: the radiance is right to {bound:.3}"),
+            claim: format!("D11, {method}: the radiance is right to {bound:.3}"),
             statistic: format!("{ratio:.5} of the truth"),
             level: None,
             samples: 160 * samples_in_a_pass(&case.scene),

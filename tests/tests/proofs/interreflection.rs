@@ -2,19 +2,17 @@
 //! derivations stand in `traylib_tests::{rooms, concentric}`; the comparisons
 //! belong to one family with those of `analytic.rs`.
 
-use traylib_integrators::{Settings, Statistics};
+use traylib_integrators::{Method, Settings, Statistics};
 use traylib_tests::known::concentric::{Shell, concentric};
 use traylib_tests::known::rooms::{glossy_ball, room_of_flux};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, compare, judge, pass_means};
-use traylib_tests::programs::Program::{
-    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
-};
+use traylib_tests::methods::{BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 #[test]
 fn b3_glossy_ball() {
     for (seed, exponent, degrees) in [(131, 1.0, 30.0), (132, 20.0, 80.0), (133, 1e3, 60.0)] {
-        all_hold(&glossy_ball(exponent, degrees), seed, &[(PureMc, 32), (BdptPower, 32)]);
+        all_hold(&glossy_ball(exponent, degrees), seed, &[(PURE_MC, 32), (BDPT, 32)]);
     }
 }
 
@@ -23,13 +21,13 @@ fn b3_glossy_ball() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn b3_glossy_ball_at_all_angles() {
-    let programs = [(PureMc, 64), (Combined, 64), (BdptPower, 64), (BdptBalance, 64)];
+    let methods = [(PURE_MC, 64), (COMBINED, 64), (BDPT, 64), (BDPT_BALANCE, 64)];
     for (seed, exponent) in [(134, 1.0), (135, 20.0), (136, 1e3)] {
         for degrees in [0.0, 60.0, 85.0] {
             let case = glossy_ball(exponent, degrees);
-            all_hold(&case, seed, &programs);
+            all_hold(&case, seed, &methods);
             if exponent < 1e3 {
-                all_hold(&case, seed, &[(Strict, 320)]);
+                all_hold(&case, seed, &[(DIRECT_LIGHT, 320)]);
             }
         }
     }
@@ -40,7 +38,7 @@ fn b6_ball_in_a_ball() {
     let lengths = [(Some(2), 64), (Some(3), 64), (Some(4), 64), (Some(5), 100), (None, 300)];
     for (depth, passes) in lengths {
         let case = concentric(Shell::Inner, Shell::Outer, depth);
-        all_hold(&case, 161, &[(BdptPower, passes)]);
+        all_hold(&case, 161, &[(BDPT, passes)]);
     }
 }
 
@@ -55,20 +53,20 @@ fn b6_by_all_programs() {
         for seen in [Shell::Inner, Shell::Outer] {
             for depth in [Some(3), Some(4), Some(5), None] {
                 let case = concentric(lamp, seen, depth);
-                let both = [BdptPower, BdptBalance];
-                findings.extend(both.map(|program| compare(&case, program, 500, 162)));
+                let both = [BDPT, BDPT_BALANCE];
+                findings.extend(both.map(|method| compare(&case, method, 500, 162)));
             }
-            findings.push(compare(&concentric(lamp, seen, Some(4)), Strict, 3200, 164));
+            findings.push(compare(&concentric(lamp, seen, Some(4)), DIRECT_LIGHT, 3200, 164));
         }
     }
     let case = concentric(Shell::Inner, Shell::Outer, Some(4));
-    let others = [(PureMc, 4200), (Combined, 500), (Particle, 24_000)];
-    findings.extend(others.map(|(program, passes)| compare(&case, program, passes, 163)));
+    let others = [(PURE_MC, 4200), (COMBINED, 500), (PARTICLE, 24_000)];
+    findings.extend(others.map(|(method, passes)| compare(&case, method, passes, 163)));
     settle(&findings);
 }
 
 /// The mean over the six walls of one pass each.
-fn all_walls(program: Program, passes: u32, seed: u64) -> Finding {
+fn all_walls(method: Method, passes: u32, seed: u64) -> Finding {
     let cases = room_of_flux();
     let mut all = Measured {
         means: vec![0.0; passes as usize],
@@ -77,22 +75,22 @@ fn all_walls(program: Program, passes: u32, seed: u64) -> Finding {
     };
     for (i, case) in (0..).zip(&cases) {
         let settings = Settings { spp: passes, seed: seed + i, threads: 1 };
-        let integrator = program.integrator(case.max_depth);
+        let integrator = method.up_to(case.max_depth).build();
         let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
         all.statistics += statistics;
         all.means.iter_mut().zip(means).for_each(|(mean, wall)| *mean += wall / 6.0);
     }
-    judge(format!("B7, {program:?}: mean over all walls"), &all, cases[0].truth, EQUIVALENCE)
+    judge(format!("B7, {method}: mean over all walls"), &all, cases[0].truth, EQUIVALENCE)
 }
 
 #[test]
 fn b7_all_walls_of_a_room() {
-    settle(&[all_walls(BdptPower, 40, 171), all_walls(Particle, 340, 177)]);
+    settle(&[all_walls(BDPT, 40, 171), all_walls(PARTICLE, 340, 177)]);
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn b7_by_all_programs() {
-    let programs = [PureMc, Strict, Combined, BdptPower, BdptBalance, Particle];
-    settle(&programs.map(|program| all_walls(program, 400, 180)));
+    let methods = [PURE_MC, DIRECT_LIGHT, COMBINED, BDPT, BDPT_BALANCE, PARTICLE];
+    settle(&methods.map(|method| all_walls(method, 400, 180)));
 }

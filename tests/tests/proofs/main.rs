@@ -1,4 +1,4 @@
-//! The proofs: what no crate can show by itself. One program, so that they are
+//! The proofs: what no crate can show by itself. One method, so that they are
 //! linked once and run side by side.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on says so")]

@@ -4,7 +4,7 @@
 //! picture are a family of their own.
 
 use std::time::Instant;
-use traylib_integrators::{BlindSpot, SceneFacts, Settings, Statistics};
+use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings, Statistics};
 use traylib_tests::known::mirrored::{
     NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
     mirrored_point, mirrored_point_in_a_mirror,
@@ -13,9 +13,7 @@ use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{
     Case, EQUIVALENCE, FAMILY_LEVEL, Measured, each_pass, judge, pass_means, samples_in_a_pass,
 };
-use traylib_tests::programs::Program::{
-    self, BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
-};
+use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 use traylib_tests::scenes::phong;
 use traylib_tests::statistics::{Sample, mean_interval, sidak, tile_means};
 
@@ -28,8 +26,8 @@ struct Passes {
     image: Measured,
 }
 
-fn render(picture: &Picture, program: Program, passes: u32, seed: u64) -> Passes {
-    let integrator = program.integrator(picture.max_depth);
+fn render(picture: &Picture, method: Method, passes: u32, seed: u64) -> Passes {
+    let integrator = method.up_to(picture.max_depth).build();
     let settings = Settings { spp: passes, seed, threads: 1 };
     let (mut blocks, mut means) = (vec![Vec::new(); blocks(picture).len()], Vec::new());
     let statistics = each_pass(&picture.scene, integrator.as_ref(), &settings, |pass| {
@@ -54,20 +52,20 @@ fn mean_of(values: &[f64]) -> f64 {
 /// The mean of the picture, and every block within its interval.
 fn compare(
     picture: &Picture,
-    program: Program,
+    method: Method,
     passes: u32,
     seed: u64,
     equivalence: f64,
 ) -> [Finding; 2] {
-    let rendered = render(picture, program, passes, seed);
-    let claim = format!("{}, {program:?}: mean radiance", picture.name);
+    let rendered = render(picture, method, passes, seed);
+    let claim = format!("{}, {method}: mean radiance", picture.name);
     let truth = blocks(picture);
     let image = judge(claim, &rendered.image, mean_of(&truth), equivalence);
-    [image, all_blocks(picture, program, &rendered, &truth)]
+    [image, all_blocks(picture, method, &rendered, &truth)]
 }
 
 /// How far the worst block is from the truth, in half widths of its interval.
-fn all_blocks(picture: &Picture, program: Program, rendered: &Passes, truth: &[f64]) -> Finding {
+fn all_blocks(picture: &Picture, method: Method, rendered: &Passes, truth: &[f64]) -> Finding {
     let level = sidak(FAMILY_LEVEL, truth.len());
     let off = rendered.blocks.iter().zip(truth).map(|(means, truth)| {
         let interval = mean_interval(means, level);
@@ -75,7 +73,7 @@ fn all_blocks(picture: &Picture, program: Program, rendered: &Passes, truth: &[f
     });
     let worst = off.fold(0.0, f64::max);
     Finding {
-        claim: format!("{}, {program:?}: {} blocks", picture.name, truth.len()),
+        claim: format!("{}, {method}: {} blocks", picture.name, truth.len()),
         statistic: format!("at most {worst:.2} half widths off"),
         level: Some(FAMILY_LEVEL),
         samples: rendered.image.samples,
@@ -85,12 +83,12 @@ fn all_blocks(picture: &Picture, program: Program, rendered: &Passes, truth: &[f
 
 #[test]
 fn c1_mirrored_lamp() {
-    settle(&compare(&mirrored_lamp(WIDE_MIRROR), BdptPower, 192, 201, 0.015));
+    settle(&compare(&mirrored_lamp(WIDE_MIRROR), BDPT, 192, 201, 0.015));
 }
 
 #[test]
 fn c1_half_shadows() {
-    settle(&compare(&mirrored_lamp(NARROW_MIRROR), BdptPower, 150, 202, 0.02));
+    settle(&compare(&mirrored_lamp(NARROW_MIRROR), BDPT, 150, 202, 0.02));
 }
 
 /// To 0.2 %.
@@ -100,19 +98,19 @@ fn c1_by_all_that_walk_from_the_lamp() {
     let picture = mirrored_lamp(WIDE_MIRROR);
     let narrow = mirrored_lamp(NARROW_MIRROR);
     let findings = [
-        compare(&picture, BdptPower, 7600, 203, 2e-3),
-        compare(&picture, BdptBalance, 1500, 204, EQUIVALENCE),
-        compare(&picture, Particle, 1500, 205, EQUIVALENCE),
-        compare(&narrow, BdptPower, 2600, 206, EQUIVALENCE),
+        compare(&picture, BDPT, 7600, 203, 2e-3),
+        compare(&picture, BDPT_BALANCE, 1500, 204, EQUIVALENCE),
+        compare(&picture, PARTICLE, 1500, 205, EQUIVALENCE),
+        compare(&narrow, BDPT, 2600, 206, EQUIVALENCE),
     ];
     settle(&findings.concat());
 }
 
 /// Seconds for an error of 1 % of the picture's mean: variance and time of a
 /// pass.
-fn seconds_to_a_percent(picture: &Picture, program: Program, passes: u32) -> f64 {
+fn seconds_to_a_percent(picture: &Picture, method: Method, passes: u32) -> f64 {
     let start = Instant::now();
-    let rendered = render(picture, program, passes, 207);
+    let rendered = render(picture, method, passes, 207);
     let seconds = start.elapsed().as_secs_f64();
     let Sample { variance_of_mean, .. } = Sample::of(&rendered.image.means);
     // A variance of the mean v after `seconds` falls as one over the time.
@@ -125,10 +123,10 @@ fn seconds_to_a_percent(picture: &Picture, program: Program, passes: u32) -> f64
 #[ignore = "at length: cargo xtask prove"]
 fn c1_is_faster_from_both_ends() {
     let picture = mirrored_lamp(WIDE_MIRROR);
-    let bdpt = seconds_to_a_percent(&picture, BdptPower, 400);
-    let findings = [PureMc, Strict, Combined].map(|program| {
-        let factor = seconds_to_a_percent(&picture, program, 800) / bdpt;
-        let claim = format!("C1: bdpt reaches 1 % sooner than {program:?}");
+    let bdpt = seconds_to_a_percent(&picture, BDPT, 400);
+    let findings = [PURE_MC, DIRECT_LIGHT, COMBINED].map(|method| {
+        let factor = seconds_to_a_percent(&picture, method, 800) / bdpt;
+        let claim = format!("C1: bdpt reaches 1 % sooner than {method}");
         println!("{claim}: {factor:.1} times");
         let statistic = format!("{factor:.1} times");
         let samples = 800 * samples_in_a_pass(&picture.scene);
@@ -139,18 +137,18 @@ fn c1_is_faster_from_both_ends() {
 
 /// Only hitting the lamp by chance finds this light, once in a thousand times:
 /// right, and not much more can be said.
-fn c2(programs: &[(Program, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
+fn c2(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
     let case = mirrored_lamp_in_a_mirror();
-    let compare = |&(program, passes): &(Program, u32)| {
-        let measured = measure(&case, program, passes, seed);
-        let claim = format!("C2, {program:?}: mean radiance within {equivalence}");
+    let compare = |&(method, passes): &(Method, u32)| {
+        let measured = measure(&case, method, passes, seed);
+        let claim = format!("C2, {method}: mean radiance within {equivalence}");
         judge(claim, &measured, case.truth, equivalence)
     };
-    programs.iter().map(compare).collect()
+    methods.iter().map(compare).collect()
 }
 
-fn measure(case: &Case, program: Program, passes: u32, seed: u64) -> Measured {
-    let integrator = program.integrator(case.max_depth);
+fn measure(case: &Case, method: Method, passes: u32, seed: u64) -> Measured {
+    let integrator = method.up_to(case.max_depth).build();
     let settings = Settings { spp: passes, seed, threads: 1 };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let samples = u64::from(passes) * samples_in_a_pass(&case.scene);
@@ -159,27 +157,27 @@ fn measure(case: &Case, program: Program, passes: u32, seed: u64) -> Measured {
 
 #[test]
 fn c2_seen_in_a_mirror() {
-    let mut findings = c2(&[(PureMc, 160), (BdptPower, 160)], 211, 0.25);
-    findings.push(dark(&mirrored_lamp_in_a_mirror(), Particle));
+    let mut findings = c2(&[(PURE_MC, 160), (BDPT, 160)], 211, 0.25);
+    findings.push(dark(&mirrored_lamp_in_a_mirror(), PARTICLE));
     settle(&findings);
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn c2_by_all_programs() {
-    settle(&c2(&Program::FROM_CAMERA.map(|program| (program, 1200)), 212, 0.09));
+    settle(&c2(&methods::from_camera(1200), 212, 0.09));
 }
 
-/// A program that finds no light at all, and says beforehand that there is light
+/// A method that finds no light at all, and says beforehand that there is light
 /// that it cannot find.
-fn dark(case: &Case, program: Program) -> Finding {
-    let integrator = program.integrator(case.max_depth);
+fn dark(case: &Case, method: Method) -> Finding {
+    let integrator = method.up_to(case.max_depth).build();
     let blind: Vec<BlindSpot> = integrator.blind_spots(&SceneFacts::of(&case.scene));
     let Measured { means, statistics: Statistics { rejected, .. }, samples } =
-        measure(case, program, 4, 213);
+        measure(case, method, 4, 213);
     let found = means.iter().copied().fold(0.0, f64::max);
     Finding {
-        claim: format!("{}, {program:?}: nothing of {:.3e}, announced", case.name, case.truth),
+        claim: format!("{}, {method}: nothing of {:.3e}, announced", case.name, case.truth),
         statistic: format!("{found}; {blind:?}"),
         level: None,
         samples,
@@ -188,53 +186,53 @@ fn dark(case: &Case, program: Program) -> Finding {
 }
 
 /// Only a light path that is seen by the camera finds this.
-fn c3(programs: &[(Program, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
+fn c3(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
     let case = mirrored_point();
-    let compare = |&(program, passes): &(Program, u32)| {
-        let claim = format!("C3, {program:?}: mean radiance");
-        judge(claim, &measure(&case, program, passes, seed), case.truth, equivalence)
+    let compare = |&(method, passes): &(Method, u32)| {
+        let claim = format!("C3, {method}: mean radiance");
+        judge(claim, &measure(&case, method, passes, seed), case.truth, equivalence)
     };
-    programs.iter().map(compare).collect()
+    methods.iter().map(compare).collect()
 }
 
 #[test]
 fn c3_point_light() {
-    let mut findings = c3(&[(BdptPower, 500), (Particle, 500)], 221, 0.03);
-    findings.extend([PureMc, Strict, Combined].map(|program| dark(&mirrored_point(), program)));
+    let mut findings = c3(&[(BDPT, 500), (PARTICLE, 500)], 221, 0.03);
+    findings
+        .extend([PURE_MC, DIRECT_LIGHT, COMBINED].map(|method| dark(&mirrored_point(), method)));
     settle(&findings);
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn c3_point_light_at_length() {
-    settle(&c3(&[(BdptPower, 11_000), (Particle, 11_000)], 222, EQUIVALENCE));
+    settle(&c3(&[(BDPT, 11_000), (PARTICLE, 11_000)], 222, EQUIVALENCE));
 }
 
 #[test]
 fn c2_and_c3_are_dark_and_announced() {
-    const ALL: [Program; 6] = [PureMc, Strict, Combined, BdptPower, BdptBalance, Particle];
-    settle(&ALL.map(|program| dark(&mirrored_point_in_a_mirror(), program)));
+    const ALL: [Method; 6] = [PURE_MC, DIRECT_LIGHT, COMBINED, BDPT, BDPT_BALANCE, PARTICLE];
+    settle(&ALL.map(|method| dark(&mirrored_point_in_a_mirror(), method)));
 }
 
 /// A sharp lobe in the mirror's place: not ks of the light, but ks times the
 /// cosine, on average 0.95 here.
-fn c4(exponent: f32, program: Program, passes: u32, equivalence: f64) -> Finding {
+fn c4(exponent: f32, method: Method, passes: u32, equivalence: f64) -> Finding {
     let specular = 0.9;
     let picture = mirrored_in(phong(0.0, specular, exponent), f64::from(specular));
-    let rendered = render(&picture, program, passes, 231);
-    let claim = format!("C4 n = {exponent:e}, {program:?}: mean radiance");
+    let rendered = render(&picture, method, passes, 231);
+    let claim = format!("C4 n = {exponent:e}, {method}: mean radiance");
     judge(claim, &rendered.image, mean_of(&blocks(&picture)), equivalence)
 }
 
 #[test]
 fn c4_sharp_lobe() {
-    settle(&[c4(1e6, Particle, 300, 0.015)]);
+    settle(&[c4(1e6, PARTICLE, 300, 0.015)]);
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn c4_sharp_lobes_at_length() {
-    let one =
-        |exponent| [BdptPower, Particle].map(|program| c4(exponent, program, 1300, EQUIVALENCE));
+    let one = |exponent| [BDPT, PARTICLE].map(|method| c4(exponent, method, 1300, EQUIVALENCE));
     settle(&[1e3, 1e6].map(one).concat());
 }

@@ -1,4 +1,4 @@
-//! The programs against one another on scenes that others made, where the environment
+//! The methods against one another on scenes that others made, where the environment
 //! variable `TRAYLIB_DATA` names the folder they are in; how, stands in
 //! `traylib_tests::agreement`. What only rare chance finds is masked and counted
 //! there: small lamps seen in chrome, or through two panes.
@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_tests::agreement::{Budget, Other, Subject, agree};
 use traylib_tests::ledger::settle;
-use traylib_tests::programs::Program::Combined;
+use traylib_tests::methods::COMBINED;
 
 /// `directlight --combine` against `bdpt`, to within `promise` of the mean.
 fn combined_agrees(name: &str, file: &str, passes: u32, promise: f64) {
@@ -20,7 +20,7 @@ fn combined_agrees(name: &str, file: &str, passes: u32, promise: f64) {
         LoadOptions { resolution: Some((64, 48)), root: Some(&root), ..LoadOptions::default() };
     let scene = load_scene_with(file.to_str().unwrap(), options).unwrap().scene;
     let budget = Budget { tile: 8, looks: vec![passes / 4, passes] };
-    let others = [Other { program: Combined, passes: 4, promise }];
+    let others = [Other { method: COMBINED, passes: 4, promise }];
     let agreement = agree(&Subject { name, scene: &scene }, &others, &budget);
     for finding in &agreement.findings {
         println!("{}: {}", finding.claim, finding.statistic);

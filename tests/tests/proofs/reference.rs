@@ -3,12 +3,12 @@
 //! See `tests/data/README.md` for where the numbers are from.
 
 use serde::Deserialize;
-use traylib_integrators::{Control, Settings};
+use traylib_integrators::{Control, Method, Settings};
 use traylib_io::{LoadOptions, load_exr, load_scene_with};
 use traylib_math::Grid;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::each_pass;
-use traylib_tests::programs::Program;
+use traylib_tests::methods;
 use traylib_tests::statistics::{Sample, holm, welch};
 
 /// Chance of a false alarm among all blocks of one picture.
@@ -49,10 +49,10 @@ fn block_means(pass: &Grid<[f64; 3]>) -> Vec<[f64; 3]> {
 }
 
 /// One number a pass for each block and band.
-fn passes(scene: &str, program: Program, side: u32, spp: u32) -> Vec<Vec<[f64; 3]>> {
+fn passes(scene: &str, method: Method, side: u32, spp: u32) -> Vec<Vec<[f64; 3]>> {
     let options = LoadOptions { resolution: Some((side, side)), ..LoadOptions::default() };
     let loaded = load_scene_with(scene, options).unwrap();
-    let integrator = program.integrator(MAX_DEPTH);
+    let integrator = method.up_to(MAX_DEPTH).build();
     let settings = Settings { spp, seed: 2026, threads: 0 };
     let mut passes = Vec::new();
     let statistics = each_pass(&loaded.scene, integrator.as_ref(), &settings, |pass| {
@@ -67,7 +67,7 @@ fn passes(scene: &str, program: Program, side: u32, spp: u32) -> Vec<Vec<[f64; 3
 struct Setup {
     reference: &'static str,
     scene: &'static str,
-    program: Program,
+    method: Method,
     side: u32,
     spp: u32,
 }
@@ -78,7 +78,7 @@ impl Setup {
     }
 
     fn name(&self) -> String {
-        format!("{}, {:?}", self.scene, self.program)
+        format!("{}, {:?}", self.scene, self.method)
     }
 }
 
@@ -86,7 +86,7 @@ impl Setup {
 /// right.
 fn compare(setup: Setup) {
     let reference = reference(setup.reference);
-    let passes = passes(setup.scene, setup.program, setup.side, setup.spp);
+    let passes = passes(setup.scene, setup.method, setup.side, setup.spp);
     settle(&[blocks_agree(setup, &reference, &passes), means_agree(setup, &reference, &passes)]);
 }
 
@@ -145,33 +145,33 @@ fn means_agree(setup: Setup, reference: &Reference, passes: &[Vec<[f64; 3]>]) ->
     }
 }
 
-const fn setup(reference: &'static str, program: Program, side: u32, spp: u32) -> Setup {
+const fn setup(reference: &'static str, method: Method, side: u32, spp: u32) -> Setup {
     let scene = if reference.as_bytes()[0] == b'A' { "reference-a" } else { "reference-c" };
-    Setup { reference, scene, program, side, spp }
+    Setup { reference, scene, method, side, spp }
 }
 
 #[test]
 fn bdpt_agrees_on_a() {
-    compare(setup("A5", Program::BdptPower, 64, 256));
+    compare(setup("A5", methods::BDPT, 64, 256));
 }
 
 #[test]
 fn bdpt_agrees_on_c() {
-    compare(setup("C5", Program::BdptPower, 64, 256));
+    compare(setup("C5", methods::BDPT, 64, 256));
 }
 
 #[test]
 fn combined_agrees_on_a() {
-    compare(setup("A5", Program::Combined, 64, 256));
+    compare(setup("A5", methods::COMBINED, 64, 256));
 }
 
 /// The same on 256 × 256 pixels.
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn full_pictures_agree() {
-    compare(setup("A5", Program::BdptPower, 256, 256));
-    compare(setup("C5", Program::BdptPower, 256, 512));
-    compare(setup("A5", Program::Combined, 256, 512));
+    compare(setup("A5", methods::BDPT, 256, 256));
+    compare(setup("C5", methods::BDPT, 256, 512));
+    compare(setup("A5", methods::COMBINED, 256, 512));
 }
 
 /// A picture's channels by name.
@@ -193,16 +193,16 @@ fn pixels_differ_by_noise_alone() {
         return;
     };
     let folder = std::path::PathBuf::from(folder);
-    for (name, scene, program) in [
-        ("A5", "reference-a", Program::BdptPower),
-        ("C5", "reference-c", Program::BdptPower),
-        ("A5", "reference-a", Program::Combined),
+    for (name, scene, method) in [
+        ("A5", "reference-a", methods::BDPT),
+        ("C5", "reference-c", methods::BDPT),
+        ("A5", "reference-a", methods::COMBINED),
     ] {
         let file = folder.join(format!("{name}.exr"));
         assert_eq!(load_exr(&file).unwrap().width(), 256);
         let channels = channels(&file);
         let loaded = load_scene_with(scene, LoadOptions::default()).unwrap();
-        let integrator = program.integrator(MAX_DEPTH);
+        let integrator = method.up_to(MAX_DEPTH).build();
         let settings = Settings { spp: 256, seed: 7, threads: 0 };
         let rendering = traylib_integrators::render(
             &loaded.scene,
@@ -214,7 +214,7 @@ fn pixels_differ_by_noise_alone() {
         .unwrap();
         let (measured, explained) = rel_mse(&rendering.film, &channels);
         settle(&[Finding {
-            claim: format!("{scene}, {program:?}: pixels differ from the reference by noise alone"),
+            claim: format!("{scene}, {method}: pixels differ from the reference by noise alone"),
             statistic: format!("relMSE {measured:.4e}, noise explains {explained:.4e}"),
             // Both are means of 2·10⁵ squares, mostly of tame pixels; a few per
             // cent is what their own noise leaves.

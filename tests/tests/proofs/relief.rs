@@ -1,4 +1,4 @@
-//! F12: relief on a glossy plate. It tilts the shading normal alone, so a program that
+//! F12: relief on a glossy plate. It tilts the shading normal alone, so a method that
 //! walks from the light must carry the other cosines than one that walks from the
 //! camera; one that does not makes another picture.
 
@@ -10,7 +10,7 @@ use traylib_math::{Grid, Rgb};
 use traylib_scene::Scene;
 use traylib_tests::agreement::{Budget, Other, Subject, agree};
 use traylib_tests::ledger::settle;
-use traylib_tests::programs::Program::{BdptBalance, Combined, Particle, PureMc, Strict};
+use traylib_tests::methods::{BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 use traylib_tests::scenes::{Stage, camera_of_size, floor, lambert, phong, rectangle};
 
 /// Height of the hills over a side of the plate: with four hills to a side the
@@ -44,13 +44,13 @@ fn bumpy_plate() -> Scene {
 /// `walks` passes of `puremc`, the noisiest, go with one of `bdpt`.
 fn relief_agrees(looks: &[u32], walks: u32, promise: f64) {
     let scene = bumpy_plate();
-    let other = |program, passes| Other { program, passes, promise };
+    let other = |method, passes| Other { method, passes, promise };
     let others = [
-        other(Combined, 4),
-        other(Strict, 4),
-        other(PureMc, walks),
-        other(BdptBalance, 1),
-        other(Particle, 4),
+        other(COMBINED, 4),
+        other(DIRECT_LIGHT, 4),
+        other(PURE_MC, walks),
+        other(BDPT_BALANCE, 1),
+        other(PARTICLE, 4),
     ];
     let budget = Budget { tile: 12, looks: looks.to_vec() };
     settle(&agree(&Subject { name: "relief", scene: &scene }, &others, &budget).findings);

@@ -1,5 +1,5 @@
 //! The same picture again: on other numbers of threads, at another scale, by
-//! another program that does the same, with other roulette.
+//! another method that does the same, with other roulette.
 
 use std::ops::ControlFlow;
 use traylib_integrators::{
@@ -11,7 +11,7 @@ use traylib_scene::Scene;
 use traylib_tests::laws::verdict::same_bits;
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::each_pass;
-use traylib_tests::programs::Program;
+use traylib_tests::methods;
 use traylib_tests::statistics::{Sample, sidak, tile_means, welch};
 use traylib_tests::still_life::still_life;
 
@@ -20,8 +20,8 @@ fn integrators() -> Vec<(String, Box<dyn Integrator>)> {
     let traces = [false, true].map(|jitter| -> (String, Box<dyn Integrator>) {
         (format!("trace, jitter {jitter}"), Box::new(Trace { jitter }))
     });
-    let programs = Program::ALL.map(|program| (format!("{program:?}"), program.integrator(None)));
-    traces.into_iter().chain(programs).collect()
+    let methods = methods::WALKING.map(|method| (format!("{method}"), method.build()));
+    traces.into_iter().chain(methods).collect()
 }
 
 fn picture(scene: &Scene, integrator: &dyn Integrator, settings: Settings) -> Grid<[f64; 3]> {
@@ -76,7 +76,7 @@ fn scale_does_not_change_a_bit() {
     settle(&findings.collect::<Vec<_>>());
 }
 
-/// Bidirectional path tracing with the techniques of another program finds the
+/// Bidirectional path tracing with the techniques of another method finds the
 /// same paths from the same numbers, and weighs them alike up to rounding.
 #[test]
 fn bdpt_with_the_techniques_of_another_program_is_that_program() {

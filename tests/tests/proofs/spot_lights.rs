@@ -9,7 +9,7 @@ use traylib_tests::ledger::settle;
 use traylib_tests::measure::{
     Case, EQUIVALENCE, Measured, all_hold, judge, mean_over_floor, pass_means, samples_in_a_pass,
 };
-use traylib_tests::programs::Program;
+use traylib_tests::methods;
 use traylib_tests::scenes::{Stage, camera, lambert, rectangle, spot};
 
 const PASSES: u32 = 192;
@@ -64,7 +64,7 @@ fn places_have_their_radiance() {
             max_depth: Some(2),
             truth: REFLECTANCE * FRAC_1_PI * irradiance,
         };
-        all_hold(&case, 60, &Program::FROM_CAMERA.map(|program| (program, 4)));
+        all_hold(&case, 60, &methods::from_camera(4));
     }
 }
 
@@ -81,7 +81,7 @@ fn a_lit_floor_is_the_same_from_both_ends() {
     let traced = Measured { means, statistics, samples };
     settle(&[judge("spot light, floor, trace".into(), &traced, truth, EQUIVALENCE)]);
     let case = Case { name: "spot light, floor".into(), scene, max_depth: Some(2), truth };
-    let programs =
-        [(Program::Particle, 600), (Program::BdptPower, PASSES), (Program::Strict, PASSES)];
-    all_hold(&case, 62, &programs);
+    let methods =
+        [(methods::PARTICLE, 600), (methods::BDPT, PASSES), (methods::DIRECT_LIGHT, PASSES)];
+    all_hold(&case, 62, &methods);
 }

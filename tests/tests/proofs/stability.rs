@@ -2,12 +2,12 @@
 //! of judgement, and the table against itself.
 
 use std::collections::BTreeSet;
-use traylib_integrators::SceneFacts;
+use traylib_integrators::{Method, SceneFacts};
 use traylib_math::{Purpose, Sampler};
 use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::methods;
 use traylib_tests::stability::cell;
-use traylib_tests::stability::column::Column;
-use traylib_tests::stability::expected::{CORRECTIONS, EXPECTED, Expected, expected};
+use traylib_tests::stability::expected::{CORRECTIONS, EXPECTED, Expected, METHODS, expected};
 use traylib_tests::stability::figures::Figures;
 use traylib_tests::stability::judge::{Verdict, Word, best, judge};
 use traylib_tests::stability::moments::{Energy, Moments};
@@ -218,7 +218,7 @@ fn slopes_of_known_laws() {
     ]);
 }
 
-/// Figures of a program that is right and steady.
+/// Figures of a method that is right and steady.
 fn sound(rel_mse_per_pass: f64) -> Figures {
     Figures {
         passes: 256,
@@ -287,7 +287,7 @@ fn wrong_is_not_slow_and_not_ok() {
     }
     assert!(!unsettled(&wide, Word::Sees));
     assert_eq!(best([&off, &unsound, &quick]), Some(&quick));
-    // A blind program must have said so, and who said so must be blind.
+    // A blind method must have said so, and who said so must be blind.
     let nothing = Figures { mean: 0.0, half_width: 0.0, ..quick.clone() };
     assert!(unsettled(&nothing, Word::Sees) && unsettled(&quick, Word::Announced));
 }
@@ -301,9 +301,9 @@ fn the_tables_belong_together() {
     assert_eq!(scenes, rows);
     let mut seen = BTreeSet::new();
     for correction in CORRECTIONS {
-        let place = (correction.scene, correction.column.name());
-        assert!(seen.insert(place), "{place:?} twice");
-        let expected = expected(correction.scene, correction.column).unwrap();
+        let place = (correction.scene, correction.method.to_string());
+        assert!(seen.insert(place.clone()), "{place:?} twice");
+        let expected = expected(correction.scene, correction.method).unwrap();
         assert_ne!(expected, correction.verdict, "{place:?} corrects nothing");
         assert!(correction.reason.len() > 20, "{place:?} does not say why");
     }
@@ -311,35 +311,35 @@ fn the_tables_belong_together() {
 }
 
 /// Every scene can be built and emits light, and `blind` and `—` are expected just
-/// where a program announces a kind of light that all of the scene's belongs to.
+/// where a method announces a kind of light that all of the scene's belongs to.
 #[test]
 fn announcements_are_where_blindness_is_expected() {
     for row in &SCENES {
         let facts = SceneFacts::of(&row.build());
-        for column in Column::ALL {
-            let announced = column.integrator(row.max_depth).blind_spots(&facts);
+        for method in METHODS {
+            let announced = method.up_to(row.max_depth).build().blind_spots(&facts);
             let concerns = announced.iter().any(|spot| row.light.contains(spot));
-            let expected = expected(row.id, column).unwrap();
+            let expected = expected(row.id, method).unwrap();
             let none = matches!(expected, Expected::Blind | Expected::No);
-            assert_eq!(concerns, none, "{} {}: {announced:?}", row.id, column.name());
+            assert_eq!(concerns, none, "{} {}: {announced:?}", row.id, method);
         }
     }
 }
 
-/// A program over a scene, in a few passes.
-fn measured(id: &str, column: Column, passes: u32) -> Figures {
+/// A method over a scene, in a few passes.
+fn measured(id: &str, method: Method, passes: u32) -> Figures {
     let row = SCENES.iter().find(|row| row.id == id).unwrap();
     let scene = row.build();
     let reference = Reference::of(row, &scene);
-    Figures::of(&cell::run(&scene, &reference, column, row.max_depth, passes), &reference)
+    Figures::of(&cell::run(&scene, &reference, method, row.max_depth, passes), &reference)
 }
 
 /// The corner, by light samples without weights: the tail index is 1.5, and the
 /// alarm is raised. Weighted, the same light samples raise none.
 #[test]
 fn the_corner_raises_the_alarm_without_weights() {
-    let strict = measured("F10", Column::DirectLight, 16);
-    let combined = measured("F10", Column::Combined, 16);
+    let strict = measured("F10", methods::DIRECT_LIGHT, 16);
+    let combined = measured("F10", methods::COMBINED, 16);
     let alpha = strict.tail.and_then(|tail| tail.alpha).unwrap();
     let samples = 16 * 16 * 32 * 32;
     let finding = |claim: &str, statistic: String, level, holds| Finding {
@@ -366,12 +366,12 @@ fn the_corner_raises_the_alarm_without_weights() {
 /// nobody.
 #[test]
 fn nobody_sees_a_point_through_two_mirrors() {
-    let findings: Vec<Finding> = Column::ALL
+    let findings: Vec<Finding> = METHODS
         .into_iter()
-        .map(|column| {
-            let figures = measured("F14", column, 1);
+        .map(|method| {
+            let figures = measured("F14", method, 1);
             let statistic = format!("{} of {}", figures.mean, figures.truth);
-            let claim = format!("F14, {}: finds nothing", column.name());
+            let claim = format!("F14, {method}: finds nothing");
             let holds = figures.mean == 0.0 && figures.truth > 0.0;
             Finding { claim, statistic, level: None, samples: 16 * 16 * 16, holds }
         })

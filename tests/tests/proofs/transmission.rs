@@ -7,27 +7,25 @@ use traylib_tests::known::transmission::{
     light_in_a_ball_of_glass,
 };
 use traylib_tests::measure::all_hold;
-use traylib_tests::programs::Program::{
-    BdptBalance, BdptPower, Combined, Particle, PureMc, Strict,
-};
+use traylib_tests::methods::{BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 #[test]
 fn e1_clear_things_in_a_furnace() {
-    let programs = [(PureMc, 288), (Combined, 192), (BdptPower, 192), (BdptBalance, 192)];
-    all_hold(&clear_things_in_a_furnace(), 511, &programs);
+    let methods = [(PURE_MC, 288), (COMBINED, 192), (BDPT, 192), (BDPT_BALANCE, 192)];
+    all_hold(&clear_things_in_a_furnace(), 511, &methods);
 }
 
 /// The walk out of the glass takes several reflections inside.
 #[test]
 fn e2_furnace_from_inside_of_glass() {
-    let programs = [(PureMc, 480), (Combined, 320), (BdptPower, 192), (BdptBalance, 192)];
-    all_hold(&furnace_from_inside_of_glass(), 512, &programs);
+    let methods = [(PURE_MC, 480), (COMBINED, 320), (BDPT, 192), (BDPT_BALANCE, 192)];
+    all_hold(&furnace_from_inside_of_glass(), 512, &methods);
 }
 
 #[test]
 fn e3_lamp_behind_a_pane() {
-    let programs = [(Strict, 96), (Combined, 96), (BdptPower, 96), (BdptBalance, 128)];
-    all_hold(&lamp_behind_a_pane(), 513, &programs);
+    let methods = [(DIRECT_LIGHT, 96), (COMBINED, 96), (BDPT, 96), (BDPT_BALANCE, 128)];
+    all_hold(&lamp_behind_a_pane(), 513, &methods);
 }
 
 /// The light is aimed at in vain, since every ray to it meets the glass: paths
@@ -35,6 +33,6 @@ fn e3_lamp_behind_a_pane() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn e4_light_in_a_ball_of_glass() {
-    let programs = [(BdptPower, 4000), (BdptBalance, 4000), (Particle, 5000)];
-    all_hold(&light_in_a_ball_of_glass(), 514, &programs);
+    let methods = [(BDPT, 4000), (BDPT_BALANCE, 4000), (PARTICLE, 5000)];
+    all_hold(&light_in_a_ball_of_glass(), 514, &methods);
 }

@@ -1,8 +1,9 @@
 //! Refusing scenes and methods that do not go together, before any work.
 
-use crate::contestant::Contestant;
+use crate::method::suits;
 use crate::prepare::Prepared;
 use traylib_demos::{Failure, say};
+use traylib_integrators::Method;
 
 /// Scenes are known by their names in everything that a comparison leaves.
 ///
@@ -27,10 +28,10 @@ pub(super) fn check_names(scenes: &[Prepared]) -> Result<(), Failure> {
 ///
 /// # Errors
 /// Nobody is left.
-pub(super) fn check_fit(asked: &[Contestant], scenes: &[Prepared]) -> Result<(), Failure> {
+pub(super) fn check_fit(asked: &[Method], scenes: &[Prepared]) -> Result<(), Failure> {
     for scene in scenes {
-        let unfit: Vec<&str> =
-            asked.iter().filter(|c| !c.suits(&scene.facts)).map(Contestant::name).collect();
+        let unfit = asked.iter().filter(|&&method| !suits(method, &scene.facts));
+        let unfit: Vec<String> = unfit.map(ToString::to_string).collect();
         if unfit.is_empty() {
             continue;
         }

@@ -16,7 +16,7 @@ pub(super) fn finished(scene: &str, entries: Vec<Entry>) -> Vec<Entry> {
     let (finished, few): (Vec<Entry>, Vec<Entry>) =
         entries.into_iter().partition(|entry| entry.records.len() > 1);
     if !few.is_empty() {
-        let names: Vec<&str> = few.iter().map(|entry| entry.contestant.name()).collect();
+        let names: Vec<String> = few.iter().map(|entry| entry.method.to_string()).collect();
         say(format_args!(
             "note: {scene}: without two runs yet, and shown only then: {}",
             names.join(", ")
@@ -43,7 +43,7 @@ pub(super) fn shown(
     }
 }
 
-/// The numbers of a scene; `None` if no contestant has any.
+/// The numbers of a scene; `None` if no method has any.
 pub(super) fn told(
     prepared: &Prepared,
     mut reference: Reference,

@@ -23,7 +23,7 @@ fn entry(name: &str, lost: f64, deviation: f64, reference: &Reference) -> Entry 
     };
     let pictures: Vec<Picture> = (0..16).map(|_| picture()).collect();
     let records = pictures.iter().map(|picture| record(picture, reference)).collect();
-    Entry { contestant: name.parse().unwrap(), records, pictures }
+    Entry { method: name.parse().unwrap(), records, pictures }
 }
 
 fn record(picture: &Picture, reference: &Reference) -> Record {
@@ -77,7 +77,8 @@ fn the_quiet_one_wins_by_the_ratio_of_variances() {
 #[test]
 fn equals_are_undecided() {
     let reference = reference();
-    let entries = [entry("combined", 0.0, 0.1, &reference), entry("bdpt", 0.0, 0.1, &reference)];
+    let entries =
+        [entry("directlight --combine", 0.0, 0.1, &reference), entry("bdpt", 0.0, 0.1, &reference)];
     let methods = judge(&entries, &reference, PLAIN);
     let verdict = verdict(&methods, &reference.results).unwrap();
     assert_eq!(verdict.rivals.len(), 1, "{}", verdict.sentence);
@@ -88,14 +89,14 @@ fn equals_are_undecided() {
 fn lost_light_is_told_from_noise() {
     let reference = reference();
     let entries =
-        [entry("bdpt:depth=3", -0.2, 0.05, &reference), entry("bdpt", 0.0, 0.2, &reference)];
+        [entry("bdpt --max-depth 3", -0.2, 0.05, &reference), entry("bdpt", 0.0, 0.2, &reference)];
     let methods = judge(&entries, &reference, PLAIN);
     let biased = &methods[0];
     // Less error than the other, and still not the best.
     assert!(biased.cost.value < 1.1 * methods[1].cost.value);
     let verdict = verdict(&methods, &reference.results).unwrap();
     assert_eq!(verdict.best.as_deref(), Some("bdpt"));
-    let loss = "bdpt:depth=3 loses light: all paths of more than 3 edges.";
+    let loss = "bdpt --max-depth 3 loses light: all paths of more than 3 edges.";
     assert!(verdict.sentence.contains(loss), "{}", verdict.sentence);
     assert_eq!((methods[0].badge(), methods[1].badge()), (Some("biased"), None));
     let noise = 0.0025 / 0.0425;
@@ -111,7 +112,7 @@ fn lost_light_is_told_from_noise() {
 fn one_edge_is_one() {
     let reference = reference();
     let entries =
-        [entry("bdpt:depth=1", -0.2, 0.1, &reference), entry("bdpt", 0.0, 0.1, &reference)];
+        [entry("bdpt --max-depth 1", -0.2, 0.1, &reference), entry("bdpt", 0.0, 0.1, &reference)];
     let methods = judge(&entries, &reference, PLAIN);
     let sentence = verdict(&methods, &reference.results).unwrap().sentence;
     assert!(sentence.contains("all paths of more than 1 edge."), "{sentence}");
@@ -158,8 +159,10 @@ fn a_reference_that_is_not_sure_is_told() {
 #[test]
 fn where_all_lose_light_nobody_is_best() {
     let reference = reference();
-    let entries =
-        [entry("particle", -0.2, 0.05, &reference), entry("bdpt:depth=3", -0.1, 0.1, &reference)];
+    let entries = [
+        entry("particle", -0.2, 0.05, &reference),
+        entry("bdpt --max-depth 3", -0.1, 0.1, &reference),
+    ];
     let facts = SceneFacts { mirrors: true, ..PLAIN };
     let verdict = verdict(&judge(&entries, &reference, facts), &reference.results).unwrap();
     assert_eq!((verdict.best, verdict.rivals.len()), (None, 0));
@@ -206,7 +209,7 @@ fn doubt(given: &Picture, names: [&str; 2]) -> (Option<String>, Verdict) {
         entry
     });
     let mut methods = judge(&entries, &reference, PLAIN);
-    let doubted = doubted_by(&entries, &methods, &reference).map(String::from);
+    let doubted = doubted_by(&entries, &methods, &reference).map(|method| method.to_string());
     reference.results.doubted_by.clone_from(&doubted);
     if doubted.is_some() {
         withhold(&mut methods);

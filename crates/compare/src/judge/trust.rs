@@ -10,6 +10,7 @@ use super::{Entry, curve};
 use crate::reference::{LARGEST_OWN_SHARE, Reference};
 use crate::results::MethodResults;
 use crate::run::grey;
+use traylib_integrators::Method;
 use traylib_scene::relative_square_errors;
 use traylib_tests::statistics::{Sample, welch};
 
@@ -28,18 +29,18 @@ const DARKER: f64 = 0.01;
 
 /// The method whose runs say that the reference is not what they render, if one does;
 /// `methods` are the judgements of `entries`.
-pub fn doubted_by<'a>(
-    entries: &'a [Entry],
+pub fn doubted_by(
+    entries: &[Entry],
     methods: &[MethodResults],
     reference: &Reference,
-) -> Option<&'a str> {
+) -> Option<Method> {
     if reference.checked {
         return None;
     }
     let fit = entries.iter().zip(methods).filter(|(_, m)| !m.biased && !m.stability.alarm);
     let (witness, _) = fit.min_by(|a, b| a.1.metrics.rel_mse.total_cmp(&b.1.metrics.rel_mse))?;
     let doubts = lasting(witness, reference) || brightness(witness, reference);
-    doubts.then(|| witness.contestant.name())
+    doubts.then_some(witness.method)
 }
 
 /// Whether more of the error stays in all runs than a sure reference may have of its own.

@@ -17,7 +17,7 @@ impl Costs {
         estimators: &[Estimator],
         (span, repetitions): (f64, usize),
     ) -> Self {
-        let integrators: Vec<_> = estimators.iter().map(|of| of.integrator()).collect();
+        let integrators: Vec<_> = estimators.iter().map(|of| of.method().build()).collect();
         let integrators: Vec<&dyn Integrator> = integrators.iter().map(AsRef::as_ref).collect();
         let mut times = interleaved(&disk(radius).scene, &integrators, span, repetitions);
         for time in times.iter_mut().flatten() {

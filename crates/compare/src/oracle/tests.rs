@@ -10,7 +10,7 @@ fn noise_and_crossing_follow_theory() {
     let found = measure(&size, &|_| told.set(told.get() + 1));
     assert_eq!((told.get(), found.samples), (3, 65_536));
     let names: Vec<&str> = found.curves.iter().map(|curve| curve.method.as_str()).collect();
-    assert_eq!(names, METHODS.map(|(name, _)| name));
+    assert_eq!(names, ESTIMATORS.map(|of| of.method().to_string()));
     for curve in &found.curves {
         for (point, radius) in curve.points.iter().zip(size.radii) {
             let OraclePoint { theory, variance: Estimate { low, high, .. }, .. } = *point;

@@ -40,13 +40,14 @@ pub(crate) fn whole(scene: &SceneResults, palette: &Palette) -> Markup {
 /// Error and time of a pass, each over that of the best.
 fn factors(scene: &SceneResults, best: &MethodResults, palette: &Palette) -> Markup {
     let chart = |what: &str, of: fn(&MethodResults) -> Estimate| {
-        let axis = format!("{what} of a pass over that of {}", best.name);
+        let label = format!("{what} of a pass over that of {}", best.name);
+        let axis = format!("{what} of a pass, best = 1");
         let row = |method: &MethodResults| {
             let over = over(of(method), of(best).value);
             (over, short(over.value))
         };
         let rows = rows(scene, palette, row);
-        html! { div.chart { (bars(&axis, &axis, &rows, Baseline::One)) } }
+        html! { div.chart { (bars(&label, &axis, &rows, Baseline::One)) } }
     };
     html! {
         (chart("error", |method| method.error_per_pass))

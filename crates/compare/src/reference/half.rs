@@ -1,12 +1,11 @@
 //! One method's picture for a reference, with what is needed to doubt it.
 
-use crate::contestant::Contestant;
 use crate::precision::{double, single};
 use crate::run::{Picture, grey};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::time::Instant;
-use traylib_integrators::{Control, Settings, ThreadError, render};
+use traylib_integrators::{Control, Method, Settings, ThreadError, render};
 use traylib_math::Grid;
 use traylib_scene::Scene;
 use traylib_tests::statistics::Sample;
@@ -77,25 +76,20 @@ impl Order<'_> {
     ///
     /// # Errors
     /// The system refuses threads.
-    pub(super) fn render(&self, contestant: &Contestant) -> Result<Option<Half>, ThreadError> {
+    pub(super) fn render(&self, method: Method) -> Result<Option<Half>, ThreadError> {
         let start = Instant::now();
         let mut tiles = Tiles::new(self.masked);
         let settings = Settings { spp: u32::MAX, seed: self.seed, threads: self.threads };
-        let rendering = render(
-            self.scene,
-            contestant.integrator().as_ref(),
-            &settings,
-            self.stop,
-            &mut |progress| {
+        let rendering =
+            render(self.scene, method.build().as_ref(), &settings, self.stop, &mut |progress| {
                 tiles.add(&progress.film.mean(), progress.film.passes());
                 let late = start.elapsed().as_secs_f64() >= self.seconds;
                 // A variance wants two.
                 let end = late && progress.film.passes() > 1;
                 if end { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            },
-        )?;
+            })?;
         let numbers = Numbers {
-            method: contestant.name().to_string(),
+            method: method.to_string(),
             passes: rendering.film.passes(),
             seconds: start.elapsed().as_secs_f64(),
             tiles: tiles.finish(rendering.film.passes()),

@@ -3,23 +3,22 @@
 use super::Reference;
 use super::agreement::agreement;
 use super::half::{Half, Numbers, Order};
-use crate::contestant::Contestant;
 use crate::mirrors::mirrors;
 use crate::results::ReferenceResults;
 use crate::run::Picture;
 use crate::store::{Store, StoreError, key_of};
 use std::fmt;
-use traylib_integrators::{Control, ThreadError};
+use traylib_integrators::{Control, Method, ThreadError};
 use traylib_math::Grid;
 use traylib_scene::{Scene, error_floor};
 
 /// Sees all that any method here does.
-const FIRST: &str = "bdpt";
+const FIRST: Method = Method::BDPT;
 /// Another method that sees as much, by paths from the camera alone.
-const SECOND: &str = "combined";
+const SECOND: Method = Method::COMBINED;
 /// Blind to mirrors, but where paths from the camera do not converge the only
 /// other one.
-const LAST_RESORT: &str = "particle";
+const LAST_RESORT: Method = Method::PARTICLE;
 
 /// The second method is given up if its error costs so many times the first's.
 const HOPELESS: f64 = 16.0;
@@ -82,7 +81,7 @@ impl From<StoreError> for MakeError {
 ///
 /// # Errors
 /// The system refuses threads, or a file cannot be written.
-pub fn make(making: &Making<'_>, tell: &dyn Fn(&str)) -> Result<Option<Reference>, MakeError> {
+pub fn make(making: &Making<'_>, tell: &dyn Fn(Method)) -> Result<Option<Reference>, MakeError> {
     let seen = mirrors(making.scene);
     let none = seen.map(|_| false);
     let Some(second) = making.choose_second(&seen)? else { return Ok(None) };
@@ -98,15 +97,15 @@ impl Making<'_> {
     /// From the store, or rendered.
     fn half(
         &self,
-        method: &str,
+        method: Method,
         masked: &Grid<bool>,
         index: usize,
     ) -> Result<Option<Half>, MakeError> {
-        let key = key_of(&(self.scene_key, method, masked.values(), SEEDS[index]));
+        let key = key_of(&(self.scene_key, method.to_string(), masked.values(), SEEDS[index]));
         if let Some(half) = self.found(key) {
             return Ok(Some(half));
         }
-        let half = self.order(masked, self.seconds, SEEDS[index]).render(&contestant(method))?;
+        let half = self.order(masked, self.seconds, SEEDS[index]).render(method)?;
         // As it would come from the store, so that it makes no difference whether it does:
         // runs are found again by the reference that they were held against.
         let half = half.map(Half::like_stored);
@@ -131,7 +130,7 @@ impl Making<'_> {
 
     /// Which method the first is checked by: known from last time, or found by short
     /// renders of all three, compared where no mirror is seen.
-    fn choose_second(&self, mirrors: &Grid<bool>) -> Result<Option<&'static str>, MakeError> {
+    fn choose_second(&self, mirrors: &Grid<bool>) -> Result<Option<Method>, MakeError> {
         let key = key_of(&(self.scene_key, "second method"));
         if let Some(index) = self.store.numbers::<usize>(key) {
             return Ok([SECOND, LAST_RESORT].get(index).copied());
@@ -140,7 +139,7 @@ impl Making<'_> {
         let mut scale = None;
         for method in [FIRST, SECOND, LAST_RESORT] {
             let order = self.order(mirrors, 0.04 * self.seconds, SEEDS[0] - 2);
-            let Some(half) = order.render(&contestant(method))? else { return Ok(None) };
+            let Some(half) = order.render(method)? else { return Ok(None) };
             let picture = &*scale.get_or_insert_with(|| half.picture.clone());
             costs.push(relative_variance(picture, &half.variance, mirrors) * half.numbers.seconds);
         }
@@ -148,10 +147,6 @@ impl Making<'_> {
         self.store.keep(key, &usize::from(hopeless), &[])?;
         Ok(Some(if hopeless { LAST_RESORT } else { SECOND }))
     }
-}
-
-fn contestant(method: &str) -> Contestant {
-    method.parse().expect("the names above are names of programs")
 }
 
 /// Mean of variance/(r² + ε) where nothing is masked.
@@ -244,7 +239,7 @@ mod tests {
 
     #[test]
     fn a_half_that_differs_has_no_part_in_it() {
-        let (right, wrong) = (half("bdpt", 1.0, 1e-6), half("combined", 1.5, 1e-6));
+        let (right, wrong) = (half("bdpt", 1.0, 1e-6), half("directlight --combine", 1.5, 1e-6));
         let joined = join(&right, &wrong, &Grid::filled(2, 1, false));
         assert_eq!(joined.picture.get(0, 0)[0], 1.0);
         assert_eq!(joined.results.agreement.unwrap().refused, 2);

@@ -37,7 +37,10 @@ pub(super) fn method(kind: &Kind, best: f64) -> MethodResults {
         name: kind.name.into(),
         biased: kind.floor > 0.0,
         blind: if kind.blind { vec!["light of a lamp mirrored twice".into()] } else { Vec::new() },
-        longest_path: kind.name.split_once("depth=").and_then(|(_, edges)| edges.parse().ok()),
+        longest_path: kind
+            .name
+            .split_once("--max-depth ")
+            .and_then(|(_, edges)| edges.parse().ok()),
         points: powers(kind, spread),
         budgets: budgets(kind, spread),
         cost: around(kind.cost, spread),

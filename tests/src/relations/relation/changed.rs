@@ -1,7 +1,7 @@
 //! The scene in another form: the same light.
 
 use super::{Subject, alike, name, side};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::draw::Dice;
 use crate::relations::form::exported::{Exported, through_mgf, through_three_ds};
 use crate::relations::form::motion::Motion;
@@ -206,7 +206,7 @@ fn has_quads_with_pictures(scene: &DrawnScene) -> bool {
     })
 }
 
-/// By a program or two.
+/// By a method or two.
 pub(super) fn claims(
     change: Change,
     subject: &Subject<'_>,
@@ -236,18 +236,18 @@ pub(super) fn claims(
     Ok(vec![Claim { flipped, ..claim }])
 }
 
-/// Any program; where walks from lamps see other surfaces than walks from the camera,
+/// Any method; where walks from lamps see other surfaces than walks from the camera,
 /// what they lack depends on weights, and these on where things are.
 fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
-    let programs = [
-        Program::PureMc,
-        Program::Combined,
-        Program::Strict,
-        Program::BdptPower,
-        Program::Particle,
+    let methods = [
+        methods::PURE_MC,
+        methods::COMBINED,
+        methods::DIRECT_LIGHT,
+        methods::BDPT,
+        methods::PARTICLE,
     ];
     let any = scene.fronts_are_alike() || law == Law::SameBits;
-    Estimator::Program(dice.pick(if any { &programs } else { &programs[..3] }))
+    Estimator::Method(dice.pick(if any { &methods } else { &methods[..3] }))
 }
 
 /// As far as the camera looks, but, where that is at a sun, no further than leaves the
@@ -300,8 +300,8 @@ fn brighter(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Troubl
     let mut scene = subject.drawn.clone();
     scene.objects.iter_mut().for_each(|object| object.emission *= 0.25);
     scene.lights.iter_mut().for_each(|light| light.intensity *= 0.25);
-    let program = dice.pick(&[Program::Combined, Program::BdptPower, Program::Particle]);
-    let (estimator, law) = (Estimator::Program(program), Law::SameMean(1e-9));
+    let method = dice.pick(&[methods::COMBINED, methods::BDPT, methods::PARTICLE]);
+    let (estimator, law) = (Estimator::Method(method), Law::SameMean(1e-9));
     let scenes = [subject.drawn, &scene];
     let claim = alike(scenes, subject.workshop, estimator, "a quarter as bright", law)?;
     Ok(vec![Claim { factor: 4.0, ..claim }])

@@ -1,13 +1,14 @@
 //! Things under a sky of radiance 1 that takes all light that arrives.
 
 use super::{Subject, name, side};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::draw::Dice;
 use crate::relations::judge::{Claim, Law, Numbers, Side};
 use crate::relations::render::{Built, Estimator, Trouble};
 use crate::relations::scene::{Base, DrawnScene, Lobes, Material, Object, Shape};
 use std::sync::Arc;
 use traylib_geometry::{Ray, Sides};
+use traylib_integrators::Method;
 use traylib_math::Vec3;
 use traylib_scene::Scene;
 
@@ -15,26 +16,26 @@ use traylib_scene::Scene;
 const LONGEST: u32 = 1000;
 
 /// Surfaces that lose nothing are not to be seen: every sample of `puremc` is 1,
-/// and the mean of other programs.
+/// and the mean of other methods.
 pub(super) fn white(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
     let Some(mut scene) = under_the_sky(subject)? else { return Ok(Vec::new()) };
     scene.objects.iter_mut().for_each(whiten);
     scene.max_depth = Some(LONGEST);
     let built = subject.build(&scene)?;
-    let others = [Program::Combined, Program::BdptPower, Program::BdptBalance];
+    let others = [methods::COMBINED, methods::BDPT, methods::BDPT_BALANCE];
     let other = dice.pick(if scene.fronts_are_alike() { &others } else { &others[..1] });
-    let claim = |program, bound| as_if_empty("white", (&scene, &built), program, bound);
-    Ok(vec![claim(Program::PureMc, 1e-5), claim(other, 2e-5)])
+    let claim = |method, bound| as_if_empty("white", (&scene, &built), method, bound);
+    Ok(vec![claim(methods::PURE_MC, 1e-5), claim(other, 2e-5)])
 }
 
 /// That this furnace is not to be seen, up to this part of its light.
 fn as_if_empty(
     furnace: &str,
     (scene, built): (&DrawnScene, &Arc<Built>),
-    program: Program,
+    method: Method,
     bound: f64,
 ) -> Claim {
-    let estimator = Estimator::Program(program);
+    let estimator = Estimator::Method(method);
     Claim {
         what: format!("nothing is to be seen in a {furnace} furnace, {}", name(estimator)),
         left: side(scene, built, estimator),
@@ -70,17 +71,15 @@ pub(super) fn glowing(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Clai
     let is_opaque = !scene.objects.iter().any(is_translucent);
     // What lets light in through its front alone is not the same from its back.
     let alike = scene.fronts_are_alike() && is_opaque;
-    let programs = Program::ALL.into_iter().filter(|&program| match program {
-        Program::PureMc | Program::Combined => true,
+    let can_tell = |&method: &Method| {
         // A lamp close behind a sheet lights a spot about as wide as the gap, which samples
         // of its whole area find too rarely: 0.5 % short after 32,768 passes at a gap of
         // 2.4 mm, 0.1 % at ten times that, within the noise at a hundred times.
-        Program::Strict => is_opaque,
-        Program::BdptPower | Program::BdptBalance | Program::Particle => alike,
-    });
-    let programs: Vec<Program> = programs.collect();
-    let chosen = [Program::PureMc, dice.pick(&programs[1..])];
-    let claim = |program| as_if_empty("glowing", (&scene, &built), program, 2e-5);
+        (is_opaque || !methods::never_hits(method)) && (alike || !methods::walks_from_lamps(method))
+    };
+    let methods: Vec<Method> = methods::WALKING.into_iter().filter(can_tell).collect();
+    let chosen = [methods::PURE_MC, dice.pick(&methods[1..])];
+    let claim = |method| as_if_empty("glowing", (&scene, &built), method, 2e-5);
     Ok(chosen.map(claim).to_vec())
 }
 
@@ -112,7 +111,7 @@ pub(super) fn no_gain(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
     let built = subject.build(&scene)?;
     Ok(vec![Claim {
         what: String::from("nothing is brighter than the sky, PureMc"),
-        left: side(&scene, &built, Estimator::Program(Program::PureMc)),
+        left: side(&scene, &built, Estimator::Method(methods::PURE_MC)),
         right: Side::Known(1.0),
         flipped: false,
         factor: 1.0,

@@ -3,7 +3,7 @@
 //! is, too, as good as one off the surface.
 
 use super::{Subject, alike};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::judge::{Claim, Law};
 use crate::relations::render::{Estimator, Trouble};
 use crate::relations::scene::{DrawnScene, Light};
@@ -19,7 +19,7 @@ const HORIZON: f64 = 0.01;
 /// The picture is that of the light a little off the surface, to that side to which
 /// it is nearer.
 pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
-    let estimator = Estimator::Program(Program::Strict);
+    let estimator = Estimator::Method(methods::DIRECT_LIGHT);
     let Some(sides) = off_the_surface(subject.drawn, NUDGE) else { return Ok(Vec::new()) };
     let further = off_the_surface(subject.drawn, 4.0 * NUDGE).unwrap_or_else(|| sides.clone());
     let mean = |scene: &DrawnScene| {

@@ -2,7 +2,7 @@
 
 use super::who::{OUTSHONE, RARITY, part, sees};
 use super::{Subject, name, side};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::draw::Dice;
 use crate::relations::judge::{Claim, Law, Numbers, Side};
 use crate::relations::render::{Estimator, Trouble};
@@ -22,12 +22,12 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim
         return Ok(Vec::new());
     }
     // Walks from lamps need most that lamps are chosen well.
-    let others = [Program::Combined, Program::BdptPower];
-    let program = if dice.chance(0.6) { Program::Particle } else { dice.pick(&others) };
-    if !sees(subject, program) {
+    let others = [methods::COMBINED, methods::BDPT];
+    let method = if dice.chance(0.6) { methods::PARTICLE } else { dice.pick(&others) };
+    if !sees(subject, method) {
         return Ok(Vec::new());
     }
-    let estimator = Estimator::Program(program);
+    let estimator = Estimator::Method(method);
     let lit = with_outsider(drawn, &subject.built.scene, dice);
     let built = Arc::new(subject.workshop.build(&lit)?);
     let within = part(drawn, &subject.built, estimator);

@@ -9,7 +9,7 @@
 
 use super::who::{part, sees};
 use super::{Subject, name};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::draw::Dice;
 use crate::relations::judge::{Claim, Law, Numbers, Side};
 use crate::relations::render::{Estimator, Trouble};
@@ -32,7 +32,7 @@ struct Plate {
     normal: Vec3,
 }
 
-/// By a program each for either place.
+/// By a method each for either place.
 pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
     let mut scene = subject.drawn.clone();
     scene.lights.clear();
@@ -50,8 +50,8 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim
         if !lit.is_clear() || !sensor.is_seen(&own.built.scene) || !lamp.is_seen(&own.built.scene) {
             return Ok(Vec::new());
         }
-        let programs = Program::ALL.into_iter().filter(|&program| sees(&own, program));
-        let estimator = Estimator::Program(dice.pick(&programs.collect::<Vec<_>>()));
+        let methods = methods::WALKING.into_iter().filter(|&method| sees(&own, method));
+        let estimator = Estimator::Method(dice.pick(&methods.collect::<Vec<_>>()));
         parts.push((part(&lit, &own.built, estimator), estimator));
     }
     let [(left, by), (right, by_other)] = [parts.remove(0), parts.remove(0)];

@@ -2,17 +2,17 @@
 
 use super::who::sees;
 use super::{Subject, name, side};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::judge::{Claim, Law, Numbers, Side};
 use crate::relations::render::Estimator;
 
-/// Each program that sees the light here against the right value, to the digits that
+/// Each method that sees the light here against the right value, to the digits that
 /// it is written with.
 pub(super) fn claims(subject: &Subject<'_>) -> Vec<Claim> {
     let Some(right) = subject.right else { return Vec::new() };
-    let programs = Program::ALL.into_iter().filter(|&program| sees(subject, program));
-    let claim = |program| {
-        let estimator = Estimator::Program(program);
+    let methods = methods::WALKING.into_iter().filter(|&method| sees(subject, method));
+    let claim = |method| {
+        let estimator = Estimator::Method(method);
         Claim {
             what: format!("the mean is {}, {}", right.mean, name(estimator)),
             left: side(subject.drawn, &subject.built, estimator),
@@ -23,5 +23,5 @@ pub(super) fn claims(subject: &Subject<'_>) -> Vec<Claim> {
             numbers: Numbers::Own,
         }
     };
-    programs.map(claim).collect()
+    methods.map(claim).collect()
 }

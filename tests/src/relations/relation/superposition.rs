@@ -2,11 +2,12 @@
 
 use super::who::{RARITY, part, sees};
 use super::{Subject, name};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::draw::Dice;
 use crate::relations::judge::{Claim, Law, Numbers, Part, Side};
 use crate::relations::render::{Estimator, Trouble};
 use crate::relations::scene::DrawnScene;
+use traylib_integrators::Method;
 use traylib_math::Vec3;
 
 /// More lamps than this take too long.
@@ -15,25 +16,25 @@ const MOST: usize = 4;
 /// For a first idea of how much light each lamp brings.
 const PASSES: u32 = 8;
 
-/// By one program.
+/// By one method.
 pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
     let single = each_alone(subject.drawn);
     // Of two surfaces in one plane the lamp is met, while it is one.
     if !(2..=MOST).contains(&single.len()) || subject.drawn.has_coplanar() {
         return Ok(Vec::new());
     }
-    let programs: Vec<Program> =
-        Program::ALL.into_iter().filter(|&program| sees(subject, program)).collect();
-    if programs.is_empty() {
+    let methods: Vec<Method> =
+        methods::WALKING.into_iter().filter(|&method| sees(subject, method)).collect();
+    if methods.is_empty() {
         return Ok(Vec::new());
     }
-    let program = dice.pick(&programs);
-    let estimator = Estimator::Program(program);
+    let method = dice.pick(&methods);
+    let estimator = Estimator::Method(method);
     let parts: Result<Vec<Part>, Trouble> =
         single.iter().map(|scene| Ok(part(scene, &subject.build(scene)?, estimator))).collect();
     let parts = parts?;
     let mut whole = part(subject.drawn, &subject.built, estimator);
-    if program == Program::Particle {
+    if method == methods::PARTICLE {
         whole.brightest = brightest_of_all(subject, &parts)?;
     }
     Ok(vec![Claim {

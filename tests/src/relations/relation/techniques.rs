@@ -2,7 +2,7 @@
 
 use super::who::sees;
 use super::{Subject, side};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::draw::Dice;
 use crate::relations::judge::{Claim, Law, Numbers};
 use crate::relations::render::Estimator;
@@ -16,8 +16,8 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Vec<Claim> {
     let Some(longest) = drawn.max_depth.filter(|&depth| depth <= 6) else { return Vec::new() };
     // Edges of no length have no density.
     if !drawn.is_clear()
-        || !sees(subject, Program::BdptBalance)
-        || !sees(subject, Program::Combined)
+        || !sees(subject, methods::BDPT_BALANCE)
+        || !sees(subject, methods::COMBINED)
     {
         return Vec::new();
     }
@@ -33,7 +33,7 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Vec<Claim> {
     let set = Estimator::Among(TechniqueSet::of(pairs.iter().copied()));
     vec![Claim {
         what: format!("Combined = techniques {pairs:?}"),
-        left: side(drawn, &subject.built, Estimator::Program(Program::Combined)),
+        left: side(drawn, &subject.built, Estimator::Method(methods::COMBINED)),
         right: side(drawn, &subject.built, set),
         flipped: false,
         factor: 1.0,

@@ -2,7 +2,7 @@
 
 use super::who::part;
 use super::{Subject, name};
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::judge::{Claim, Law, Numbers, Side};
 use crate::relations::render::{Estimator, Trouble};
 use std::sync::Arc;
@@ -21,10 +21,10 @@ pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
     scene.max_depth = Some(2);
     let built = Arc::new(subject.workshop.build(&scene)?);
     let by = |estimator| Side::Rendered(vec![part(&scene, &built, estimator)]);
-    let walked = Estimator::Program(Program::Strict);
+    let walked = Estimator::Method(methods::DIRECT_LIGHT);
     Ok(vec![Claim {
         what: format!("trace = two edges, {}", name(walked)),
-        left: by(Estimator::Trace),
+        left: by(Estimator::Method(methods::TRACE)),
         right: by(walked),
         flipped: false,
         factor: 1.0,

@@ -1,7 +1,7 @@
 //! Who can see the light of a scene, and who so steadily that it can be judged.
 
 use super::Subject;
-use crate::programs::Program;
+use crate::methods;
 use crate::relations::draw::Dice;
 use crate::relations::judge::Part;
 use crate::relations::render::{Built, Estimator};
@@ -9,7 +9,7 @@ use crate::relations::scene::{DrawnScene, luminance};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use traylib_geometry::Ray;
-use traylib_integrators::{BlindSpot, Integrator, SceneFacts};
+use traylib_integrators::{BlindSpot, Integrator, Method, SceneFacts};
 use traylib_math::{Rgb, Vec2};
 use traylib_scene::{Camera, Scene};
 
@@ -25,10 +25,10 @@ pub(super) const RARITY: f64 = 17.0;
 /// times for each lamp that outshines it (the same).
 pub(super) const OUTSHONE: f64 = 256.0;
 
-/// Whether this program is not blind here, and its noise can be judged.
-pub(super) fn sees(subject: &Subject<'_>, program: Program) -> bool {
+/// Whether this method is not blind here, and its noise can be judged.
+pub(super) fn sees(subject: &Subject<'_>, method: Method) -> bool {
     let drawn = subject.drawn;
-    let integrator: Box<dyn Integrator> = Estimator::Program(program).integrator(None);
+    let integrator: Box<dyn Integrator> = method.build();
     let facts = SceneFacts::of(&subject.built.scene);
     let is_blind = integrator.blind_spots(&facts).into_iter().any(|spot| match spot {
         BlindSpot::SeenInMirrors => sees_mirrors(&subject.built.scene),
@@ -37,30 +37,23 @@ pub(super) fn sees(subject: &Subject<'_>, program: Program) -> bool {
         | BlindSpot::PointLightCaustics
         | BlindSpot::PointLightCausticsInMirrors => true,
     });
-    let is_steady = match program {
-        Program::Strict => drawn.sharpest() <= SHARP,
-        Program::Particle => drawn.sharpest() <= SHARP && drawn.fronts_are_alike(),
-        Program::BdptPower | Program::BdptBalance => drawn.fronts_are_alike(),
-        Program::PureMc | Program::Combined => true,
-    };
+    let is_steady = (!methods::never_hits(method) || drawn.sharpest() <= SHARP)
+        && (!methods::walks_from_lamps(method) || drawn.fronts_are_alike());
     !is_blind && is_steady
 }
 
 /// A rendering of a scene.
 pub(super) fn part(drawn: &DrawnScene, built: &Arc<Built>, estimator: Estimator) -> Part {
-    let brightest = match estimator {
-        Estimator::Program(Program::Particle) => brightest_splat(drawn, built),
-        Estimator::Program(
-            Program::PureMc
-            | Program::Strict
-            | Program::Combined
-            | Program::BdptPower
-            | Program::BdptBalance,
-        )
-        | Estimator::Trace
-        | Estimator::Among(_) => brightest_walk(drawn, built),
+    let is = |fact: fn(Method) -> bool| match estimator {
+        Estimator::Method(method) => fact(method),
+        Estimator::Among(_) => false,
     };
-    let walks_hit = matches!(estimator, Estimator::Program(Program::PureMc | Program::Particle));
+    let brightest = if is(methods::splats_alone) {
+        brightest_splat(drawn, built)
+    } else {
+        brightest_walk(drawn, built)
+    };
+    let walks_hit = is(methods::finds_by_chance);
     let is_rare =
         walks_hit || drawn.has_mirrors() || drawn.sharpest() > SHARP || drawn.has_bright_spots();
     Part { built: Arc::clone(built), estimator, brightest, is_rare }

@@ -4,7 +4,7 @@
 use super::{FAST, LONG, sampler};
 use std::f64::consts::PI;
 use traylib_geometry::{Vec2, Vec3};
-use traylib_integrators::Settings;
+use traylib_integrators::{Method, Settings};
 use traylib_scene::{Camera, Scene};
 use traylib_tests::known::furnace::{diffuse_walls, glowing_ball};
 use traylib_tests::laws::chi_square::follows;
@@ -12,7 +12,7 @@ use traylib_tests::laws::grid::{Counts, SIDE, even};
 use traylib_tests::laws::verdict::{Known, has_mean, same_bits, within, worse};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{each_pass, samples_in_a_pass};
-use traylib_tests::programs::Program;
+use traylib_tests::methods;
 use traylib_tests::scenes::{Stage, black, camera_of_size, disk_facing_down, lambert, rectangle};
 
 /// Fields of view in degrees, and films. Single precision keeps a direction to
@@ -151,7 +151,7 @@ fn rays_fill_the_film_at_length() {
 
 /// Means of each column and each row, one number a pass.
 fn lines(scene: &Scene, max_depth: u32, passes: u32) -> Vec<Vec<f64>> {
-    let integrator = Program::Particle.integrator(Some(max_depth));
+    let integrator = methods::PARTICLE.up_to(Some(max_depth)).build();
     let settings = Settings { spp: passes, seed: 181, threads: 1 };
     let (width, height) = (scene.camera().width() as usize, scene.camera().height() as usize);
     let mut lines = vec![Vec::new(); width + height];
@@ -208,8 +208,8 @@ fn small_disk() -> Scene {
 }
 
 /// Column and row of the middle of the light.
-fn centroid(scene: &Scene, program: Program, passes: u32) -> [f64; 2] {
-    let integrator = program.integrator(Some(2));
+fn centroid(scene: &Scene, method: Method, passes: u32) -> [f64; 2] {
+    let integrator = method.up_to(Some(2)).build();
     let settings = Settings { spp: passes, seed: 182, threads: 1 };
     let (mut moments, mut total) = ([0.0; 2], 0.0);
     each_pass(scene, integrator.as_ref(), &settings, |pass| {
@@ -230,7 +230,7 @@ fn centroid(scene: &Scene, program: Program, passes: u32) -> [f64; 2] {
 fn place_laws(passes: u32) {
     let scene = small_disk();
     let [seen, splatted] =
-        [Program::PureMc, Program::Particle].map(|program| centroid(&scene, program, passes));
+        [methods::PURE_MC, methods::PARTICLE].map(|method| centroid(&scene, method, passes));
     let samples = u64::from(passes) * samples_in_a_pass(&scene);
     let findings = ["column", "row"].into_iter().zip(seen.into_iter().zip(splatted));
     let findings = findings.map(|(name, (seen, splatted))| {

@@ -3,29 +3,30 @@
 //!
 //! In a glowing ball every way to find light has the same value: walks meet the
 //! same radiance everywhere, and two patches exchange the same share of light
-//! wherever they are. So without roulette the programs that walk from the camera
+//! wherever they are. So without roulette the methods that walk from the camera
 //! have no variance but that of splats, and one edge too many or too few stands
 //! out at any number of samples.
 
-use traylib_integrators::{Limits, Roulette, Settings};
+use traylib_integrators::{Limits, Method, Roulette, Settings};
 use traylib_tests::known::furnace::{
     central_light, diffuse_walls, glowing_ball, mirroring_walls, offset_light_wide,
 };
 use traylib_tests::laws::verdict::{Known, has_mean};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{Case, pass_means, samples_in_a_pass};
-use traylib_tests::programs::Program;
+use traylib_tests::methods;
 
 /// What rounding may add, relative to the truth.
 const ROUNDING: f64 = 2e-5;
 
-/// The mean radiance of the case, by a program with these limits; `widest` is
+/// The mean radiance of the case, by a method with these limits; `widest` is
 /// relative.
-fn finding(case: &Case, program: Program, roulette: Roulette, passes: u32, widest: f64) -> Finding {
-    let integrator = program.within(Limits { max_depth: case.max_depth, roulette });
+fn finding(case: &Case, method: Method, roulette: Roulette, passes: u32, widest: f64) -> Finding {
+    let limits = Limits { max_depth: case.max_depth, roulette };
+    let integrator = method.with_limits(limits).build();
     let settings = Settings { spp: passes, seed: 191, threads: 1 };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
-    let claim = format!("{}, {program:?}, roulette from {}", case.name, roulette.from_edge);
+    let claim = format!("{}, {method}, roulette from {}", case.name, roulette.from_edge);
     assert_eq!(statistics.rejected, 0, "{claim}");
     let [slack, widest] = [ROUNDING, widest].map(|part| part * case.truth);
     let known = Known { truth: case.truth, slack, widest };
@@ -38,16 +39,16 @@ fn length_laws(passes: u32, widest: f64) {
     let mut findings = Vec::new();
     for edges in 1..=6 {
         let glow = glowing_ball(diffuse_walls(), Some(edges));
-        findings.extend(Program::ALL.map(|program| {
-            finding(&glow, program, Roulette::OFF, passes_of(program, passes), widest)
+        findings.extend(methods::WALKING.map(|method| {
+            finding(&glow, method, Roulette::OFF, passes_of(method, passes), widest)
         }));
     }
     settle(&findings);
 }
 
 /// The particle tracer's light is all in splats.
-fn passes_of(program: Program, passes: u32) -> u32 {
-    if program == Program::Particle { 8 * passes } else { passes }
+fn passes_of(method: Method, passes: u32) -> u32 {
+    if methods::splats_alone(method) { 8 * passes } else { passes }
 }
 
 #[test]
@@ -64,9 +65,11 @@ fn lengths_are_counted_in_edges_at_length() {
     let mut findings = Vec::new();
     for edges in 2..=6 {
         for case in [central_light(Some(edges)), offset_light_wide(Some(edges))] {
-            findings.extend(Program::ALL.map(|program| {
-                finding(&case, program, Roulette::OFF, passes_of(program, 160), 1e-2)
-            }));
+            findings.extend(
+                methods::WALKING.map(|method| {
+                    finding(&case, method, Roulette::OFF, passes_of(method, 160), 1e-2)
+                }),
+            );
         }
     }
     settle(&findings);
@@ -78,12 +81,12 @@ fn roulette_laws(passes: u32, widest: f64) {
     let early = Roulette { from_edge: 2 };
     let glow = glowing_ball(diffuse_walls(), None);
     let mirrors = glowing_ball(mirroring_walls(), None);
-    let mut findings: Vec<Finding> = Program::ALL
-        .map(|program| finding(&glow, program, early, passes_of(program, passes), widest))
+    let mut findings: Vec<Finding> = methods::WALKING
+        .map(|method| finding(&glow, method, early, passes_of(method, passes), widest))
         .into();
     // The particle tracer cannot see what a mirror shows.
-    let seeing = Program::ALL.into_iter().filter(|&program| program != Program::Particle);
-    findings.extend(seeing.map(|program| finding(&mirrors, program, early, passes, widest)));
+    let seeing = methods::WALKING.into_iter().filter(|&method| !methods::splats_alone(method));
+    findings.extend(seeing.map(|method| finding(&mirrors, method, early, passes, widest)));
     settle(&findings);
 }
 

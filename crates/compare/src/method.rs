@@ -1,0 +1,77 @@
+//! Which methods are compared, and what a comparison has to know of them.
+
+use traylib_integrators::{BdptSettings, BlindSpot, DirectLight, Limits, Method, SceneFacts};
+use traylib_math::Heuristic;
+
+/// Settings of the two best methods that may pay.
+const SETTINGS: [Method; 3] = [
+    Method::DirectLight(DirectLight { limits: Limits::NONE, combine: Some(Heuristic::Balance) }),
+    Method::Bdpt(BdptSettings { heuristic: Heuristic::Balance, ..BdptSettings::DEFAULT }),
+    Method::Bdpt(BdptSettings { no_connections: true, ..BdptSettings::DEFAULT }),
+];
+
+/// What is compared unless something else is asked for: every method, and some settings
+/// unless it is done in a hurry.
+pub fn by_default(in_a_hurry: bool) -> Vec<Method> {
+    let settings = if in_a_hurry { &[][..] } else { &SETTINGS };
+    [&Method::COMPARED, settings].concat()
+}
+
+/// Edges of the longest paths that it follows, if its settings limit them.
+pub fn longest_path(method: Method) -> Option<u32> {
+    method.limits().and_then(|limits| limits.max_depth)
+}
+
+/// The light that it cannot produce in such a scene, in words.
+pub fn blind_spots(method: Method, facts: &SceneFacts) -> Vec<String> {
+    method.build().blind_spots(facts).iter().map(ToString::to_string).collect()
+}
+
+/// Whether it loses light that full bidirectional tracing finds: for a limit on path
+/// lengths, or because it is blind to it.
+pub fn is_biased(method: Method, facts: &SceneFacts) -> bool {
+    let [all, blind] = [Method::BDPT, method].map(|method| method.build().blind_spots(facts));
+    longest_path(method).is_some() || blind.iter().any(|spot| !all.contains(spot))
+}
+
+/// Whether there is any light in such a scene that it is for.
+pub fn suits(method: Method, facts: &SceneFacts) -> bool {
+    facts.point_lights || !method.build().blind_spots(facts).contains(&BlindSpot::AreaLights)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn method(text: &str) -> Method {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn names_on_the_chart_are_command_lines() {
+        let names: Vec<String> = by_default(false).iter().map(ToString::to_string).collect();
+        let expected = [
+            "trace --jitter",
+            "puremc",
+            "directlight",
+            "directlight --combine",
+            "particle",
+            "bdpt",
+            "directlight --combine --heuristic balance",
+            "bdpt --heuristic balance",
+            "bdpt --no-connections",
+        ];
+        assert_eq!(names, expected);
+        assert_eq!(by_default(true), by_default(false)[..6]);
+    }
+
+    #[test]
+    fn whoever_loses_light_is_biased() {
+        let mirrors = SceneFacts { area_lights: true, point_lights: false, mirrors: true };
+        let plain = SceneFacts { mirrors: false, ..mirrors };
+        let biased = |text: &str, facts| is_biased(method(text), facts);
+        assert!(biased("particle", &mirrors) && !biased("particle", &plain));
+        assert!(biased("bdpt --max-depth 4", &plain) && !biased("bdpt", &mirrors));
+        assert!(!suits(method("trace"), &plain) && suits(method("puremc"), &plain));
+    }
+}
