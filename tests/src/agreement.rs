@@ -154,7 +154,7 @@ impl Tiles {
                 tile.push(mean);
             }
         });
-        assert_eq!(statistics.rejected, 0, "{}, {:?}", subject.name, self.method);
+        assert_eq!(statistics.rejected, 0, "{}, {}", subject.name, self.method);
     }
 
     fn is_steady(&self, tile: usize) -> bool {

@@ -32,9 +32,9 @@ Usage: cargo xtask TASK [ARGUMENTS]
            scenes drawn by chance, and relations that must hold on them; under
            40 minutes, --help for more
   stability [OPTIONS]
-           every program over every failure scene, judged; --help for more
+           every method over every failure scene, judged; --help for more
   compare-integrators [SCENE…] [OPTIONS]
-           which integrator reaches which error in which time; --help for more
+           which method reaches which error in which time; --help for more
   count-instructions [PART…] [OPTIONS]
            instructions a ray and a triangle, by valgrind; --help for more
   package  packs traylib-math and traylib-geometry, and builds the packages

@@ -6,6 +6,7 @@ use traylib_io::{LoadOptions, load_scene_with};
 use traylib_tests::agreement::{Agreement, Budget, Other, Subject, agree, evenness};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::methods::{BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
+use traylib_tests::methods::{finds_by_chance, walks_from_lamps};
 
 fn agreement(name: &str, others: &[Other], budget: &Budget) -> Agreement {
     let options = LoadOptions { resolution: Some((48, 36)), ..LoadOptions::default() };
@@ -21,7 +22,7 @@ const fn other(method: Method, passes: u32, promise: f64) -> Other {
 /// chosen so that there is none. On `plates` the edges of lamps seen directly
 /// make the mean uncertain; the tiles without them are not.
 #[test]
-fn programs_agree() {
+fn methods_agree() {
     let budget = Budget { tile: 12, looks: vec![96] };
     let pairs = [
         ("cornell", vec![other(COMBINED, 4, 0.04), other(PURE_MC, 8, 0.04)]),
@@ -51,10 +52,12 @@ fn all_agree(scene: &str, others: &[Other]) {
 /// With the same promise, and passes that take about the same time.
 fn alike<const N: usize>(methods: [Method; N], promise: f64) -> [Other; N] {
     methods.map(|method| {
-        let passes = match method {
-            Method::PureMc(_) => 8,
-            Method::DirectLight(_) => 4,
-            Method::Bdpt(_) | Method::Particle(_) | Method::Trace(_) => 1,
+        let passes = if walks_from_lamps(method) {
+            1
+        } else if finds_by_chance(method) {
+            8
+        } else {
+            4
         };
         other(method, passes, promise)
     })

@@ -21,7 +21,7 @@ fn a4_cut_sphere() {
 /// nearly all of it.
 #[test]
 #[ignore = "at length: cargo xtask prove"]
-fn a4_cut_sphere_by_all_programs() {
+fn a4_cut_sphere_by_all_methods() {
     all_hold(&cut_sphere(1.1, 0.2), 45, &[(PURE_MC, 900), (COMBINED, 340), (BDPT_BALANCE, 340)]);
     for (seed, cosine, passes) in [(46, 0.0, 560), (47, -0.3, 2400)] {
         let methods = [DIRECT_LIGHT, BDPT].map(|method| (method, passes));
@@ -65,7 +65,7 @@ fn whole_surfaces() {
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
-fn whole_surfaces_by_all_programs() {
+fn whole_surfaces_by_all_methods() {
     let methods =
         [(PURE_MC, 6500), (COMBINED, 500), (BDPT, 500), (BDPT_BALANCE, 640), (PARTICLE, 5600)];
     all_hold(&disks(2.0), 94, &methods);

@@ -72,7 +72,7 @@ fn d1_corner() {
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
-fn d1_corner_by_all_programs() {
+fn d1_corner_by_all_methods() {
     settle(&[corner_tail(8000), corner_bound(2000)]);
     let methods = [(PURE_MC, 4500), (COMBINED, 1500), (BDPT, 1200), (PARTICLE, 4800)];
     all_hold(&corner(), 304, &methods);
@@ -85,7 +85,7 @@ fn d2_lamp_at_a_wall() {
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
-fn d2_lamp_at_a_wall_by_all_programs() {
+fn d2_lamp_at_a_wall_by_all_methods() {
     let methods = [(PURE_MC, 1200), (BDPT, 800), (BDPT_BALANCE, 800)];
     all_hold(&standing(1.0, 1.0, 0.01), 310, &methods);
 }
@@ -131,7 +131,7 @@ fn bumpy(passes: u32) -> Vec<Finding> {
             let [of_a, of_b] = [a, b].map(|i| samples[i].mean);
             let error = samples[a].variance_of_mean.sqrt().max(samples[b].variance_of_mean.sqrt());
             Finding {
-                claim: format!("D7 slopes of 5: {:?} and {:?} agree", methods[a], methods[b]),
+                claim: format!("D7 slopes of 5: {} and {} agree", methods[a], methods[b]),
                 statistic: format!("{of_a:.5} and {of_b:.5} to {error:.5}, p = {p:.1e}"),
                 level: Some(level),
                 samples: 2 * u64::from(passes) * samples_in_a_pass(&scene),
@@ -166,7 +166,7 @@ fn d6_and_d10_rooms() {
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
-fn d6_and_d10_by_other_programs() {
+fn d6_and_d10_by_other_methods() {
     let methods = [(COMBINED, 300), (BDPT_BALANCE, 300), (PARTICLE, 2500)];
     all_hold(&cube_of_slivers(), 333, &methods);
     for scale in SCALES {

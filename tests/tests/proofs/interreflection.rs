@@ -7,7 +7,9 @@ use traylib_tests::known::concentric::{Shell, concentric};
 use traylib_tests::known::rooms::{glossy_ball, room_of_flux};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, compare, judge, pass_means};
-use traylib_tests::methods::{BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
+use traylib_tests::methods::{
+    BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC, WALKING,
+};
 
 #[test]
 fn b3_glossy_ball() {
@@ -47,7 +49,7 @@ fn b6_ball_in_a_ball() {
 /// are dear between balls.
 #[test]
 #[ignore = "at length: cargo xtask prove"]
-fn b6_by_all_programs() {
+fn b6_by_all_methods() {
     let mut findings = Vec::new();
     for lamp in [Shell::Inner, Shell::Outer] {
         for seen in [Shell::Inner, Shell::Outer] {
@@ -90,7 +92,6 @@ fn b7_all_walls_of_a_room() {
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
-fn b7_by_all_programs() {
-    let methods = [PURE_MC, DIRECT_LIGHT, COMBINED, BDPT, BDPT_BALANCE, PARTICLE];
-    settle(&methods.map(|method| all_walls(method, 400, 180)));
+fn b7_by_all_methods() {
+    settle(&WALKING.map(|method| all_walls(method, 400, 180)));
 }

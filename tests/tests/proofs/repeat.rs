@@ -3,8 +3,7 @@
 
 use std::ops::ControlFlow;
 use traylib_integrators::{
-    Bdpt, Control, DirectLight, Integrator, Limits, Particle, Progress, PureMc, Roulette, Settings,
-    Statistics, Techniques, Trace, render,
+    Bdpt, Control, Integrator, Limits, Method, Progress, Roulette, Settings, Statistics, render,
 };
 use traylib_math::{Grid, Heuristic};
 use traylib_scene::Scene;
@@ -15,13 +14,11 @@ use traylib_tests::methods;
 use traylib_tests::statistics::{Sample, sidak, tile_means, welch};
 use traylib_tests::still_life::still_life;
 
-/// All integrators with their names; `trace` in both of its forms.
+/// The integrators of all methods with their names; `trace` in both of its forms.
 fn integrators() -> Vec<(String, Box<dyn Integrator>)> {
-    let traces = [false, true].map(|jitter| -> (String, Box<dyn Integrator>) {
-        (format!("trace, jitter {jitter}"), Box::new(Trace { jitter }))
-    });
-    let methods = methods::WALKING.map(|method| (format!("{method}"), method.build()));
-    traces.into_iter().chain(methods).collect()
+    let traces = [Method::TRACE, methods::TRACE];
+    let all = traces.into_iter().chain(methods::WALKING);
+    all.map(|method| (method.to_string(), method.build())).collect()
 }
 
 fn picture(scene: &Scene, integrator: &dyn Integrator, settings: Settings) -> Grid<[f64; 3]> {
@@ -79,23 +76,18 @@ fn scale_does_not_change_a_bit() {
 /// Bidirectional path tracing with the techniques of another method finds the
 /// same paths from the same numbers, and weighs them alike up to rounding.
 #[test]
-fn bdpt_with_the_techniques_of_another_program_is_that_program() {
+fn bdpt_with_the_techniques_of_another_method_is_that_method() {
     let scene = still_life(1.0);
     let heuristic = Heuristic::Power;
-    let combined = DirectLight { combine: Some(heuristic), ..DirectLight::default() };
-    let others: [(Techniques, Box<dyn Integrator>); 3] = [
-        (Techniques::PURE_MC, Box::new(PureMc::default())),
-        (Techniques::COMBINED, Box::new(combined)),
-        (Techniques::PARTICLE, Box::new(Particle::default())),
-    ];
     let settings = Settings { spp: 16, seed: 5, threads: 1 };
-    for (techniques, other) in others {
+    for method in [methods::PURE_MC, methods::COMBINED, methods::PARTICLE] {
+        let (techniques, other) = (method.techniques(), method.build());
         let bdpt = Bdpt { techniques, heuristic, ..Bdpt::default() };
         let [bdpt, other] = [&bdpt as &dyn Integrator, other.as_ref()]
             .map(|integrator| picture(&scene, integrator, settings));
         for (i, (a, b)) in bdpt.values().iter().zip(other.values()).enumerate() {
             let close = (a[1] - b[1]).abs() <= 1e-4 * b[1];
-            assert!(close, "{techniques:?}, pixel {i}: {} {}", a[1], b[1]);
+            assert!(close, "{method}, pixel {i}: {} {}", a[1], b[1]);
         }
     }
 }

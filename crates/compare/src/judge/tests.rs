@@ -166,7 +166,7 @@ fn where_all_lose_light_nobody_is_best() {
     let facts = SceneFacts { mirrors: true, ..PLAIN };
     let verdict = verdict(&judge(&entries, &reference, facts), &reference.results).unwrap();
     assert_eq!((verdict.best, verdict.rivals.len()), (None, 0));
-    for part in ["No verdict: every method here loses light", "particle loses", "=3 loses"] {
+    for part in ["No verdict: every method here loses light", "particle loses", "-depth 3 loses"] {
         assert!(verdict.sentence.contains(part), "{}", verdict.sentence);
     }
     assert!(!verdict.sentence.contains("times as long"), "{}", verdict.sentence);

@@ -110,7 +110,7 @@ pub(super) fn no_gain(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
     let Some(scene) = under_the_sky(subject)? else { return Ok(Vec::new()) };
     let built = subject.build(&scene)?;
     Ok(vec![Claim {
-        what: String::from("nothing is brighter than the sky, PureMc"),
+        what: String::from("nothing is brighter than the sky, puremc"),
         left: side(&scene, &built, Estimator::Method(methods::PURE_MC)),
         right: Side::Known(1.0),
         flipped: false,

@@ -34,7 +34,7 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim
         single.iter().map(|scene| Ok(part(scene, &subject.build(scene)?, estimator))).collect();
     let parts = parts?;
     let mut whole = part(subject.drawn, &subject.built, estimator);
-    if method == methods::PARTICLE {
+    if methods::splats_alone(method) {
         whole.brightest = brightest_of_all(subject, &parts)?;
     }
     Ok(vec![Claim {
