@@ -41,12 +41,13 @@ pub const WALKING: [Method; 6] = {
         let settings = settings_of(Method::ALL[method]);
         let mut index = 0;
         while index < settings.len() {
+            assert!(next < all.len(), "there are more of them");
             all[next] = settings[index];
             (next, index) = (next + 1, index + 1);
         }
         method += 1;
     }
-    assert!(next == all.len(), "the list has another length");
+    assert!(next == all.len(), "there are fewer of them");
     all
 };
 

@@ -57,9 +57,10 @@ impl Method {
         let mut last = 0;
         while let Some(next) = all[last].after() {
             last += 1;
+            assert!(last < all.len(), "there are more methods");
             all[last] = next;
         }
-        assert!(last + 1 == all.len(), "a method is missing");
+        assert!(last + 1 == all.len(), "there are fewer methods");
         all
     };
 
