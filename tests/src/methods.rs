@@ -1,11 +1,11 @@
 //! The methods under proof, and what proofs have to know of them.
 
 use serde::{Deserialize, Deserializer, Serializer};
-use traylib_integrators::{BdptSettings, LightSampling, Method, Trace};
+use traylib_integrators::{BdptSettings, LightSampling, Method};
 use traylib_math::Heuristic;
 
 /// `trace --jitter`: all others estimate the mean over a pixel, too.
-pub const TRACE: Method = Method::Trace(Trace { jitter: true });
+pub const JITTERED_TRACE: Method = Method::JITTERED_TRACE;
 /// `puremc`.
 pub const PURE_MC: Method = Method::PURE_MC;
 /// `directlight`, as strict as the paper.
@@ -35,7 +35,7 @@ const fn settings_of(method: Method) -> &'static [Method] {
 
 /// All that find the light of lamps by way of other surfaces.
 pub const WALKING: [Method; 6] = {
-    let mut all = [TRACE; 6];
+    let mut all = [JITTERED_TRACE; 6];
     let (mut next, mut method) = (0, 0);
     while method < Method::ALL.len() {
         let settings = settings_of(Method::ALL[method]);
@@ -116,6 +116,6 @@ mod tests {
         assert_eq!(those(splats_alone), [PARTICLE]);
         assert_eq!(those(never_hits), [DIRECT_LIGHT, PARTICLE]);
         assert_eq!(those(finds_by_chance), [PURE_MC, PARTICLE]);
-        assert!(!finds_by_chance(TRACE) && !walks_from_lamps(TRACE));
+        assert!(!finds_by_chance(JITTERED_TRACE) && !walks_from_lamps(JITTERED_TRACE));
     }
 }

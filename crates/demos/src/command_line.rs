@@ -8,7 +8,7 @@ use clap::error::ErrorKind;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches, Parser};
 use std::ffi::OsString;
-use traylib_integrators::{Method, MethodOption, Setting, Values};
+use traylib_integrators::{Method, MethodOption, MethodSetting, OptionValues};
 
 /// The options of a program. Ends it if they make no sense, or if only help or the
 /// version is wanted.
@@ -61,11 +61,11 @@ fn command<O: Args>(plain: Method) -> Command {
 fn argument(option: MethodOption) -> Arg {
     let argument = Arg::new(option.name()).long(option.name()).help(option.help());
     let argument = match option.values() {
-        Values::None => return argument.action(ArgAction::SetTrue),
-        Values::Text(name) => {
+        OptionValues::None => return argument.action(ArgAction::SetTrue),
+        OptionValues::Text(name) => {
             argument.value_name(name).value_parser(move |text: &str| option.read(text))
         }
-        Values::OneOf(name, words) => {
+        OptionValues::OneOf(name, words) => {
             let words = words.iter().map(|&(word, help)| PossibleValue::new(word).help(help));
             let parser = PossibleValuesParser::new(words);
             argument.value_name(name).value_parser(parser.try_map(move |word| option.read(&word)))
@@ -78,13 +78,15 @@ fn argument(option: MethodOption) -> Arg {
 }
 
 /// What was given of the method's options.
-fn settings(plain: Method, matches: &ArgMatches) -> Vec<Setting> {
+fn settings(plain: Method, matches: &ArgMatches) -> Vec<MethodSetting> {
     let options = plain.options().iter();
     let is_given = |name| matches.value_source(name) == Some(ValueSource::CommandLine);
     let given = options.filter(|option| is_given(option.name()));
     let setting = |option: &MethodOption| match option.values() {
-        Values::None => option.read("").ok(),
-        Values::Text(_) | Values::OneOf(..) => matches.get_one::<Setting>(option.name()).copied(),
+        OptionValues::None => option.read("").ok(),
+        OptionValues::Text(_) | OptionValues::OneOf(..) => {
+            matches.get_one::<MethodSetting>(option.name()).copied()
+        }
     };
     given.filter_map(setting).collect()
 }

@@ -39,7 +39,7 @@ pub use chunk::{Chunk, ChunkOutput};
 pub use control::Control;
 pub use directlight::DirectLight;
 pub use limits::{Limits, Roulette};
-pub use method::{Method, MethodError, MethodOption, Setting, Values};
+pub use method::{Method, MethodError, MethodOption, MethodSetting, OptionValues};
 pub use particle::Particle;
 pub use pass::{Pass, RenderChunk};
 pub use puremc::PureMc;

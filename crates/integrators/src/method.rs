@@ -8,7 +8,7 @@ mod spelling;
 #[cfg(test)]
 mod tests;
 
-pub use option::{MethodOption, Setting, Values};
+pub use option::{MethodOption, MethodSetting, OptionValues};
 pub use spelling::MethodError;
 
 use crate::bdpt::BdptSettings;
@@ -38,6 +38,8 @@ pub enum Method {
 impl Method {
     /// `trace`, as one sample a pixel is rendered.
     pub const TRACE: Self = Self::Trace(Trace { jitter: false });
+    /// `trace --jitter`, as a mean of samples is.
+    pub const JITTERED_TRACE: Self = Self::Trace(Trace { jitter: true });
     /// `puremc`.
     pub const PURE_MC: Self = Self::PureMc(PureMc { limits: Limits::NONE });
     /// `directlight`, strict as in the paper.
@@ -67,7 +69,7 @@ impl Method {
     /// What tables and charts compare: estimators of the mean over a pixel, each as it
     /// is by default.
     pub const COMPARED: [Self; 6] = [
-        Self::Trace(Trace { jitter: true }),
+        Self::JITTERED_TRACE,
         Self::PURE_MC,
         Self::DIRECT_LIGHT,
         Self::COMBINED,
@@ -173,7 +175,7 @@ impl Method {
     #[must_use]
     pub fn for_many_samples(self) -> Self {
         match self {
-            Self::Trace(_) => Self::Trace(Trace { jitter: true }),
+            Self::Trace(_) => Self::JITTERED_TRACE,
             Self::PureMc(_) | Self::DirectLight(_) | Self::Particle(_) | Self::Bdpt(_) => self,
         }
     }
@@ -212,23 +214,24 @@ impl Method {
 
     /// All that is set, whether by an option or by default, in the order of
     /// [`options`](Self::options).
-    pub fn settings(self) -> Vec<Setting> {
+    pub fn settings(self) -> Vec<MethodSetting> {
         let mut settings = Vec::new();
         if let Some(Limits { max_depth, roulette }) = self.limits() {
-            settings.extend(max_depth.map(Setting::MaxDepth));
-            settings.push(Setting::Roulette(roulette));
+            settings.extend(max_depth.map(MethodSetting::MaxDepth));
+            settings.push(MethodSetting::Roulette(roulette));
         }
         match self {
-            Self::Trace(own) => settings.extend(own.jitter.then_some(Setting::Jitter)),
+            Self::Trace(own) => settings.extend(own.jitter.then_some(MethodSetting::Jitter)),
             Self::PureMc(_) | Self::Particle(_) => {}
             Self::DirectLight(own) => {
-                let combined = own.combine.map(|by| [Setting::Combine, Setting::Heuristic(by)]);
+                let combined =
+                    own.combine.map(|by| [MethodSetting::Combine, MethodSetting::Heuristic(by)]);
                 settings.extend(combined.into_iter().flatten());
             }
             Self::Bdpt(own) => {
-                settings.push(Setting::Heuristic(own.heuristic));
-                settings.extend(own.direct_sum.then_some(Setting::DirectSum));
-                settings.extend(own.no_connections.then_some(Setting::NoConnections));
+                settings.push(MethodSetting::Heuristic(own.heuristic));
+                settings.extend(own.direct_sum.then_some(MethodSetting::DirectSum));
+                settings.extend(own.no_connections.then_some(MethodSetting::NoConnections));
             }
         }
         settings
@@ -240,15 +243,15 @@ impl Method {
     /// # Errors
     /// What does not go together: roulette off without a longest path, or a heuristic where
     /// nothing is weighted.
-    pub fn with(self, given: &[Setting]) -> Result<Self, MethodError> {
+    pub fn with(self, given: &[MethodSetting]) -> Result<Self, MethodError> {
         let has = |setting| given.contains(&setting);
         let limits = option::limits(given)?;
         let heuristic = option::heuristic(given);
         Ok(match self {
-            Self::Trace(_) => Self::Trace(Trace { jitter: has(Setting::Jitter) }),
+            Self::Trace(_) => Self::Trace(Trace { jitter: has(MethodSetting::Jitter) }),
             Self::PureMc(_) => Self::PureMc(PureMc { limits }),
             Self::DirectLight(_) => {
-                let combine = has(Setting::Combine).then(|| heuristic.unwrap_or_default());
+                let combine = has(MethodSetting::Combine).then(|| heuristic.unwrap_or_default());
                 if combine.is_none() && heuristic.is_some() {
                     return Err(MethodError::NothingWeighted);
                 }
@@ -258,8 +261,8 @@ impl Method {
             Self::Bdpt(_) => Self::Bdpt(BdptSettings {
                 limits,
                 heuristic: heuristic.unwrap_or_default(),
-                direct_sum: has(Setting::DirectSum),
-                no_connections: has(Setting::NoConnections),
+                direct_sum: has(MethodSetting::DirectSum),
+                no_connections: has(MethodSetting::NoConnections),
             }),
         })
     }

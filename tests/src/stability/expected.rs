@@ -28,7 +28,7 @@ use Expected::{Alarm, Blind, No, Ok, Same, Sparks, V};
 
 /// The columns of the table.
 pub const METHODS: [Method; 6] = [
-    methods::TRACE,
+    methods::JITTERED_TRACE,
     methods::PURE_MC,
     methods::DIRECT_LIGHT,
     methods::COMBINED,
@@ -101,7 +101,7 @@ pub const CORRECTIONS: &[Correction] = &[
     corrected("F8b", methods::BDPT, Ok, HITS),
     corrected(
         "F8p",
-        methods::TRACE,
+        methods::JITTERED_TRACE,
         V,
         "1000 shadow rays a pixel bring relMSE to 3e-4 in the first pass, where 1e-2 is asked: the \
          others have that after eight passes of one shadow ray",

@@ -110,8 +110,14 @@ pub const SCENES: [FailureScene; 17] = [
     file("F9", "bright room", "f09-bright-room", rendered(methods::COMBINED), AREA).passes(128),
     file("F10", "corner", "f10-corner", closed(closed::corner), AREA).passes(1024),
     code("F12", "bump plate", plate::under_lamp, rendered(methods::COMBINED), AREA).passes(256),
-    code("F12p", "bump plate, point light", plate::under_point, rendered(methods::TRACE), &[])
-        .passes(256),
+    code(
+        "F12p",
+        "bump plate, point light",
+        plate::under_point,
+        rendered(methods::JITTERED_TRACE),
+        &[],
+    )
+    .passes(256),
     file("F13", "camera sees 1e-4", "f13-small-view", closed(closed::small_view), &[]).passes(256),
     file(
         "F14",

@@ -16,7 +16,7 @@ use traylib_tests::still_life::still_life;
 
 /// The integrators of all methods with their names; `trace` in both of its forms.
 fn integrators() -> Vec<(String, Box<dyn Integrator>)> {
-    let traces = [Method::TRACE, methods::TRACE];
+    let traces = [Method::TRACE, methods::JITTERED_TRACE];
     let all = traces.into_iter().chain(methods::WALKING);
     all.map(|method| (method.to_string(), method.build())).collect()
 }

@@ -26,7 +26,7 @@ pub enum MethodOption {
 
 /// What may stand after an option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Values {
+pub enum OptionValues {
     /// Nothing.
     None,
     /// Text of this name in help texts.
@@ -37,7 +37,7 @@ pub enum Values {
 
 /// An option with its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Setting {
+pub enum MethodSetting {
     /// Points of a pixel are drawn by chance.
     Jitter,
     /// The longest path, in edges.
@@ -69,18 +69,20 @@ impl MethodOption {
     }
 
     /// What may stand after it.
-    pub fn values(self) -> Values {
+    pub fn values(self) -> OptionValues {
         match self {
-            Self::MaxDepth => Values::Text("N"),
-            Self::Roulette => Values::Text("EDGE"),
-            Self::Heuristic => Values::OneOf(
+            Self::MaxDepth => OptionValues::Text("N"),
+            Self::Roulette => OptionValues::Text("EDGE"),
+            Self::Heuristic => OptionValues::OneOf(
                 "HEURISTIC",
                 &[
                     ("balance", "In proportion to the densities"),
                     ("power", "In proportion to their squares"),
                 ],
             ),
-            Self::Jitter | Self::Combine | Self::DirectSum | Self::NoConnections => Values::None,
+            Self::Jitter | Self::Combine | Self::DirectSum | Self::NoConnections => {
+                OptionValues::None
+            }
         }
     }
 
@@ -128,21 +130,21 @@ impl MethodOption {
     ///
     /// # Errors
     /// What was wanted instead.
-    pub fn read(self, value: &str) -> Result<Setting, &'static str> {
+    pub fn read(self, value: &str) -> Result<MethodSetting, &'static str> {
         let alone = |setting| if value.is_empty() { Ok(setting) } else { Err("takes no value") };
         match self {
-            Self::Jitter => alone(Setting::Jitter),
-            Self::Combine => alone(Setting::Combine),
-            Self::DirectSum => alone(Setting::DirectSum),
-            Self::NoConnections => alone(Setting::NoConnections),
+            Self::Jitter => alone(MethodSetting::Jitter),
+            Self::Combine => alone(MethodSetting::Combine),
+            Self::DirectSum => alone(MethodSetting::DirectSum),
+            Self::NoConnections => alone(MethodSetting::NoConnections),
             Self::MaxDepth => {
                 let edges = value.parse().ok().filter(|edges| *edges > 0);
-                edges.map(Setting::MaxDepth).ok_or("wanted: a number of edges from 1 on")
+                edges.map(MethodSetting::MaxDepth).ok_or("wanted: a number of edges from 1 on")
             }
-            Self::Roulette => read_roulette(value).map(Setting::Roulette),
+            Self::Roulette => read_roulette(value).map(MethodSetting::Roulette),
             Self::Heuristic => match value {
-                "balance" => Ok(Setting::Heuristic(Heuristic::Balance)),
-                "power" => Ok(Setting::Heuristic(Heuristic::Power)),
+                "balance" => Ok(MethodSetting::Heuristic(Heuristic::Balance)),
+                "power" => Ok(MethodSetting::Heuristic(Heuristic::Power)),
                 _ => Err("wanted: balance or power"),
             },
         }
@@ -159,7 +161,7 @@ fn read_roulette(text: &str) -> Result<Roulette, &'static str> {
     }
 }
 
-impl Setting {
+impl MethodSetting {
     /// The option that it belongs to.
     pub fn option(self) -> MethodOption {
         match self {
@@ -187,7 +189,7 @@ impl Setting {
 }
 
 /// As on a command line: `--max-depth 6`.
-impl fmt::Display for Setting {
+impl fmt::Display for MethodSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (name, value) = (self.option().name(), self.value());
         let blank = if value.is_empty() { "" } else { " " };
@@ -196,17 +198,17 @@ impl fmt::Display for Setting {
 }
 
 /// The limits among settings, defaults where there are none.
-pub(super) fn limits(given: &[Setting]) -> Result<Limits, MethodError> {
+pub(super) fn limits(given: &[MethodSetting]) -> Result<Limits, MethodError> {
     let mut limits = Limits::NONE;
     for setting in given {
         match *setting {
-            Setting::MaxDepth(edges) => limits.max_depth = Some(edges),
-            Setting::Roulette(roulette) => limits.roulette = roulette,
-            Setting::Jitter
-            | Setting::Combine
-            | Setting::Heuristic(_)
-            | Setting::DirectSum
-            | Setting::NoConnections => {}
+            MethodSetting::MaxDepth(edges) => limits.max_depth = Some(edges),
+            MethodSetting::Roulette(roulette) => limits.roulette = roulette,
+            MethodSetting::Jitter
+            | MethodSetting::Combine
+            | MethodSetting::Heuristic(_)
+            | MethodSetting::DirectSum
+            | MethodSetting::NoConnections => {}
         }
     }
     if limits.roulette == Roulette::OFF && limits.max_depth.is_none() {
@@ -216,14 +218,14 @@ pub(super) fn limits(given: &[Setting]) -> Result<Limits, MethodError> {
 }
 
 /// The heuristic among settings.
-pub(super) fn heuristic(given: &[Setting]) -> Option<Heuristic> {
+pub(super) fn heuristic(given: &[MethodSetting]) -> Option<Heuristic> {
     given.iter().find_map(|setting| match *setting {
-        Setting::Heuristic(heuristic) => Some(heuristic),
-        Setting::Jitter
-        | Setting::MaxDepth(_)
-        | Setting::Roulette(_)
-        | Setting::Combine
-        | Setting::DirectSum
-        | Setting::NoConnections => None,
+        MethodSetting::Heuristic(heuristic) => Some(heuristic),
+        MethodSetting::Jitter
+        | MethodSetting::MaxDepth(_)
+        | MethodSetting::Roulette(_)
+        | MethodSetting::Combine
+        | MethodSetting::DirectSum
+        | MethodSetting::NoConnections => None,
     })
 }

@@ -1,6 +1,6 @@
 //! Methods as text: a command line without a scene, and back.
 
-use super::{Method, MethodOption, Setting, Values};
+use super::{Method, MethodOption, MethodSetting, OptionValues};
 use std::fmt;
 use std::str::FromStr;
 
@@ -43,7 +43,7 @@ impl FromStr for Method {
         let Some(method) = Self::ALL.into_iter().find(|method| method.name() == name) else {
             return Err(respelled(text).unwrap_or_else(|| MethodError::Unknown(text.into())));
         };
-        let mut given: Vec<Setting> = Vec::new();
+        let mut given: Vec<MethodSetting> = Vec::new();
         while let Some(word) = words.next() {
             let setting = method.read_option(word, &mut words)?;
             if given.iter().any(|other| other.option() == setting.option()) {
@@ -62,7 +62,7 @@ impl Method {
         self,
         word: &'a str,
         rest: &mut impl Iterator<Item = &'a str>,
-    ) -> Result<Setting, MethodError> {
+    ) -> Result<MethodSetting, MethodError> {
         let (name, value) = word.split_once('=').map_or((word, None), |(n, v)| (n, Some(v)));
         let found = name
             .strip_prefix("--")
@@ -70,8 +70,10 @@ impl Method {
         let option = found.ok_or_else(|| MethodError::NoSuchOption(self, word.into()))?;
         let value = match (value, option.values()) {
             (Some(value), _) => value,
-            (None, Values::None) => "",
-            (None, Values::Text(_) | Values::OneOf(..)) => rest.next().unwrap_or_default(),
+            (None, OptionValues::None) => "",
+            (None, OptionValues::Text(_) | OptionValues::OneOf(..)) => {
+                rest.next().unwrap_or_default()
+            }
         };
         option.read(value).map_err(|wanted| MethodError::Value(option, wanted))
     }

@@ -24,7 +24,7 @@ fn many() -> Vec<Method> {
         let mut lists = vec![Vec::new()];
         for &option in plain.options() {
             for value in values(option) {
-                let with = |list: &Vec<Setting>| {
+                let with = |list: &Vec<MethodSetting>| {
                     let setting = option.read(value).unwrap();
                     let is_there = list.iter().any(|other| other.option() == option);
                     (!is_there).then(|| [list.as_slice(), &[setting]].concat())

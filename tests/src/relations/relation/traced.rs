@@ -24,7 +24,7 @@ pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
     let walked = Estimator::Method(methods::DIRECT_LIGHT);
     Ok(vec![Claim {
         what: format!("trace = two edges, {}", name(walked)),
-        left: by(Estimator::Method(methods::TRACE)),
+        left: by(Estimator::Method(methods::JITTERED_TRACE)),
         right: by(walked),
         flipped: false,
         factor: 1.0,

@@ -9,7 +9,7 @@ use crate::relations::scene::{DrawnScene, luminance};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use traylib_geometry::Ray;
-use traylib_integrators::{BlindSpot, Integrator, Method, SceneFacts};
+use traylib_integrators::{BlindSpot, Method, SceneFacts};
 use traylib_math::{Rgb, Vec2};
 use traylib_scene::{Camera, Scene};
 
@@ -28,7 +28,7 @@ pub(super) const OUTSHONE: f64 = 256.0;
 /// Whether this method is not blind here, and its noise can be judged.
 pub(super) fn sees(subject: &Subject<'_>, method: Method) -> bool {
     let drawn = subject.drawn;
-    let integrator: Box<dyn Integrator> = method.build();
+    let integrator = method.build();
     let facts = SceneFacts::of(&subject.built.scene);
     let is_blind = integrator.blind_spots(&facts).into_iter().any(|spot| match spot {
         BlindSpot::SeenInMirrors => sees_mirrors(&subject.built.scene),
