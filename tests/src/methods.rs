@@ -51,6 +51,12 @@ pub const WALKING: [Method; 6] = {
     all
 };
 
+/// All of [`WALKING`], these first.
+pub fn beginning_with(first: &[Method]) -> Vec<Method> {
+    let others = WALKING.iter().filter(|method| !first.contains(method));
+    first.iter().chain(others).copied().collect()
+}
+
 /// All that walk from the camera, and so see a spot as well as a wide view, each with so
 /// many passes.
 pub fn from_camera(passes: u32) -> Vec<(Method, u32)> {

@@ -239,15 +239,12 @@ pub(super) fn claims(
 /// Any method; where walks from lamps see other surfaces than walks from the camera,
 /// what they lack depends on weights, and these on where things are.
 fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
-    let methods = [
-        methods::PURE_MC,
-        methods::COMBINED,
-        methods::DIRECT_LIGHT,
-        methods::BDPT,
-        methods::PARTICLE,
-    ];
     let any = scene.fronts_are_alike() || law == Law::SameBits;
-    Estimator::Method(dice.pick(if any { &methods } else { &methods[..3] }))
+    let mut methods = methods::beginning_with(&[methods::PURE_MC, methods::COMBINED]);
+    // One way to weigh the techniques of `bdpt` is enough.
+    methods.retain(|&method| method != methods::BDPT_BALANCE);
+    methods.retain(|&method| any || !methods::walks_from_lamps(method));
+    Estimator::Method(dice.pick(&methods))
 }
 
 /// As far as the camera looks, but, where that is at a sun, no further than leaves the

@@ -2,7 +2,7 @@
 
 use super::who::sees;
 use super::{Subject, side};
-use crate::methods::{BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
+use crate::methods::{BDPT, BDPT_BALANCE, COMBINED, beginning_with};
 use crate::relations::judge::{Claim, Law, Numbers};
 use crate::relations::render::Estimator;
 
@@ -11,7 +11,7 @@ const ROUNDING: f64 = 2e-5;
 
 /// Each method that sees the light here against the first of them.
 pub(super) fn claims(subject: &Subject<'_>) -> Vec<Claim> {
-    let order = [BDPT, COMBINED, BDPT_BALANCE, PURE_MC, DIRECT_LIGHT, PARTICLE];
+    let order = beginning_with(&[BDPT, COMBINED, BDPT_BALANCE]);
     let mut seeing = order.into_iter().filter(|&method| sees(subject, method));
     let Some(first) = seeing.next() else { return Vec::new() };
     let by = |method| side(subject.drawn, &subject.built, Estimator::Method(method));
