@@ -115,6 +115,10 @@ mod tests {
     #[test]
     fn facts_are_those_of_the_algorithms() {
         assert_eq!(WALKING, [PURE_MC, DIRECT_LIGHT, COMBINED, BDPT, BDPT_BALANCE, PARTICLE]);
+        let order = beginning_with(&[BDPT, COMBINED, BDPT_BALANCE]);
+        assert_eq!(order[3..], [PURE_MC, DIRECT_LIGHT, PARTICLE]);
+        let order = beginning_with(&[PURE_MC, COMBINED]);
+        assert_eq!(order[2..], [DIRECT_LIGHT, BDPT, BDPT_BALANCE, PARTICLE]);
         let those = |fact: fn(Method) -> bool| {
             WALKING.into_iter().filter(|&method| fact(method)).collect::<Vec<_>>()
         };
