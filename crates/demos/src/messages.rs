@@ -3,11 +3,11 @@
 
 use crate::options::RenderOptions;
 use crate::outcome::Failure;
+use crate::run::Done;
 use std::fmt::Display;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::Path;
-use std::time::Duration;
-use traylib_integrators::{Integrator, Limits, Rendering, SceneFacts};
+use traylib_integrators::{Integrator, Limits, SceneFacts};
 use traylib_io::{Loaded, printable, printable_json};
 use traylib_scene::Scene;
 
@@ -61,8 +61,8 @@ fn print(text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// Standard output takes no more, as a file on a full disk.
-pub fn print_notes(rendering: &Rendering) -> Result<(), Failure> {
-    rendering.notes.iter().try_for_each(tell)
+pub fn print_notes(done: &Done) -> Result<(), Failure> {
+    done.notes.iter().try_for_each(tell)
 }
 
 /// What to know before the start.
@@ -109,20 +109,13 @@ pub(crate) fn describe(name: &str, scene: &Scene) -> String {
 }
 
 /// What was done, and why it ended.
-pub(crate) fn summarise(
-    program: &str,
-    name: &str,
-    rendering: &Rendering,
-    elapsed: Duration,
-    end: &str,
-) {
-    let statistics = &rendering.statistics;
-    let seconds = elapsed.as_secs_f64();
-    let error = match rendering.film.relative_error() {
+pub(crate) fn summarise(program: &str, done: &Done, end: &str) {
+    let Done { passes, error, statistics, .. } = done;
+    let (name, seconds) = (&done.loaded.name, done.elapsed.as_secs_f64());
+    let error = match error {
         Some(error) => format!("estimated error {:.2} %", 100.0 * error),
         None => String::from("error unknown"),
     };
-    let passes = rendering.film.passes();
     say(format_args!("{program} {name}: {passes} spp in {seconds:.2} s, {error}; ended by {end}"));
     say(format_args!(
         "  rays: {} camera, {} bounce, {} shadow; {} a second",

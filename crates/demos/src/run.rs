@@ -13,12 +13,15 @@ use crate::progress::Line;
 use crate::recipe;
 use crate::signals::Signal;
 use crate::stats::stats;
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Duration;
-use traylib_integrators::{Integrator, Limits, Method, Progress, Rendering, Settings, render};
+use traylib_integrators::{
+    Integrator, Limits, Method, Progress, Rendering, Settings, Statistics, render,
+};
 use traylib_io::{
     Headlight, LoadOptions, Loaded, PictureInfo, check_file, check_picture, load_scene_with,
     save_picture,
@@ -88,10 +91,18 @@ impl<'a> Job<'a> {
 pub struct Done {
     /// The scene and its settings.
     pub loaded: Loaded,
-    /// The picture and what else was asked for.
-    pub rendering: Rendering,
-    /// Seconds of rendering.
-    pub seconds: f64,
+    /// How many passes there are.
+    pub passes: u32,
+    /// The picture's own estimate of its relative error.
+    pub error: Option<f64>,
+    /// Further pictures, by number.
+    pub layers: BTreeMap<u16, Grid<Rgb>>,
+    /// Text that was asked for.
+    pub notes: Vec<String>,
+    /// Tally of the work.
+    pub statistics: Statistics,
+    /// Time that it took.
+    pub elapsed: Duration,
 }
 
 /// The whole program of a method that asks for nothing else.
@@ -149,8 +160,11 @@ fn try_run(
     }
     make_folder(job.folder)?;
     let (rendering, elapsed, end) = render_job(job, &loaded, integrator)?;
-    let done = Done { loaded, rendering, seconds: elapsed.as_secs_f64() };
-    let picture = done.rendering.film.develop();
+    let Rendering { film, notes, statistics } = rendering;
+    let (passes, error, layers) = (film.passes(), film.relative_error(), film.develop_layers());
+    let done = Done { loaded, passes, error, layers, notes, statistics, elapsed };
+    // A picture that just fits has no room for the film.
+    let picture = film.into_picture();
     for file in &outfiles {
         save_picture(file, &picture, &done.info(job))?;
         tell_name(file)?;
@@ -158,13 +172,13 @@ fn try_run(
     finish(&done)?;
     if !options.quiet {
         warn_if_black(job, &done, integrator, &picture);
-        summarise(job.program, &done.loaded.name, &done.rendering, elapsed, &end.words());
+        summarise(job.program, &done, &end.words());
         suggest(options);
     }
     match end {
         End::Interrupt(signal) => Err(Failure::interrupted(
             signal,
-            format_args!("interrupted; what is written has {} spp", done.rendering.film.passes()),
+            format_args!("interrupted; what is written has {} spp", done.passes),
         )),
         End::Spp | End::TimeLimit => Ok(()),
     }
@@ -300,12 +314,12 @@ impl Done {
             exposure: self.loaded.settings.exposure,
             program: format!("TrayLib {VERSION}"),
             integrator: job.program.into(),
-            command: recipe::command(job, &self.loaded, self.rendering.film.passes()),
+            command: recipe::command(job, &self.loaded, self.passes),
             scene: self.loaded.name.clone(),
             seed: job.options.seed,
-            spp: u64::from(self.rendering.film.passes()),
-            seconds: self.seconds,
-            rejected_samples: self.rendering.statistics.rejected,
+            spp: u64::from(self.passes),
+            seconds: self.elapsed.as_secs_f64(),
+            rejected_samples: self.statistics.rejected,
         }
     }
 }

@@ -13,13 +13,13 @@ use traylib_io::{PictureInfo, save_picture};
 /// # Errors
 /// A picture cannot be written.
 pub fn save_techniques(folder: &Path, job: &Job<'_>, done: &Done) -> Result<(), Failure> {
-    for (layer, picture) in done.rendering.film.develop_layers() {
+    for (&layer, picture) in &done.layers {
         let Technique { s, t, weighted } = Technique::of_layer(layer);
         let kind = if weighted { "weighted" } else { "raw" };
         let file = folder.join(format!("s{s}-t{t}-{kind}.png"));
         let integrator = format!("{} s={s} t={t} {kind}", job.program);
         let info = PictureInfo { integrator, ..done.info(job) };
-        save_picture(&file, &picture, &info)?;
+        save_picture(&file, picture, &info)?;
         tell_name(&file)?;
     }
     Ok(())

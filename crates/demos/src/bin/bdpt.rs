@@ -59,7 +59,7 @@ fn main() -> ExitCode {
             Ok(line.method.build_with(report))
         },
         |done| {
-            print_notes(&done.rendering)?;
+            print_notes(done)?;
             job.folder.map_or(Ok(()), |folder| save_techniques(folder, &job, done))
         },
     )
