@@ -248,7 +248,7 @@ impl Comparison {
         let passes = tiles.values[0].len() as u64;
         Finding {
             claim: format!(
-                "{}: {:?} = bdpt within {} % of the mean, and on {} of {} tiles",
+                "{}: {} = bdpt within {} % of the mean, and on {} of {} tiles",
                 subject.name,
                 other.method,
                 100.0 * promise,

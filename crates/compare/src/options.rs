@@ -27,7 +27,7 @@ pub struct Options {
     pub scenes: Vec<String>,
 
     /// Methods, each spelled as a command line without a scene, as
-    /// \"puremc,bdpt --max-depth 6\" [default: all, some in several settings]
+    /// "puremc,bdpt --max-depth 6" [default: all, some in several settings]
     #[arg(long, alias = "integrators", value_name = "LIST", value_delimiter = ',')]
     pub methods: Vec<Method>,
 

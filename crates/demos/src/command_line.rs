@@ -28,8 +28,8 @@ pub struct CommandLine<O> {
 }
 
 impl<O: Args> CommandLine<O> {
-    /// That of the program with the name of this method, which may have other settings on
-    /// it. Ends the program as [`parse`] does.
+    /// Reads the words that the program was started with; without options its method is
+    /// `plain`. Ends the program as [`parse`] does.
     pub fn parse(plain: Method) -> Self {
         Self::read(plain, std::env::args_os()).unwrap_or_else(|error| end(&error))
     }

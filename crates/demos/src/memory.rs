@@ -5,23 +5,25 @@ use crate::run::Job;
 use std::fs;
 use std::path::{Path, PathBuf};
 use traylib_io::Loaded;
+use traylib_scene::Camera;
 
 /// Refuses a picture that needs more memory than there is.
 ///
 /// An estimate, of what grows with the picture; the scene is in memory already. If it is the
-/// time that ends the passes, a first pass must have room.
+/// time that ends the passes, a first pass must have room; [`has_room`] asks for more.
 ///
 /// # Errors
 /// It does not fit.
 pub(crate) fn check(job: &Job<'_>, loaded: &Loaded) -> Result<(), Failure> {
     let camera = loaded.scene.camera();
     let (width, height) = (camera.width(), camera.height());
-    let per_pixel = bytes_per_pixel(job.spp(loaded).unwrap_or(1), job.layers);
+    let passes = if job.options.time_limit.is_some() { None } else { job.spp(loaded) };
+    let per_pixel = bytes_per_pixel(passes.unwrap_or(1), job.layers);
     let needed = u64::from(width) * u64::from(height) * per_pixel;
     match available() {
         Some(available) if needed > available => Err(Failure::output(format_args!(
             "{width}x{height} pixels need about {} of memory, {per_pixel} bytes each, and {} are free; \
-             a smaller --resolution or fewer --spp need less",
+             a smaller --resolution needs less, and so do fewer --spp",
             gigabytes(needed),
             gigabytes(available),
         ))),
@@ -29,12 +31,20 @@ pub(crate) fn check(job: &Job<'_>, loaded: &Loaded) -> Result<(), Failure> {
     }
 }
 
-/// What a [`Film`](traylib_scene::Film) has at most, with the pass under way and the picture
-/// that is developed: three bands of 8 bytes in a sum, of 4 in a picture.
+/// Whether another pass has room after this many; it may need more than the one before only
+/// where their number doubles.
+pub(crate) fn has_room(job: &Job<'_>, camera: &Camera, passes: u32) -> bool {
+    let pixels = u64::from(camera.width()) * u64::from(camera.height());
+    let more = bytes_per_pixel(2, job.layers) - bytes_per_pixel(1, job.layers);
+    !passes.is_power_of_two() || available().is_none_or(|available| pixels * more <= available)
+}
+
+/// What a [`Film`](traylib_scene::Film) has at most, with the pass under way or the pictures
+/// that are developed: three bands of 8 bytes in a sum, of 4 in a picture.
 fn bytes_per_pixel(passes: u32, layers: u64) -> u64 {
-    let pass = 24 * (1 + layers);
+    let (pass, pictures) = (24 * (1 + layers), 12 * (1 + layers));
     let waiting = u64::from(passes.max(1).ilog2());
-    waiting * (pass + 24) + pass + 12
+    waiting * (pass + 24) + pass + pictures
 }
 
 fn gigabytes(bytes: u64) -> String {
@@ -123,7 +133,7 @@ mod tests {
     fn sums_wait_for_their_other_half() {
         let known = [(1, 36), (2, 84), (3, 84), (4, 132), (1024, 516)];
         assert_eq!(known.map(|(passes, _)| (passes, bytes_per_pixel(passes, 0))), known);
-        assert_eq!(bytes_per_pixel(2, 3), 84 + 2 * 3 * 24);
+        assert_eq!(bytes_per_pixel(2, 3), 84 + 2 * 3 * 24 + 3 * 12);
     }
 
     #[test]

@@ -76,8 +76,9 @@ impl Line {
         if self.bar.is_hidden() || self.last_update.get().is_some_and(recently) {
             return;
         }
-        self.last_update.set(Some(Instant::now()));
         self.bar.set_message(self.describe(progress));
+        // What it takes to tell is not counted.
+        self.last_update.set(Some(Instant::now()));
     }
 
     /// What is said to whoever asks for the end, at once and from any thread.

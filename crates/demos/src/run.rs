@@ -105,7 +105,7 @@ pub struct Done {
     pub elapsed: Duration,
 }
 
-/// The whole program of a method that asks for nothing else.
+/// Runs the program of a method that has no options beside those of all.
 pub fn render_by(plain: Method) -> ExitCode {
     let line = CommandLine::<()>::parse(plain);
     run(&Job::of(&line), |_| Ok(line.method.build()), |_| Ok(()))
@@ -180,7 +180,7 @@ fn try_run(
             signal,
             format_args!("interrupted; what is written has {} spp", done.passes),
         )),
-        End::Spp | End::TimeLimit => Ok(()),
+        End::Spp | End::TimeLimit | End::Memory => Ok(()),
     }
 }
 
@@ -254,6 +254,7 @@ impl End {
         match self {
             Self::Spp => "--spp".into(),
             Self::TimeLimit => "--time-limit".into(),
+            Self::Memory => "lack of memory for more".into(),
             Self::Interrupt(signal) => signal.to_string(),
         }
     }
@@ -266,7 +267,7 @@ impl End {
             Self::Interrupt(signal) => {
                 Failure::interrupted(signal, format_args!("interrupted while {nothing}"))
             }
-            Self::Spp | Self::TimeLimit => Failure::output(format_args!(
+            Self::Spp | Self::TimeLimit | Self::Memory => Failure::output(format_args!(
                 "the time was up while {nothing}; a smaller --resolution or a longer --time-limit may help"
             )),
         }
@@ -289,15 +290,19 @@ fn render_job(
     let line = Line::new(&title, &stop, options.time_limit, options.quiet);
     stop.on_interrupt(line.answer_to_interrupt());
     options.time_limit.map_or(Ok(()), |time| stop.after(time))?;
+    let mut is_full = false;
     let observe = &mut |progress: &Progress<'_>| {
         line.update(progress);
-        ControlFlow::Continue(())
+        is_full = !memory::has_room(job, loaded.scene.camera(), progress.film.passes());
+        if is_full { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let rendering = render(&loaded.scene, integrator, &settings, &stop.control, observe)
         .map_err(Failure::output)?;
     line.clear();
     let end = if rendering.film.passes() == settings.spp {
         End::Spp
+    } else if is_full {
+        End::Memory
     } else {
         stop.interrupted().map_or(End::TimeLimit, End::Interrupt)
     };

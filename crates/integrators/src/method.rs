@@ -20,7 +20,8 @@ use traylib_math::Heuristic;
 /// The choice of an integrator with its settings.
 ///
 /// Where an integrator is nothing but its settings, it stands for them. `Display` and
-/// `FromStr` are each other's inverse: `bdpt --max-depth 6 --no-connections`.
+/// `FromStr` are each other's inverse, as `bdpt --max-depth 6 --no-connections`, for all that
+/// can be spelled: a roulette from edge 1, or none without a longest path, cannot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// `trace`.

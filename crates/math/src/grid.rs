@@ -62,7 +62,7 @@ impl<T> Grid<T> {
     }
 
     /// The same, where both grids do not fit into memory: what is done with is given back on
-    /// the way.
+    /// the way, if the allocator can shrink in place what is large, as those of Linux do.
     pub fn into_map<U>(mut self, mut f: impl FnMut(T) -> U) -> Grid<U> {
         /// Values after which memory is given back.
         const PART: usize = 1 << 20;

@@ -17,9 +17,11 @@ use traylib_math::{Grid, Rgb};
 ///
 /// Passes have numbers, and a film may hold any of them. Sums are made of two halves, those
 /// of halves again, as numbers say, whoever rendered what first: a film that is
-/// [merged](Self::merge) from parts has the bits of one that was rendered at once. That takes
-/// 48 bytes a pixel for each such sum that waits for its other half, one for each binary one
-/// in the number of passes if they are the first ones, and half as much for a single pass.
+/// [merged](Self::merge) from parts has the bits of one that was rendered at once.
+///
+/// Each sum that waits for its other half takes 48 bytes a pixel, and 24 more for each further
+/// picture; that of a single pass takes 24 and 24. Of the first n passes as many sums wait as
+/// n has binary ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     width: usize,
@@ -99,6 +101,11 @@ impl Film {
         }
     }
 
+    /// Whether it has the pass of this number.
+    pub fn has_pass(&self, number: u32) -> bool {
+        self.blocks.iter().any(|block| block.passes().contains(&number.into()))
+    }
+
     /// How many passes there are.
     pub fn passes(&self) -> u32 {
         let count = |block: &Block| (block.passes().end - block.passes().start) as u32;
@@ -146,7 +153,7 @@ impl Film {
 
     /// Estimated variance of each pixel's mean; `None` before two passes.
     pub fn variance_of_mean(&self) -> Option<Grid<[f64; 3]>> {
-        (self.passes() > 1).then(|| self.picture(|pixel| self.variance_of(pixel)))
+        (self.passes() > 1).then(|| self.picture(|pixel| self.moments_of(pixel).1))
     }
 
     /// Estimated error of the picture: root of the mean variance over the mean
@@ -157,8 +164,9 @@ impl Film {
         }
         let (mut mean, mut variance) = (0.0, 0.0);
         for pixel in 0..self.width * self.height {
-            mean += self.mean_of(pixel).iter().sum::<f64>();
-            variance += self.variance_of(pixel).iter().sum::<f64>();
+            let (mean_of, variance_of) = self.moments_of(pixel);
+            mean += mean_of.iter().sum::<f64>();
+            variance += variance_of.iter().sum::<f64>();
         }
         let count = 3.0 * (self.width * self.height) as f64;
         (mean > 0.0).then(|| (variance / count).sqrt() / (mean / count))
@@ -169,12 +177,20 @@ impl Film {
         total(self.blocks.iter().map(|block| block.pixel(pixel).0)).map(|sum| sum / n)
     }
 
-    /// Of at least two passes.
-    fn variance_of(&self, pixel: usize) -> [f64; 3] {
+    /// Mean, and variance of the mean, of at least two passes.
+    fn moments_of(&self, pixel: usize) -> ([f64; 3], [f64; 3]) {
         let n = f64::from(self.passes());
-        let squares = total(self.blocks.iter().map(|block| block.pixel(pixel).1));
-        let mean = self.mean_of(pixel);
-        [0, 1, 2].map(|band| (squares[band] / n - mean[band] * mean[band]).max(0.0) / (n - 1.0))
+        let (mut sum, mut squares) = ([0.0; 3], [0.0; 3]);
+        for (of_block, squares_of_block) in self.blocks.iter().map(|block| block.pixel(pixel)) {
+            for band in 0..3 {
+                sum[band] += of_block[band];
+                squares[band] += squares_of_block[band];
+            }
+        }
+        let mean = sum.map(|sum| sum / n);
+        let variance =
+            |band: usize| (squares[band] / n - mean[band] * mean[band]).max(0.0) / (n - 1.0);
+        (mean, [0, 1, 2].map(variance))
     }
 
     /// A picture by the row-major indices of its pixels.

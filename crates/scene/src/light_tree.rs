@@ -4,7 +4,7 @@
 //! its lamps are, how strong they are together and into which directions they may shine,
 //! and from that how much they may give a point ([`Node::importance`]). A choice goes down
 //! from the root, at each node in proportion to what its children may give, though none
-//! that may give any has less than [`shares::RAREST`]: the strongest lamp may stand behind a wall.
+//! that may give any has less than about [`shares::RAREST`]: the strongest lamp may stand behind a wall.
 //!
 //! Conty Estevez and Kulla, *Importance Sampling of Many Lights with Adaptive Tree
 //! Splitting*, 2018. Theirs may go both ways where a node is near; here it is one

@@ -55,7 +55,7 @@ fn a9_coincident_lights() {
 /// A lamp that is round has a chance from all sides.
 #[test]
 fn a10_cones_and_a_tube() {
-    all_hold(&cones_and_a_tube(), 92, &[(DIRECT_LIGHT, 400), (COMBINED, 400), (BDPT, 400)]);
+    all_hold(&cones_and_a_tube(), 92, &[(DIRECT_LIGHT, 450), (COMBINED, 400), (BDPT, 400)]);
 }
 
 #[test]

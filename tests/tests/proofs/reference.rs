@@ -78,7 +78,7 @@ impl Setup {
     }
 
     fn name(&self) -> String {
-        format!("{}, {:?}", self.scene, self.method)
+        format!("{}, {}", self.scene, self.method)
     }
 }
 

@@ -356,7 +356,7 @@ fn the_corner_raises_the_alarm_without_weights() {
         finding("F10, directlight: alarm", format!("{:?}", strict.tail), Some(3e-3), {
             alarm(strict.tail, strict.far_tail)
         }),
-        finding("F10, combined: no alarm", format!("{:?}", combined.tail), None, {
+        finding("F10, directlight --combine: no alarm", format!("{:?}", combined.tail), None, {
             !alarm(combined.tail, combined.far_tail)
         }),
     ]);

@@ -2,6 +2,7 @@
 
 use crate::page::number::{percent, ratio};
 use crate::results::{Estimate, LEAST_ERROR, MethodResults, Metrics, ReferenceResults, Verdict};
+use traylib_integrators::Method;
 
 /// Which method to use, from methods that have been judged; `None` without any.
 pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Option<Verdict> {
@@ -90,15 +91,20 @@ fn lead(best: &MethodResults, rivals: &[&str], all: &[MethodResults]) -> String 
     }
 }
 
-/// How much longer the other programs take, each in its plain setting, the shortest
+/// How much longer the other methods take, each without settings of its own, the shortest
 /// time first.
 fn times(all: &[MethodResults], told: &[&str]) -> Vec<String> {
     let mut others: Vec<&MethodResults> = all
         .iter()
-        .filter(|m| !told.contains(&m.name.as_str()) && !m.biased && !m.name.contains(':'))
+        .filter(|m| !told.contains(&m.name.as_str()) && !m.biased && !is_set(&m.name))
         .collect();
     others.sort_by(|a, b| a.cost_ratio.value.total_cmp(&b.cost_ratio.value));
     others.into_iter().map(|m| format!("{} takes {}", m.name, ratio(m).as_long())).collect()
+}
+
+/// Whether a name is that of a method with settings that not every chart compares.
+fn is_set(name: &str) -> bool {
+    name.parse().is_ok_and(|method: Method| !Method::COMPARED.contains(&method))
 }
 
 /// Whose values seem to have no variance.
@@ -149,4 +155,18 @@ fn listed(names: &[&str]) -> Option<String> {
         return Some((*last).to_string());
     }
     Some(format!("{} and {last}", others.join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Other renderers, whose names spell no method, are as they are.
+    #[test]
+    fn settings_of_its_own_are_told_by_the_spelling() {
+        let plain = ["bdpt", "directlight", "directlight --combine", "trace --jitter", "other"];
+        assert!(!plain.into_iter().any(is_set));
+        let set = ["bdpt --no-connections", "directlight --combine --heuristic balance"];
+        assert!(set.into_iter().all(is_set));
+    }
 }

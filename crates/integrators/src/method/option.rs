@@ -115,7 +115,9 @@ impl MethodOption {
                  --max-depth"
             }
             Self::Combine => "Combine aimed and chance hits by multiple importance sampling",
-            Self::Heuristic => "How densities become weights; in directlight with --combine alone",
+            Self::Heuristic => {
+                "How densities become weights; directlight takes it with --combine alone"
+            }
             Self::DirectSum => {
                 "Compute weights by summing over all techniques: slow, for comparison"
             }

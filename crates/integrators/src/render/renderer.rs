@@ -51,11 +51,15 @@ impl<'a> Renderer<'a> {
     }
 
     /// Renders the pass of this number, on the threads of the pool that it is called in.
-    /// Whether it was rendered: one that `control` cancels leaves no trace.
+    /// Returns false if `control` was cancelled meanwhile; that pass leaves no trace.
     ///
     /// # Panics
     /// If the film has this pass.
     pub fn render_pass(&mut self, number: u32, control: &Control) -> bool {
+        assert!(!self.rendering.film.has_pass(number), "pass {number} is rendered");
+        if control.is_cancelled() {
+            return false;
+        }
         let chunks = self.chunks(number, control);
         // Whoever waits can see how far it is.
         control.begin_pass(chunks.len());

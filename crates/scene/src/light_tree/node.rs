@@ -23,7 +23,7 @@ pub(super) struct Node {
     corner: [Vec4; 3],
     /// The sum of the corner's coordinates.
     corner_sum: Vec4,
-    /// How long it is.
+    /// The distance of the corner.
     radius: Vec4,
     /// Of the cones, by axis.
     axis: [Vec4; 3],
@@ -33,9 +33,9 @@ pub(super) struct Node {
     spread: Angles,
     /// Cosine of the angle up to which lamps shine beyond the spread.
     reach: Vec4,
-    /// Whose lamps shine into all directions, as far as is known.
+    /// Children whose lamps shine into all directions, as far as is known.
     everywhere: BVec4A,
-    /// Whose box bounds cosines, too.
+    /// Children of whose lamps the box bounds cosines, too.
     bound_by_box: BVec4A,
     /// Whether all lamps of each child are flat and face one way.
     flat: bool,
@@ -198,7 +198,8 @@ impl Node {
         let outside = [x - right, y - up, z - back].map(|along| along.max(Vec4::ZERO));
         Cosines {
             bound: (before / dot(outside, outside).sqrt()).min(Vec4::ONE),
-            shines: before.cmpgt(Vec4::ZERO),
+            // Of squares beyond the range of numbers nothing is known.
+            shines: !before.cmple(Vec4::ZERO),
         }
     }
 }

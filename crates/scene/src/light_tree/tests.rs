@@ -8,7 +8,7 @@ use super::shares::{BELOW_ONE, RAREST};
 use super::*;
 use crate::{Emission, LightPoint, PointLight, SpotCone};
 use lamps::{lamp, lamps};
-use traylib_geometry::{Disk, Primitive};
+use traylib_geometry::{Disk, Facing, Primitive, Sphere};
 use traylib_math::{Purpose, Rgb, Sampler, Vec2};
 
 /// Each level rounds a chance, made of a sum and a quotient, and a product.
@@ -123,6 +123,20 @@ fn a_lamp_that_shines_at_a_point_has_a_chance() {
         }
     }
     assert!(shining > 40_000, "{shining}");
+}
+
+/// Where squares leave single precision nothing is known of anybody.
+#[test]
+fn a_lamp_that_shines_from_afar_has_a_chance() {
+    let away = Vec3::new(1.0, 0.0, 1.0).normalize();
+    for far in [1e10, 1e18, 1e19, 3e19, 1e20] {
+        let disk = Disk::new(Vec3::X * far, -away, 0.01 * far).unwrap();
+        let ball = Sphere::new(Vec3::Y, 0.5, Facing::Outward).unwrap();
+        let primitives = [Primitive::Disk(disk), Primitive::Sphere(ball)];
+        let lights = primitives.map(|primitive| Light::Area { primitive, radiance: Rgb::WHITE });
+        let x1 = Vec3::new(3.0, -2.0, 1.0);
+        assert!(LightTree::new(&lights).probability(0, x1) > 0.0, "{far}");
+    }
 }
 
 /// Lamps that face away have none, if any other can do better.

@@ -32,7 +32,7 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Vec<Claim> {
     }
     let set = Estimator::Among(TechniqueSet::of(pairs.iter().copied()));
     vec![Claim {
-        what: format!("Combined = techniques {pairs:?}"),
+        what: format!("{} = techniques {pairs:?}", methods::COMBINED),
         left: side(drawn, &subject.built, Estimator::Method(methods::COMBINED)),
         right: side(drawn, &subject.built, set),
         flipped: false,
