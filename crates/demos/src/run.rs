@@ -246,6 +246,8 @@ fn make_folder(folder: Option<&Path>) -> Result<(), Failure> {
 enum End {
     Spp,
     TimeLimit,
+    /// None is left for another pass.
+    Memory,
     Interrupt(Signal),
 }
 
