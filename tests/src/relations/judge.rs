@@ -71,6 +71,16 @@ pub enum Numbers {
     Own,
 }
 
+impl Numbers {
+    /// Common ones if there are as many lamps on both sides. If not, those that hardly matter
+    /// take another share of the choices: all samples of the others then differ by a little,
+    /// always the same way, until one that was lost makes up for it. No spread tells of that.
+    pub fn of(sides: [&Built; 2]) -> Self {
+        let [left, right] = sides.map(|side| side.scene.lights().len());
+        if left == right { Self::Common } else { Self::Own }
+    }
+}
+
 /// A relation that must hold.
 #[derive(Clone, Debug)]
 pub struct Claim {

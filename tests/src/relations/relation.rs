@@ -181,6 +181,6 @@ fn alike(
         flipped: false,
         factor: 1.0,
         law,
-        numbers: Numbers::Common,
+        numbers: Numbers::of([&left, &right]),
     })
 }

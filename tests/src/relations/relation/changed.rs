@@ -288,7 +288,7 @@ fn exported(
         flipped: false,
         factor: 1.0,
         law: rounded(&arranged),
-        numbers: Numbers::Common,
+        numbers: Numbers::of([&here, &there]),
     }])
 }
 
