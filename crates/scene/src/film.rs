@@ -91,11 +91,12 @@ impl Film {
         self.blocks.insert(place, block);
         // As long as it has become one half of something, and the other half is there.
         loop {
-            place = match (place.checked_sub(1), self.blocks.get(place + 1)) {
-                (Some(before), _) if self.blocks[before].joins(&self.blocks[place]) => before,
-                (_, Some(next)) if self.blocks[place].joins(next) => place,
-                _ => return,
-            };
+            if place > 0 && self.blocks[place - 1].joins(&self.blocks[place]) {
+                place -= 1;
+            } else if !self.blocks.get(place + 1).is_some_and(|next| self.blocks[place].joins(next))
+            {
+                return;
+            }
             let next = self.blocks.remove(place + 1);
             self.blocks[place].join(&next);
         }
@@ -125,16 +126,12 @@ impl Film {
     /// The mean as a picture, for which the film is given up: of a single sum the memory of a
     /// picture alone is needed in the end, and that of the film on the way.
     pub fn into_picture(mut self) -> Grid<Rgb> {
-        let n = f64::from(self.passes().max(1));
-        match self.blocks.pop() {
-            Some(only) if self.blocks.is_empty() => {
-                only.into_sum().into_map(|sum| Rgb::from(sum.map(|band| (band / n) as f32)))
-            }
-            last => {
-                self.blocks.extend(last);
-                self.develop()
-            }
+        if self.blocks.len() != 1 {
+            return self.develop();
         }
+        let n = f64::from(self.passes());
+        let sum = self.blocks.remove(0).into_sum();
+        sum.into_map(|sum| Rgb::from(sum.map(|band| (band / n) as f32)))
     }
 
     /// The means of further pictures, by number, of those into which any light fell.
