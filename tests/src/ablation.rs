@@ -2,18 +2,18 @@
 //!
 //! A batch is a rendering with a seed of its own; batches are independent.
 
-use crate::known::furnace::{glowing_ball, offset_light_wide};
 use crate::ledger::Finding;
-use crate::measure::{Case, samples_in_a_pass};
-use crate::statistics::{Interval, mean_interval};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use traylib_integrators::{
     Bdpt, Control, Limits, Progress, Report, Roulette, Settings, Technique, TechniqueSet,
     Weighting, render,
 };
+use traylib_known::furnace::{glowing_ball, offset_light_wide};
+use traylib_known::{Case, samples_in_a_pass};
 use traylib_materials::SurfaceModel;
 use traylib_math::{Heuristic, Purpose, Sampler};
+use traylib_statistics::{Interval, mean_interval};
 
 /// A technique: vertices from the light, vertices from the camera.
 pub type Pair = (usize, usize);

@@ -11,13 +11,13 @@
 //! makes up much of the variance is left out and counted.
 
 use crate::ledger::Finding;
-use crate::measure::{each_pass, samples_in_a_pass};
 use crate::methods;
-use crate::statistics::{Sample, batch_means, holm, tile_means, uniformity, welch};
-use statrs::distribution::{ContinuousCDF, StudentsT};
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings};
+use traylib_known::{each_pass, samples_in_a_pass};
 use traylib_math::Vec2;
 use traylib_scene::Scene;
+use traylib_statistics::student::two_sided_quantile;
+use traylib_statistics::{Sample, batch_means, holm, tile_means, uniformity, welch};
 
 /// Chance of a false alarm among all tiles and looks of one scene.
 pub const SCENE_LEVEL: f64 = 1e-4;
@@ -150,7 +150,9 @@ impl Tiles {
         let (values, side) = (&mut self.values, self.side);
         let statistics = each_pass(subject.scene, integrator.as_ref(), &settings, |pass| {
             let luminance = pass.map(|[r, g, b]| 0.2126 * r + 0.7152 * g + 0.0722 * b);
-            for (tile, mean) in values.iter_mut().zip(tile_means(&luminance, side)) {
+            for (tile, mean) in
+                values.iter_mut().zip(tile_means(luminance.values(), luminance.width(), side))
+            {
                 tile.push(mean);
             }
         });
@@ -221,7 +223,7 @@ impl Comparison {
             p_values,
             tiles: count,
             ratio: b.mean / a.mean,
-            half_width: quantile() * error,
+            half_width: two_sided_quantile(EQUIVALENCE_LEVEL, (BATCHES - 1) as f64) * error,
             promise: other.promise,
         }
     }
@@ -263,12 +265,6 @@ impl Comparison {
             holds: !refused && self.is_equivalent() && self.sees_enough(),
         }
     }
-}
-
-/// Of Student's law with as many degrees of freedom as batches but one.
-fn quantile() -> f64 {
-    let law = StudentsT::new(0.0, 1.0, (BATCHES - 1) as f64);
-    law.map_or(f64::INFINITY, |law| -law.inverse_cdf(0.5 * EQUIVALENCE_LEVEL))
 }
 
 #[cfg(test)]

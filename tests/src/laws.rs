@@ -6,10 +6,7 @@
 
 pub mod chart;
 pub mod chi_square;
-pub mod frame;
 pub mod frequency;
-pub mod grid;
-pub mod lobe;
 pub mod verdict;
 
 /// How often a correct program raises a false alarm, in each family of tests.

@@ -3,13 +3,10 @@
 
 pub mod ablation;
 pub mod agreement;
-pub mod known;
 pub mod laws;
 pub mod ledger;
 pub mod measure;
 pub mod methods;
 pub mod relations;
-pub mod scenes;
 pub mod stability;
-pub mod statistics;
 pub mod still_life;

@@ -8,18 +8,14 @@
 
 pub mod cell;
 pub mod closed;
-pub mod cost;
 pub mod crowded;
 pub mod expected;
 pub mod figures;
 pub mod judge;
-pub mod moments;
 pub mod page;
 pub mod plate;
 pub mod reference;
 pub mod run;
 pub mod scale;
 pub mod scene;
-pub mod slope;
 pub mod table;
-pub mod tail;

@@ -1,9 +1,9 @@
 //! A small scene with one of everything.
 
-use crate::scenes::{
+use traylib_geometry::{Mesh, Vec3};
+use traylib_known::stage::{
     Stage, ball, black, camera_of_size, hollow_cube, lambert, mirror, phong, rectangle,
 };
-use traylib_geometry::{Mesh, Vec3};
 use traylib_scene::Scene;
 
 /// A diffuse room with a ball for a lamp, a point light, a mirror on the wall, a

@@ -13,12 +13,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The packages whose tests are about light and rays.
-const PACKAGES: [&str; 6] = [
+const PACKAGES: [&str; 8] = [
     "traylib-math",
+    "traylib-statistics",
     "traylib-geometry",
     "traylib-materials",
     "traylib-scene",
     "traylib-integrators",
+    "traylib-known",
     "traylib-tests",
 ];
 

@@ -1,129 +1,19 @@
-//! Intervals for means of few, skewed values: what a method's error costs is known
-//! from some sixteen runs, and one of them may be ten times as bad as the others.
-//!
-//! Efron and Tibshirani, *An Introduction to the Bootstrap*, 1993, chapters 12 to
-//! 14. The random numbers are always the same, and so are the intervals.
+//! Bootstrap intervals whose random numbers are always the same, and so are they.
 
-use crate::results::{Estimate, NOTHING_KNOWN};
 use traylib_math::{Purpose, Sampler};
-use traylib_tests::statistics::Sample;
+use traylib_statistics::{Estimate, bootstrap};
 
-/// Samples drawn from the sample.
-const RESAMPLES: u64 = 8192;
-
-/// The mean of positive values and where the law's mean lies, missed with
-/// probability `level`, no end further away than [`NOTHING_KNOWN`]: bootstrap-t of its logarithm, which keeps its promise for
-/// skewed laws and few values far better than percentiles do.
-pub fn mean(values: &[f64], level: f64) -> Estimate {
-    let [value, _] = log_mean(values);
-    interval(value, &deviations(&[values]), spread(&[values]), level)
+/// [`bootstrap::mean`] of these values.
+pub(crate) fn mean(values: &[f64], level: f64) -> Estimate {
+    bootstrap::mean(values, level, stream)
 }
 
-/// The mean of `values` over the mean of `others`, likewise; the two are
-/// independent.
-pub fn ratio(values: &[f64], others: &[f64], level: f64) -> Estimate {
-    let both = [values, others];
-    let value = log_mean(values)[0] - log_mean(others)[0];
-    interval(value, &deviations(&both), spread(&both), level)
+/// [`bootstrap::ratio`] of these values.
+pub(crate) fn ratio(values: &[f64], others: &[f64], level: f64) -> Estimate {
+    bootstrap::ratio(values, others, level, stream)
 }
 
-/// From a logarithm, the studentised deviations of its resamples (sorted), and its
-/// standard error.
-fn interval(value: f64, deviations: &[f64], error: f64, level: f64) -> Estimate {
-    let at = |share: f64| {
-        let last = deviations.len().saturating_sub(1) as f64;
-        deviations.get((share * last).round() as usize).copied().unwrap_or(0.0)
-    };
-    let furthest = NOTHING_KNOWN.ln();
-    let end = |share: f64| (value - (error * at(share)).clamp(-furthest, furthest)).exp();
-    Estimate { value: value.exp(), low: end(1.0 - 0.5 * level), high: end(0.5 * level) }
-}
-
-/// (log mean of the resample − log mean) over the resample's own standard error,
-/// ascending; of one sample, or of the first less the second.
-fn deviations(samples: &[&[f64]]) -> Vec<f64> {
-    let signs = [1.0, -1.0];
-    let difference = |logs: &[f64]| logs.iter().zip(signs).map(|(log, sign)| sign * log).sum();
-    let truth: f64 = difference(&samples.iter().map(|s| log_mean(s)[0]).collect::<Vec<f64>>());
-    let mut deviations: Vec<f64> = (0..RESAMPLES)
-        .filter_map(|index| {
-            let mut sampler = Sampler::new(0, Purpose::Test, 0, index);
-            let drawn: Vec<Vec<f64>> = samples.iter().map(|s| draw(s, &mut sampler)).collect();
-            let drawn: Vec<&[f64]> = drawn.iter().map(Vec::as_slice).collect();
-            let value = difference(&drawn.iter().map(|s| log_mean(s)[0]).collect::<Vec<f64>>());
-            let error = spread(&drawn);
-            (error > 0.0).then(|| (value - truth) / error)
-        })
-        .collect();
-    deviations.sort_by(f64::total_cmp);
-    deviations
-}
-
-fn draw(values: &[f64], sampler: &mut Sampler) -> Vec<f64> {
-    let n = values.len();
-    let one = |_| values[((sampler.next_1d() * n as f32) as usize).min(n - 1)];
-    (0..n).map(one).collect()
-}
-
-/// Logarithm of the mean, and its standard error by the delta method.
-fn log_mean(values: &[f64]) -> [f64; 2] {
-    let Sample { mean, variance_of_mean, .. } = Sample::of(values);
-    [mean.ln(), variance_of_mean.sqrt() / mean]
-}
-
-fn spread(samples: &[&[f64]]) -> f64 {
-    samples.iter().map(|values| log_mean(values)[1].powi(2)).sum::<f64>().sqrt()
-}
-
-/// The value that a share of `values` stays below, between neighbours by
-/// proportion; zero without any.
-pub fn quantile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let place = share * sorted.len().saturating_sub(1) as f64;
-    let at = |index: usize| sorted.get(index).or(sorted.last()).copied().unwrap_or(0.0);
-    let (low, high) = (at(place.floor() as usize), at(place.ceil() as usize));
-    low + (high - low) * place.fract()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Exponential values: skewed, with mean 1.
-    fn exponential(n: usize, sampler: &mut Sampler) -> Vec<f64> {
-        (0..n).map(|_| -f64::from(1.0 - sampler.next_1d()).ln()).collect()
-    }
-
-    /// How many of 200 intervals miss the truth. At a level of 5 % it is 10 ± 3; as
-    /// the bootstrap promises its level only nearly, 20 are allowed, which plain
-    /// percentiles of 16 such values exceed more often than not.
-    fn misses(interval: impl Fn(&mut Sampler) -> Estimate) -> usize {
-        let mut sampler = Sampler::new(5, Purpose::Test, 0, 0);
-        let missed = |e: Estimate| !(e.low..=e.high).contains(&1.0);
-        (0..200).filter(|_| missed(interval(&mut sampler))).count()
-    }
-
-    #[test]
-    fn intervals_keep_their_promise_for_few_skewed_values() {
-        let of_mean = misses(|sampler| mean(&exponential(16, sampler), 0.05));
-        assert!((2..=20).contains(&of_mean), "{of_mean}");
-        let of_ratio = misses(|s| ratio(&exponential(16, s), &exponential(16, s), 0.05));
-        assert!((2..=20).contains(&of_ratio), "{of_ratio}");
-    }
-
-    #[test]
-    fn equal_values_leave_no_doubt() {
-        let Estimate { value, low, high } = mean(&[2.0; 8], 0.05);
-        assert!((value - 2.0).abs() < 1e-12 && low == value && high == value);
-        let Estimate { value, .. } = ratio(&[6.0, 6.0], &[2.0, 2.0], 0.05);
-        assert!((value - 3.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn quantiles_lie_between_neighbours() {
-        assert_eq!(quantile(&[3.0, 1.0, 2.0], 0.5), 2.0);
-        assert_eq!(quantile(&[1.0, 2.0], 0.05), 1.05);
-        assert_eq!(quantile(&[], 0.5), 0.0);
-    }
+fn stream(index: u64) -> impl FnMut() -> f32 {
+    let mut sampler = Sampler::new(0, Purpose::Test, 0, index);
+    move || sampler.next_1d()
 }

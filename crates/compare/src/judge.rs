@@ -8,7 +8,7 @@ mod verdict;
 pub use trust::{doubted_by, withhold};
 pub use verdict::{no_verdict, verdict};
 
-use crate::bootstrap::{self, quantile};
+use crate::bootstrap;
 use crate::method::{blind_spots, is_biased, longest_path};
 use crate::reference::Reference;
 use crate::results::{Estimate, MethodResults, Metrics, Rays, Target};
@@ -17,8 +17,7 @@ use curve::{averaged, budgets, powers_of_two};
 use steadiness::steadiness;
 use traylib_integrators::{Method, SceneFacts};
 use traylib_math::Grid;
-use traylib_scene::relative_square_errors;
-use traylib_tests::statistics::Sample;
+use traylib_statistics::{Sample, quantile, relative_square_errors};
 
 /// The errors whose price is asked.
 pub const TARGETS: [f64; 3] = [1e-1, 1e-2, 1e-3];
@@ -54,10 +53,9 @@ impl Entry {
         let mut sum = reference.picture.map(|_| 0.0);
         let share = 1.0 / self.pictures.len().max(1) as f64;
         for picture in &self.pictures {
-            let errors = relative_square_errors(picture, &reference.picture, reference.epsilon);
-            for (sum, error) in
-                sum.values_mut().iter_mut().zip(errors.iter().flat_map(Grid::values))
-            {
+            let [x, r] = [picture.values(), reference.picture.values()];
+            let errors = relative_square_errors(x, r, reference.epsilon);
+            for (sum, error) in sum.values_mut().iter_mut().zip(errors.iter().flatten()) {
                 *sum += share * error;
             }
         }

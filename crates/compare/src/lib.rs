@@ -5,12 +5,12 @@
 //! | [`options`], [`method`], [`prepare`], [`radiance`] | what is compared |
 //! | [`reference`](mod@reference) | what pictures are held against |
 //! | [`race`], [`run`](mod@run), [`store`] | the runs, by turns, kept on disk |
-//! | [`judge`], [`bootstrap`] | from runs to intervals and a verdict |
+//! | [`judge`] | from runs to intervals and a verdict |
 //! | [`results`], [`pictures`] | what was found, as plain data |
 //! | [`page`], [`table`], [`csv`] | what is shown of it |
 //! | [`folder`] | where it is left |
 
-pub mod bootstrap;
+mod bootstrap;
 mod chart;
 pub mod compare;
 pub mod csv;

@@ -1,8 +1,8 @@
 //! The instrument tested: noise and cost of one sample under a disk lamp, where
 //! theory knows the noise.
 //!
-//! The scene is A2 of `traylib_tests::known::analytic`, the theory
-//! `traylib_tests::known::variance`.
+//! The scene is A2 of `traylib_known::analytic`, the theory
+//! `traylib_known::variance`.
 
 mod cost;
 mod crossing;
@@ -12,9 +12,10 @@ mod tests;
 use crate::results::{Estimate, Oracle, OracleCurve, OraclePoint};
 use cost::Costs;
 use std::panic::resume_unwind;
+use traylib_known::estimators::Estimator;
 use traylib_math::Heuristic;
-use traylib_tests::known::estimators::Estimator;
-use traylib_tests::statistics::{Interval, Moments};
+use traylib_statistics::normal::OUTSIDE_1E_3;
+use traylib_statistics::{Interval, Moments};
 
 /// Those whose noise is known.
 const ESTIMATORS: [Estimator; 4] = [
@@ -23,9 +24,6 @@ const ESTIMATORS: [Estimator; 4] = [
     Estimator::Both(Heuristic::Power),
     Estimator::Both(Heuristic::Balance),
 ];
-
-/// Two sides of the normal law, 0.1 % outside.
-const QUANTILE: f64 = 3.2905;
 
 /// Samples of A2 in a pass.
 const SAMPLES_A_PASS: u64 = 4096;
@@ -85,7 +83,7 @@ fn measure(size: &Size, tell: &dyn Fn(&str)) -> Oracle {
 }
 
 fn variance(moments: &Moments) -> Estimate {
-    let Interval { mean, half_width } = moments.variance_interval(QUANTILE);
+    let Interval { mean, half_width } = moments.variance_interval(OUTSIDE_1E_3);
     Estimate { value: mean, low: mean - half_width, high: mean + half_width }
 }
 

@@ -10,7 +10,7 @@ pub use pair::{Making, make};
 use crate::results::ReferenceResults;
 use crate::run::Picture;
 use traylib_math::Grid;
-use traylib_scene::{error_floor, relative_square_errors};
+use traylib_statistics::{error_floor, own_rel_mse, rel_mse};
 
 /// A reference's own error may be this share of what it measures.
 pub(crate) const LARGEST_OWN_SHARE: f64 = 0.05;
@@ -33,8 +33,8 @@ pub struct Reference {
 impl Reference {
     /// From a picture and its variance.
     pub(crate) fn new(picture: Picture, variance: Picture, results: ReferenceResults) -> Self {
-        let epsilon = error_floor(&picture);
-        let own_error = own_error(&picture, &variance, epsilon);
+        let epsilon = error_floor(picture.values());
+        let own_error = own_rel_mse(picture.values(), variance.values(), epsilon);
         let results = ReferenceResults { own_error, ..results };
         Self { picture, variance, epsilon, checked: true, results }
     }
@@ -61,10 +61,7 @@ impl Reference {
 
     /// relMSE of a picture of the same size; its own noise is in it.
     pub fn rel_mse(&self, picture: &Picture) -> f64 {
-        let errors = relative_square_errors(picture, &self.picture, self.epsilon);
-        errors.map_or(f64::NAN, |errors| {
-            errors.values().iter().sum::<f64>() / errors.values().len() as f64
-        })
+        rel_mse(picture.values(), self.picture.values(), self.epsilon)
     }
 
     /// An error without the reference's own noise. Where that is nearly all of it,
@@ -101,13 +98,6 @@ impl Reference {
         let variance: f64 = self.variance.values().iter().map(pixel).sum();
         if total > 0.0 { variance / (total * total) } else { 0.0 }
     }
-}
-
-/// Mean of variance/(r² + ε).
-fn own_error(picture: &Picture, variance: &Picture, epsilon: f64) -> f64 {
-    let relative = |(r, v): (&f64, &f64)| if *v > 0.0 { v / (r * r + epsilon) } else { 0.0 };
-    let bands = picture.values().as_flattened().iter().zip(variance.values().as_flattened());
-    bands.map(relative).sum::<f64>() / (3 * picture.values().len()) as f64
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! themselves.
 
 use serde::{Deserialize, Serialize};
+pub use traylib_statistics::{Estimate, NOTHING_KNOWN};
 
 /// A whole comparison.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -117,56 +118,6 @@ pub struct ReferenceAgreement {
     /// cannot.
     pub masked: f64,
 }
-
-/// An end of an interval further away than by this factor tells only that nothing is
-/// known on that side, and is given as this. So is the high end of a mean that has no
-/// variance, however far its values spread: most samples of such a law have no large value
-/// in them, and lie below its mean.
-pub const NOTHING_KNOWN: f64 = 100.0;
-
-/// A number and the interval it lies in. An end [`NOTHING_KNOWN`] times away is none.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Estimate {
-    /// The number.
-    pub value: f64,
-    /// Lower end.
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
-}
-
-impl Estimate {
-    /// Whether the low end is one.
-    pub fn knows_low(&self) -> bool {
-        self.low * NOTHING_KNOWN > NEARLY * self.value
-    }
-
-    /// Whether the high end is one.
-    pub fn knows_high(&self) -> bool {
-        self.high < self.value * NOTHING_KNOWN / NEARLY
-    }
-
-    /// The same without a low end.
-    pub(crate) fn without_low(self) -> Self {
-        Self { low: self.value / NOTHING_KNOWN, ..self }
-    }
-
-    /// The same without a high end.
-    pub(crate) fn without_high(self) -> Self {
-        Self { high: self.value * NOTHING_KNOWN, ..self }
-    }
-
-    /// A rising function of it; an end that is none stays so.
-    pub(crate) fn map(self, of: impl Fn(f64) -> f64) -> Self {
-        let Self { value, low, high } = self;
-        let mapped = Self { value: of(value), low: of(low), high: of(high) };
-        let mapped = if self.knows_low() { mapped } else { mapped.without_low() };
-        if self.knows_high() { mapped } else { mapped.without_high() }
-    }
-}
-
-/// Logarithms and back are not exact.
-const NEARLY: f64 = 1.0 + 1e-9;
 
 /// Which method to use.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

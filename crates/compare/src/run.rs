@@ -10,8 +10,9 @@ use traylib_integrators::{
     Control, Progress, Rendering, Settings, Statistics, ThreadError, render,
 };
 use traylib_math::Grid;
-use traylib_scene::{PictureError, Scene};
-use traylib_tests::stability::tail::Largest;
+use traylib_scene::Scene;
+use traylib_statistics::PictureError;
+use traylib_statistics::tail::Largest;
 
 /// A picture in linear radiance.
 pub type Picture = Grid<[f64; 3]>;
@@ -172,7 +173,8 @@ impl<'a> Watch<'a> {
     fn record(self, rendering: &Rendering, peak_bytes: u64) -> Record {
         let picture = rendering.film.mean();
         let reference = self.race.reference;
-        let error = PictureError::between(&picture, &reference.picture, reference.epsilon);
+        let error =
+            PictureError::between(picture.values(), reference.picture.values(), reference.epsilon);
         let Statistics { camera_rays, bounce_rays, shadow_rays, rejected, .. } =
             rendering.statistics;
         Record {

@@ -64,7 +64,7 @@ fn layers(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_tests::known::furnace::{diffuse_walls, glowing_ball};
+    use traylib_known::furnace::{diffuse_walls, glowing_ball};
 
     fn pictures() -> Vec<(Technique, Grid<Rgb>)> {
         technique_pictures(&glowing_ball(diffuse_walls(), None).scene, 8).unwrap()

@@ -9,6 +9,7 @@ mod photon_map;
 
 use traylib_integrators::{Bdpt, Integrator, Settings, render_to_end};
 use traylib_io::{LoadOptions, load_scene_with};
+use traylib_statistics::Sample;
 
 /// Mean of the picture, green, of one seed.
 fn mean(integrator: &dyn Integrator, seed: u64, threads: usize) -> f64 {
@@ -23,10 +24,8 @@ fn mean(integrator: &dyn Integrator, seed: u64, threads: usize) -> f64 {
 /// Mean over seeds, and its standard error.
 fn estimate(integrator: &dyn Integrator) -> [f64; 2] {
     let means: Vec<f64> = (0..16).map(|seed| mean(integrator, seed, 0)).collect();
-    let n = means.len() as f64;
-    let mean = means.iter().sum::<f64>() / n;
-    let variance = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (n - 1.0);
-    [mean, (variance / n).sqrt()]
+    let Sample { mean, variance_of_mean, .. } = Sample::of(&means);
+    [mean, variance_of_mean.sqrt()]
 }
 
 /// Within six standard errors, which by chance fails once in 10⁴ times with so few seeds,

@@ -1,10 +1,10 @@
 //! Shapes laid out on the unit square, equal areas alike.
 
-use crate::laws::frame::frame;
-use crate::laws::grid::At;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 use traylib_geometry::{Facing, Primitive, Vec3};
+use traylib_known::frame::frame;
+use traylib_known::grid::At;
 
 /// A map from the unit square to a surface that keeps ratios of areas.
 #[derive(Clone, Copy, Debug)]
@@ -157,8 +157,8 @@ fn in_plane(vector: DVec3, u: DVec3, v: DVec3) -> At {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::{ball, disk_facing_down, hollow_ball, rectangle, tube};
     use traylib_geometry::Triangle;
+    use traylib_known::stage::{ball, disk_facing_down, hollow_ball, rectangle, tube};
 
     /// There and back, and small squares have their share of the area.
     #[test]

@@ -2,8 +2,8 @@
 
 use crate::laws::FAMILY_LEVEL;
 use crate::ledger::Finding;
-use crate::statistics::sidak;
-use statrs::distribution::{Binomial, DiscreteCDF};
+use traylib_statistics::binomial::two_sided;
+use traylib_statistics::sidak;
 
 /// At least as many as there are such tests in one run of the proofs.
 pub const TESTS: usize = 400;
@@ -15,7 +15,7 @@ const QUADRATURE: f64 = 1e-6;
 /// the binomial law.
 pub fn happens(claim: impl Into<String>, probability: f64, count: u64, samples: u64) -> Finding {
     let level = sidak(FAMILY_LEVEL, TESTS);
-    let p = tails(probability, count, samples);
+    let p = two_sided(probability, QUADRATURE, count, samples);
     let frequency = count as f64 / samples as f64;
     Finding {
         claim: claim.into(),
@@ -24,15 +24,6 @@ pub fn happens(claim: impl Into<String>, probability: f64, count: u64, samples: 
         samples,
         holds: p > level,
     }
-}
-
-/// Twice the smaller tail, seen from the most favourable probability that
-/// quadrature leaves open.
-fn tails(probability: f64, count: u64, samples: u64) -> f64 {
-    let law = |p: f64| Binomial::new(p.clamp(0.0, 1.0), samples).expect("a probability");
-    let below = law(probability - QUADRATURE).cdf(count);
-    let above = count.checked_sub(1).map_or(1.0, |less| law(probability + QUADRATURE).sf(less));
-    (2.0 * below.min(above)).min(1.0)
 }
 
 #[cfg(test)]

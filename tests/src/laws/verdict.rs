@@ -2,7 +2,7 @@
 
 use crate::laws::FAMILY_LEVEL;
 use crate::ledger::Finding;
-use crate::statistics::{Interval, mean_interval, sidak};
+use traylib_statistics::{Interval, mean_interval, sidak};
 
 /// At least as many as there are known means in the laws' tests.
 pub const MEANS: usize = 600;

@@ -9,9 +9,9 @@
 //! by how much, and the test is of a difference beyond that.
 
 use crate::relations::render::{Built, CELLS, Cells, Estimator, Trouble, Workshop};
-use crate::statistics::Sample;
-use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::sync::Arc;
+use traylib_statistics::student::two_sided;
+use traylib_statistics::{Sample, shortfall};
 
 /// How improbable each look must find a claim to be looked at again.
 pub const LEVELS: [f64; 3] = [1e-2, 1e-3, 1e-4];
@@ -284,17 +284,13 @@ impl Seen<'_> {
             return 1.0;
         }
         let error = difference.variance_of_mean.sqrt();
-        let by_spread = if error > 0.0 { two_sided(beyond / error, difference.count) } else { 0.0 };
+        let freedom = (difference.count.min(1_000_000) as f64 - 1.0).max(1.0);
+        let by_spread = if error > 0.0 { two_sided(beyond / error, freedom) } else { 0.0 };
         by_spread.max(self.by_rarity(cell, means))
     }
 
     /// How probable it is that the darker side missed light that comes in samples
     /// as bright as its brightest; zero where that is not known.
-    ///
-    /// The mean of n samples in 0..M whose law has the mean μ falls short of it by
-    /// d with probability exp(−n d²/(2Mμ)) at most, since their second moment is Mμ
-    /// at most (Maurer, *A bound on the deviation probability for sums of
-    /// non-negative random variables*, 2003).
     fn by_rarity(&self, cell: usize, means: [f64; 2]) -> f64 {
         let darker = usize::from(means[1] < means[0]);
         let Some(cells) = &self.sides[darker] else { return 0.0 };
@@ -309,17 +305,8 @@ impl Seen<'_> {
         let brightest = parts.iter().map(|part| part.brightest).fold(0.0, f64::max);
         let other = self.sample(1 - darker, cell);
         let truth = other.mean - 3.0 * other.variance_of_mean.sqrt();
-        let short = truth - means[darker];
-        if short <= 0.0 {
-            return 1.0;
-        }
         let share = if cell == 0 { 1.0 } else { 0.25 };
         let samples = f64::from(cells.pixels) * share * f64::from(self.passes);
-        (-samples * short * short / (2.0 * brightest * truth)).exp()
+        shortfall(samples, brightest, truth, truth - means[darker])
     }
-}
-
-fn two_sided(t: f64, count: usize) -> f64 {
-    let freedom = (count.min(1_000_000) as f64 - 1.0).max(1.0);
-    StudentsT::new(0.0, 1.0, freedom).map_or(1.0, |law| 2.0 * law.sf(t))
 }

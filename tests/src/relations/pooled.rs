@@ -1,12 +1,13 @@
 //! All scenes of a run together: how far two methods are apart on average.
 
 use crate::relations::judge::First;
-use crate::statistics::Interval;
+use traylib_statistics::Interval;
+use traylib_statistics::normal::two_sided_quantile;
 
 /// Spreads of single scenes below this weigh alike, so that no scene decides alone.
 const FLOOR: f64 = 0.01;
-/// Of the interval, in standard errors: one in 10⁴ by chance, both sides.
-const QUANTILE: f64 = 3.89;
+/// How often the interval misses by chance, both sides.
+const LEVEL: f64 = 1e-4;
 
 /// The mean of the logarithm of right over left, over scenes in which both are
 /// known to a tenth; `None` if there are too few.
@@ -30,5 +31,8 @@ pub fn ratio(firsts: &[First]) -> Option<(Interval, usize)> {
     let total: f64 = terms.iter().map(|(_, weight)| weight).sum();
     let mean = terms.iter().map(|(log, weight)| log * weight).sum::<f64>() / total;
     let squares: f64 = terms.iter().map(|(log, weight)| (weight * (log - mean)).powi(2)).sum();
-    Some((Interval { mean, half_width: QUANTILE * squares.sqrt() / total }, terms.len()))
+    Some((
+        Interval { mean, half_width: two_sided_quantile(LEVEL) * squares.sqrt() / total },
+        terms.len(),
+    ))
 }

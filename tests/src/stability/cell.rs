@@ -1,11 +1,11 @@
 //! A method over a scene: sixteen runs, and what is kept of their passes.
 
-use crate::measure::each_pass;
-use crate::stability::moments::{Energy, Moments};
 use crate::stability::reference::{Reference, values};
-use crate::stability::tail::Largest;
 use traylib_integrators::{Method, Settings};
+use traylib_known::each_pass;
 use traylib_scene::Scene;
+use traylib_statistics::tail::Largest;
+use traylib_statistics::{Energy, PowerSums};
 
 /// Independent runs of each cell.
 pub const RUNS: u64 = 16;
@@ -25,16 +25,16 @@ pub struct Kept {
     /// tail.
     pub largest: Largest,
     /// Power sums of these, of the first half of each run.
-    pub half: Moments,
+    pub half: PowerSums,
     /// Of all.
-    pub all: Moments,
+    pub all: PowerSums,
     /// How their energy is spread.
     pub energy: Energy,
     /// Sum of squares over all runs, one a pixel.
     pub squares: Vec<f64>,
     /// Samples that were not sound numbers.
     pub rejected: u64,
-    /// Of one pass, where somebody timed it ([`cost`](crate::stability::cost)).
+    /// Of one pass, where somebody timed it ([`cost`](traylib_known::cost)).
     pub seconds: f64,
 }
 

@@ -1,9 +1,9 @@
 //! Closed forms of the scenes in `scenes/failure`: the radiance seen from a place
 //! in a direction that meets the floor y = 0.
 
-use crate::known::analytic::corner_factor;
 use std::f64::consts::{FRAC_PI_2, PI};
 use traylib_geometry::Vec3;
+use traylib_known::analytic::corner_factor;
 
 const FLOOR: f64 = 0.5;
 const MIRROR: f64 = 0.9;

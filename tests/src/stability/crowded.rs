@@ -6,10 +6,10 @@
 //! the one and shine on the upper side of a black ceiling: power, by which light
 //! paths start, knows nothing.
 
-use crate::scenes::{Stage, black, camera, disk_facing_down, floor, lambert, rectangle};
 use crate::stability::closed::disk_factor;
 use std::f64::consts::PI;
 use traylib_geometry::Vec3;
+use traylib_known::stage::{Stage, black, camera, disk_facing_down, floor, lambert, rectangle};
 use traylib_scene::{Camera, Scene};
 
 const REFLECTANCE: f64 = 0.5;

@@ -2,10 +2,11 @@
 
 use crate::stability::cell::{Kept, RUNS};
 use crate::stability::reference::Reference;
-use crate::stability::slope::{Level, Slope, fit};
-use crate::stability::tail::{FEWER, KEPT, TailIndex};
-use crate::statistics::{Sample, mean_interval};
 use serde::{Deserialize, Serialize};
+use traylib_statistics::normal::OUTSIDE_1E_3;
+use traylib_statistics::slope::{Level, Slope, fit};
+use traylib_statistics::tail::{FEWER, KEPT, TailIndex};
+use traylib_statistics::{Sample, mean_interval, median};
 
 /// How often an image mean's interval misses its truth.
 pub const LEVEL: f64 = 1e-3;
@@ -66,8 +67,7 @@ impl Figures {
         errors.sort_by(f64::total_cmp);
         let error = Sample::of(&errors).mean;
         let interval = mean_interval(&means, LEVEL);
-        // 3.29 deviations of a normal law leave 0.1 % outside.
-        let doubt = 3.29 * reference.variance_of_mean().sqrt();
+        let doubt = OUTSIDE_1E_3 * reference.variance_of_mean().sqrt();
         let per_pass = (error - reference.own_rel_mse()).max(0.0) * f64::from(kept.passes);
         let kurtosis = kept.all.excess_kurtosis();
         Self {
@@ -75,7 +75,7 @@ impl Figures {
             mean: interval.mean,
             half_width: interval.half_width.hypot(doubt),
             truth: reference.mean(),
-            median_rel_mse: errors[errors.len() / 2],
+            median_rel_mse: median(errors.clone()),
             worst_rel_mse: errors[errors.len() - 1],
             rel_mse_per_pass: per_pass,
             seconds_per_pass: kept.seconds,

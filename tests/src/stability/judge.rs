@@ -1,9 +1,9 @@
 //! From figures to a verdict.
 
 use crate::stability::figures::{Figures, TARGET};
-use crate::stability::tail;
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use traylib_statistics::tail;
 
 /// Times the best method's time to relMSE 10⁻² beyond which a cell is slow.
 pub const SLOW: f64 = 10.0;

@@ -82,7 +82,7 @@ fn table_cell(cell: &Judged) -> Markup {
     }
 }
 
-fn alpha(index: Option<crate::stability::tail::TailIndex>) -> String {
+fn alpha(index: Option<traylib_statistics::tail::TailIndex>) -> String {
     index.map_or("—".into(), |index| index.alpha.map_or("∞".into(), short))
 }
 

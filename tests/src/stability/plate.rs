@@ -4,8 +4,8 @@
 //! carry different cosines, of N_s and of N_g; techniques agree only if each
 //! walk knows which it is on.
 
-use crate::scenes::{Stage, black, camera, phong, rectangle};
 use traylib_geometry::{Mesh, Vec3};
+use traylib_known::stage::{Stage, black, camera, phong, rectangle};
 use traylib_scene::Scene;
 
 /// Squares along an edge.

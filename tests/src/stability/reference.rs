@@ -1,11 +1,12 @@
 //! What the cells of a row are held against.
 
-use crate::measure::each_pass;
 use crate::stability::scene::{FailureScene, Truth};
 use traylib_geometry::Vec3;
 use traylib_integrators::{Method, Settings};
+use traylib_known::each_pass;
 use traylib_math::{Grid, Vec2};
 use traylib_scene::{Camera, Scene};
+use traylib_statistics::{error_floor, own_rel_mse, rel_mse};
 
 /// Of no cell.
 const SEED: u64 = 0x7EF;
@@ -73,25 +74,30 @@ impl Reference {
         self.variances.iter().sum::<f64>() / (self.pixels.len() as f64).powi(2)
     }
 
-    /// What an error in each pixel is divided by, squared: r² + 0.01·(mean r)².
+    /// What an error in each pixel is divided by for relMSE, squared: r² + ε.
     pub fn scales(&self) -> Vec<f64> {
-        let floor = 1e-2 * self.mean().powi(2);
+        let floor = self.floor();
         self.pixels.iter().map(|pixel| pixel * pixel + floor).collect()
     }
 
-    /// relMSE of a picture against this one: the mean of squared errors over
-    /// [`scales`](Self::scales).
+    /// relMSE of a picture against this one.
     pub fn rel_mse(&self, picture: &[f64]) -> f64 {
-        let error = |((x, r), scale): ((&f64, &f64), f64)| (x - r).powi(2) / scale;
-        let sum: f64 = picture.iter().zip(&self.pixels).zip(self.scales()).map(error).sum();
-        sum / self.pixels.len() as f64
+        rel_mse(grey(picture), grey(&self.pixels), self.floor())
     }
 
     /// What this reference's own noise adds to every relMSE.
     pub fn own_rel_mse(&self) -> f64 {
-        let sum: f64 = self.variances.iter().zip(self.scales()).map(|(v, scale)| v / scale).sum();
-        sum / self.pixels.len() as f64
+        own_rel_mse(grey(&self.pixels), grey(&self.variances), self.floor())
     }
+
+    fn floor(&self) -> f64 {
+        error_floor(grey(&self.pixels))
+    }
+}
+
+/// Pixels of one band.
+fn grey(values: &[f64]) -> &[[f64; 1]] {
+    values.as_chunks().0
 }
 
 /// The mean of the three bands, pixel by pixel.

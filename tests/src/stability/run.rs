@@ -1,7 +1,6 @@
 //! Running the table: what to render, by two threads, one cell each.
 
 use crate::stability::cell::{self, Kept};
-use crate::stability::cost::seconds_per_pass;
 use crate::stability::expected::METHODS;
 use crate::stability::figures::Figures;
 use crate::stability::judge::{Verdict, Word, best, factor, judge};
@@ -13,6 +12,7 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use traylib_integrators::{BlindSpot, Method, SceneFacts};
+use traylib_known::cost::seconds_per_pass;
 use traylib_scene::Scene;
 
 /// Cells rendered at a time, each by one thread.

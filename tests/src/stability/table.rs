@@ -136,7 +136,7 @@ fn figures(cells: &[Judged]) -> String {
     );
     for cell in cells {
         let Some(f) = &cell.figures else { continue };
-        let tail = |index: Option<crate::stability::tail::TailIndex>| {
+        let tail = |index: Option<traylib_statistics::tail::TailIndex>| {
             index.map_or("—".into(), |i| match (i.alpha, i.upper) {
                 (Some(alpha), Some(upper)) => format!("{alpha:.2} < {upper:.2}"),
                 _ => "∞".into(),

@@ -1,8 +1,8 @@
 //! Each technique (s, t) alone, and random sets of them, against radiance that
 //! is known for each length of path.
 
+use traylib_known::furnace::{diffuse_walls, mirroring_walls};
 use traylib_tests::ablation::{Budget, Spectrum, ball, lit_ball, random_subset};
-use traylib_tests::known::furnace::{diffuse_walls, mirroring_walls};
 use traylib_tests::ledger::{Finding, settle};
 
 /// For all comparisons of this file at once, about 100 in either form, a false

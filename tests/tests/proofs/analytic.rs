@@ -1,5 +1,5 @@
 //! Direct light against closed forms; what they are and why stands in
-//! `traylib_tests::known::analytic`.
+//! `traylib_known::analytic`.
 //!
 //! All comparisons here and in `furnace.rs` are one family, for which a correct
 //! renderer raises a false alarm with probability 10⁻³
@@ -9,12 +9,13 @@
 //! spot has 4096 and one over a wide view 1024; and at least 32 passes.
 
 use traylib_integrators::{Method, Settings, Trace};
-use traylib_tests::known::analytic::{
+use traylib_known::analytic::{
     disk, max_phong_disk, outshone, phong_disk, point_light, point_light_wide, sphere, square,
     square_wide,
 };
+use traylib_known::{Case, each_pass};
 use traylib_tests::ledger::settle;
-use traylib_tests::measure::{Case, all_hold, compare_within, each_pass};
+use traylib_tests::measure::{all_hold, compare_within};
 use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 /// Those that combine ways to find the lamp, and so need few passes anywhere.

@@ -1,13 +1,13 @@
 //! More direct light against closed forms: lamps cut by the horizon, polygons,
 //! coincident lights, round lamps, and whole surfaces. The forms stand in
-//! `traylib_tests::known::{horizon, polygonal, tubes, exchange}`; the comparisons
+//! `traylib_known::{horizon, polygonal, tubes, exchange}`; the comparisons
 //! belong to one family with those of `analytic.rs`.
 
-use traylib_tests::known::analytic::coincident_lights;
-use traylib_tests::known::exchange::{disks, opposite_sides};
-use traylib_tests::known::horizon::cut_sphere;
-use traylib_tests::known::polygonal::{standing, sunk_pentagon, tilted_triangle};
-use traylib_tests::known::tubes::cones_and_a_tube;
+use traylib_known::analytic::coincident_lights;
+use traylib_known::exchange::{disks, opposite_sides};
+use traylib_known::horizon::cut_sphere;
+use traylib_known::polygonal::{standing, sunk_pentagon, tilted_triangle};
+use traylib_known::tubes::cones_and_a_tube;
 use traylib_tests::measure::all_hold;
 use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 

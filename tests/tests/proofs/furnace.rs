@@ -1,9 +1,9 @@
 //! Closed rooms with known radiance, for all lengths of paths and for each; the
-//! derivations stand in `traylib_tests::known::furnace`. The comparisons belong to one
+//! derivations stand in `traylib_known::furnace`. The comparisons belong to one
 //! family with those of `analytic.rs`.
 
 use traylib_integrators::Method;
-use traylib_tests::known::furnace::{
+use traylib_known::furnace::{
     central_light, diffuse_walls, glowing_ball, glowing_cube, mirroring_walls, offset_light,
     offset_light_wide,
 };

@@ -5,18 +5,20 @@
 use glam::DVec3;
 use traylib_geometry::{Primitive, Ray, Sides, Triangle, Vec3};
 use traylib_integrators::{DirectLight, Integrator, Settings};
-use traylib_math::{Heuristic, Purpose, Sampler, warp};
-use traylib_tests::known::analytic::phong_disk;
-use traylib_tests::known::exchange::corner;
-use traylib_tests::known::hard::{
+use traylib_known::analytic::phong_disk;
+use traylib_known::exchange::corner;
+use traylib_known::hard::{
     bumpy_plate, close_lamp, cube_of_slivers, grazing_light, grazing_view, lit_cube, tiny_lamp,
 };
-use traylib_tests::known::polygonal::standing;
+use traylib_known::polygonal::standing;
+use traylib_known::{each_pass, pass_means, samples_in_a_pass};
+use traylib_math::{Heuristic, Purpose, Sampler, warp};
+use traylib_statistics::normal::OUTSIDE_1E_3;
+use traylib_statistics::tail::{KEPT, Largest};
+use traylib_statistics::{Sample, sidak, welch};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::measure::{FAMILY_LEVEL, all_hold, each_pass, pass_means, samples_in_a_pass};
+use traylib_tests::measure::{FAMILY_LEVEL, all_hold};
 use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
-use traylib_tests::stability::tail::{KEPT, Largest};
-use traylib_tests::statistics::{Sample, sidak, welch};
 
 /// Every sample of the corner by itself.
 fn corner_samples(integrator: &dyn Integrator, passes: u32, mut look: impl FnMut(f64)) -> u64 {
@@ -37,8 +39,7 @@ fn corner_tail(passes: u32) -> Finding {
     let strict = DirectLight::default();
     let samples = corner_samples(&strict, passes, |value| largest.add(value));
     let alpha = largest.tail_index(KEPT).and_then(|index| index.alpha).unwrap();
-    // The normal law leaves 10⁻³ beyond 3.29 deviations.
-    let slack = 1.5 * 3.29 / (KEPT as f64).sqrt();
+    let slack = 1.5 * OUTSIDE_1E_3 / (KEPT as f64).sqrt();
     Finding {
         claim: "D1: tail index of light samples in a corner is 1.5".into(),
         statistic: format!("{alpha:.3}, within {slack:.3}"),

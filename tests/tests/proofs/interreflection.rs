@@ -3,10 +3,11 @@
 //! belong to one family with those of `analytic.rs`.
 
 use traylib_integrators::{Method, Settings, Statistics};
-use traylib_tests::known::concentric::{Shell, concentric};
-use traylib_tests::known::rooms::{glossy_ball, room_of_flux};
+use traylib_known::concentric::{Shell, concentric};
+use traylib_known::pass_means;
+use traylib_known::rooms::{glossy_ball, room_of_flux};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, compare, judge, pass_means};
+use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, compare, judge};
 use traylib_tests::methods::{
     BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC, WALKING,
 };

@@ -12,13 +12,14 @@
 
 use traylib_geometry::Vec3;
 use traylib_integrators::{Bdpt, DirectLight, Integrator, Limits, Settings, Techniques};
+use traylib_known::each_pass;
+use traylib_known::stage::{Stage, black, disk_facing_down, lambert, rectangle, spot};
 use traylib_math::{Heuristic, Purpose, Sampler, Vec2};
 use traylib_scene::Scene;
+use traylib_statistics::normal::two_sided_quantile;
+use traylib_statistics::{Interval, Moments};
 use traylib_tests::laws::chi_square::follows;
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::measure::each_pass;
-use traylib_tests::scenes::{Stage, black, disk_facing_down, lambert, rectangle, spot};
-use traylib_tests::statistics::{Interval, Moments};
 
 const REFLECTANCE: f32 = 0.5;
 const ROOM: f32 = 6.0;
@@ -86,9 +87,8 @@ fn methods() -> [(&'static str, Box<dyn Integrator>); 2] {
     ]
 }
 
-/// Two sides of the normal law, 10⁻⁶ outside: eight comparisons raise a false alarm
-/// once in 10⁵ seeds.
-const QUANTILE: f64 = 4.8916;
+/// Of each interval: eight comparisons raise a false alarm once in 10⁵ seeds.
+const LEVEL: f64 = 1e-6;
 
 /// The variance of one sample may be so many squares of the mean. A choice that
 /// knew what light each lamp sends to the point, but not the walls, would draw the
@@ -104,15 +104,16 @@ fn truth() -> f64 {
 fn findings(floor: [u16; 2]) -> [Finding; 4] {
     let scene = office(floor);
     let lamps = scene.lights().len();
+    let quantile = two_sided_quantile(LEVEL);
     let [of_direct, of_bdpt] = methods().map(|(name, method)| {
         let moments = samples(&scene, method.as_ref(), 16);
-        let Interval { mean: variance, half_width } = moments.variance_interval(QUANTILE);
+        let Interval { mean: variance, half_width } = moments.variance_interval(quantile);
         let (square, count) = (truth() * truth(), moments.count as f64);
-        let error = QUANTILE * (moments.variance / count).sqrt();
+        let error = quantile * (moments.variance / count).sqrt();
         let finding = |claim: &str, statistic, holds| Finding {
             claim: format!("{lamps} rooms, {name}: {claim}"),
             statistic,
-            level: Some(1e-6),
+            level: Some(LEVEL),
             samples: moments.count as u64,
             holds,
         };

@@ -1,23 +1,22 @@
 //! Light that a mirror throws onto the floor, against closed forms; the scenes
-//! and their truths stand in `traylib_tests::known::mirrored`. Comparisons of whole
+//! and their truths stand in `traylib_known::mirrored`. Comparisons of whole
 //! pictures belong to one family with those of `analytic.rs`; the 64 blocks of a
 //! picture are a family of their own.
 
 use std::time::Instant;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings, Statistics};
-use traylib_tests::known::mirrored::{
+use traylib_known::mirrored::{
     NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
     mirrored_point, mirrored_point_in_a_mirror,
 };
+use traylib_known::stage::phong;
+use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass};
+use traylib_statistics::{Sample, mean_interval, sidak, tile_means};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::measure::{
-    Case, EQUIVALENCE, FAMILY_LEVEL, Measured, each_pass, judge, pass_means, samples_in_a_pass,
-};
+use traylib_tests::measure::{EQUIVALENCE, FAMILY_LEVEL, Measured, judge};
 use traylib_tests::methods::{
     self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC, WALKING,
 };
-use traylib_tests::scenes::phong;
-use traylib_tests::statistics::{Sample, mean_interval, sidak, tile_means};
 
 /// Side of a block in pixels.
 const BLOCK: usize = 8;
@@ -34,7 +33,7 @@ fn render(picture: &Picture, method: Method, passes: u32, seed: u64) -> Passes {
     let (mut blocks, mut means) = (vec![Vec::new(); blocks(picture).len()], Vec::new());
     let statistics = each_pass(&picture.scene, integrator.as_ref(), &settings, |pass| {
         let pass = pass.map(|bands| bands[1]);
-        let tiles = tile_means(&pass, BLOCK);
+        let tiles = tile_means(pass.values(), pass.width(), BLOCK);
         means.push(tiles.iter().sum::<f64>() / tiles.len() as f64);
         blocks.iter_mut().zip(tiles).for_each(|(block, mean)| block.push(mean));
     });
@@ -44,7 +43,7 @@ fn render(picture: &Picture, method: Method, passes: u32, seed: u64) -> Passes {
 
 /// What the blocks should be.
 fn blocks(picture: &Picture) -> Vec<f64> {
-    tile_means(&picture.truth, BLOCK)
+    tile_means(picture.truth.values(), picture.truth.width(), BLOCK)
 }
 
 fn mean_of(values: &[f64]) -> f64 {

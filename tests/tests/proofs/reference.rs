@@ -5,11 +5,11 @@
 use serde::Deserialize;
 use traylib_integrators::{Control, Method, Settings};
 use traylib_io::{LoadOptions, load_exr, load_scene_with};
+use traylib_known::each_pass;
 use traylib_math::Grid;
+use traylib_statistics::{Sample, holm, welch};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::measure::each_pass;
 use traylib_tests::methods;
-use traylib_tests::statistics::{Sample, holm, welch};
 
 /// Chance of a false alarm among all blocks of one picture.
 const FAMILY_LEVEL: f64 = 1e-3;

@@ -5,13 +5,13 @@
 use std::f32::consts::TAU;
 use std::sync::Arc;
 use traylib_geometry::Vec3;
+use traylib_known::stage::{Stage, camera_of_size, floor, lambert, phong, rectangle};
 use traylib_materials::{Bump, Layer, Maps, Material, Texture};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Scene;
 use traylib_tests::agreement::{Budget, Other, Subject, agree};
 use traylib_tests::ledger::settle;
 use traylib_tests::methods::{BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
-use traylib_tests::scenes::{Stage, camera_of_size, floor, lambert, phong, rectangle};
 
 /// Height of the hills over a side of the plate: with four hills to a side the
 /// steepest slope is 2π·4·`HEIGHT`/2 = 1 along each axis.

@@ -5,13 +5,13 @@ use std::ops::ControlFlow;
 use traylib_integrators::{
     Bdpt, Control, Integrator, Limits, Method, Progress, Roulette, Settings, Statistics, render,
 };
+use traylib_known::each_pass;
 use traylib_math::{Grid, Heuristic};
 use traylib_scene::Scene;
+use traylib_statistics::{Sample, sidak, tile_means, welch};
 use traylib_tests::laws::verdict::same_bits;
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::measure::each_pass;
 use traylib_tests::methods;
-use traylib_tests::statistics::{Sample, sidak, tile_means, welch};
 use traylib_tests::still_life::still_life;
 
 /// The integrators of all methods with their names; `trace` in both of its forms.
@@ -96,7 +96,7 @@ fn bdpt_with_the_techniques_of_another_method_is_that_method() {
 fn blocks(integrator: &dyn Integrator, settings: Settings) -> Vec<Sample> {
     let mut blocks: Vec<Vec<f64>> = Vec::new();
     let statistics: Statistics = each_pass(&still_life(1.0), integrator, &settings, |pass| {
-        let means = tile_means(&pass.map(|bands| bands[1]), 8);
+        let means = tile_means(pass.map(|bands| bands[1]).values(), pass.width(), 8);
         blocks.resize(means.len(), Vec::new());
         for (block, mean) in blocks.iter_mut().zip(means) {
             block.push(mean);

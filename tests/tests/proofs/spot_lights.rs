@@ -4,13 +4,12 @@
 use std::f64::consts::{FRAC_1_PI, PI};
 use traylib_geometry::Vec3;
 use traylib_integrators::{Settings, Trace};
+use traylib_known::stage::{Stage, camera, lambert, rectangle, spot};
+use traylib_known::{Case, mean_over_floor, pass_means, samples_in_a_pass};
 use traylib_scene::{Camera, Scene, SpotCone};
 use traylib_tests::ledger::settle;
-use traylib_tests::measure::{
-    Case, EQUIVALENCE, Measured, all_hold, judge, mean_over_floor, pass_means, samples_in_a_pass,
-};
+use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, judge};
 use traylib_tests::methods;
-use traylib_tests::scenes::{Stage, camera, lambert, rectangle, spot};
 
 const PASSES: u32 = 192;
 const REFLECTANCE: f64 = 0.5;

@@ -4,17 +4,16 @@
 use std::collections::BTreeSet;
 use traylib_integrators::{Method, SceneFacts};
 use traylib_math::{Purpose, Sampler};
+use traylib_statistics::slope::{Level, Slope, fit};
+use traylib_statistics::tail::{FEWER, KEPT, Largest, TailIndex, alarm};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::methods;
 use traylib_tests::stability::cell;
 use traylib_tests::stability::expected::{CORRECTIONS, EXPECTED, Expected, METHODS, expected};
 use traylib_tests::stability::figures::Figures;
 use traylib_tests::stability::judge::{Verdict, Word, best, judge};
-use traylib_tests::stability::moments::{Energy, Moments};
 use traylib_tests::stability::reference::Reference;
 use traylib_tests::stability::scene::SCENES;
-use traylib_tests::stability::slope::{Level, Slope, fit};
-use traylib_tests::stability::tail::{FEWER, KEPT, Largest, TailIndex, alarm};
 
 /// How many draws the laws below are known by.
 const DRAWS: u32 = 400_000;
@@ -106,68 +105,6 @@ fn the_corner_has_the_index_one_and_a_half() {
     settle(&[finding("index of G in a corner is 1.5", statistic, Some(6e-5), {
         (alpha - 1.5).abs() < 4.0 * 1.5 / 16.0
     })]);
-}
-
-#[test]
-fn without_enough_values_there_is_no_index_and_no_alarm() {
-    let mut largest = Largest::default();
-    (0..FEWER).for_each(|i| largest.add(i as f64 + 1.0));
-    assert_eq!(largest.tail_index(FEWER), None);
-    largest.add(0.5);
-    assert!(largest.tail_index(FEWER).is_some() && largest.tail_index(KEPT).is_none());
-    assert!(!alarm(None, largest.tail_index(FEWER)));
-    let mut same = Largest::default();
-    (0..1000).for_each(|_| same.add(3.0));
-    assert_eq!(same.tail_index(KEPT).unwrap().alpha, None);
-}
-
-/// The largest are the largest, in whatever order they come.
-#[test]
-fn what_is_kept_does_not_depend_on_the_order() {
-    let mut values: Vec<f64> = Vec::new();
-    uniform(3, |u| values.push(1.0 / u));
-    let index = |values: &[f64]| {
-        let mut largest = Largest::default();
-        for &value in values {
-            largest.add(value);
-        }
-        largest.tail_index(KEPT)
-    };
-    let found = index(&values);
-    values.sort_by(f64::total_cmp);
-    assert_eq!(found, index(&values));
-    values.reverse();
-    assert_eq!(found, index(&values));
-}
-
-/// A walk that hits a lamp of form factor F or misses it: the excess kurtosis is
-/// (1 − 6F(1 − F))/(F(1 − F)). Exact, for the shares of a finite list.
-#[test]
-fn kurtosis_of_hits_and_misses() {
-    for (hits, all) in [(1, 2), (1, 10), (1, 1000)] {
-        let mut moments = Moments::default();
-        (0..all).for_each(|i| moments.add(if i < hits { 0.7 } else { 0.0 }));
-        let spread = f64::from(hits * (all - hits)) / f64::from(all * all);
-        let known = (1.0 - 6.0 * spread) / spread;
-        let found = moments.excess_kurtosis().unwrap();
-        assert!((found - known).abs() < 1e-9 * known.abs(), "{found} {known}");
-    }
-    let mut constant = Moments::default();
-    (0..1000).for_each(|_| constant.add(0.1));
-    assert_eq!(constant.excess_kurtosis(), None);
-}
-
-/// One value in a thousand is x, the others 1: their energy is x²/(x² + 999).
-#[test]
-fn the_largest_values_share_of_the_energy() {
-    for x in [1.0, 10.0, 1e3] {
-        let mut energy = Energy::default();
-        (0..100_000).for_each(|i| energy.add(if i % 1000 == 0 { x } else { 1.0 }));
-        let known = x * x / (x * x + 999.0);
-        let found = energy.share_of_largest();
-        assert!((found - known).abs() < 1e-9, "{x}: {found} {known}");
-    }
-    assert_eq!(Energy::default().share_of_largest(), 0.0);
 }
 
 /// Sixteen runs over 64 pixels of passes drawn from a law: the variances over the

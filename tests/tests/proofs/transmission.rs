@@ -1,8 +1,8 @@
 //! Light that goes through things, against what is known; the derivations stand in
-//! `traylib_tests::known::transmission`. The comparisons belong to one family with
+//! `traylib_known::transmission`. The comparisons belong to one family with
 //! those of `analytic.rs`.
 
-use traylib_tests::known::transmission::{
+use traylib_known::transmission::{
     clear_things_in_a_furnace, furnace_from_inside_of_glass, lamp_behind_a_pane,
     light_in_a_ball_of_glass,
 };

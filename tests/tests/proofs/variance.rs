@@ -1,26 +1,27 @@
 //! The noise of one sample against its closed form; the derivations stand in
-//! `traylib_tests::known::variance`.
+//! `traylib_known::variance`.
 //!
 //! The 24 comparisons at length are a family, with one false alarm in a thousand runs:
 //! seeds are fixed, but every change of what is drawn for what is another run.
 
-use traylib_tests::known::estimators::{Estimator, root_near};
-use traylib_tests::known::variance::crossing;
+use traylib_known::estimators::{Estimator, root_near};
+use traylib_known::variance::crossing;
+use traylib_statistics::normal::two_sided_quantile;
+use traylib_statistics::{Interval, sidak};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::statistics::Interval;
 
-/// 1 − (1 − 10⁻³)^(1/24), and two sides of the normal law with so much outside.
-const LEVEL: f64 = 4.1687e-5;
-const QUANTILE: f64 = 4.0979;
+/// The family.
+const FAMILY: (f64, usize) = (1e-3, 24);
 
 fn compare(estimator: Estimator, radius: f64, passes: u32, seed: u64) -> Finding {
     let moments = estimator.samples(radius, passes, seed);
     let theory = estimator.theory(radius);
-    let Interval { mean, half_width } = moments.variance_interval(QUANTILE);
+    let level = sidak(FAMILY.0, FAMILY.1);
+    let Interval { mean, half_width } = moments.variance_interval(two_sided_quantile(level));
     Finding {
         claim: format!("A2 R/h = {radius}, {estimator:?}: variance of one sample"),
         statistic: format!("{mean:.5e} ± {half_width:.1e}, theory {theory:.5e}"),
-        level: Some(LEVEL),
+        level: Some(level),
         samples: moments.count as u64,
         holds: (mean - theory).abs() <= half_width && half_width < 0.2 * theory,
     }

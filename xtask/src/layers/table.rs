@@ -1,7 +1,7 @@
 //! The table of layers: what each crate may be built from.
 //!
-//! Arrows go down only, and two crates on one floor never see each other:
-//! geometry and materials, io and integrators. A crate is missing from a row
+//! Arrows go down only, and two crates on one floor never see each other: math and
+//! statistics, geometry and materials, io and integrators, demos and known. A crate is missing from a row
 //! because that row's package must not need to know of it.
 
 /// One package of the workspace and the packages it may depend on.
@@ -16,6 +16,7 @@ pub(super) struct Layer {
 /// All packages, ground floor first.
 pub(super) const LAYERS: &[Layer] = &[
     layer("traylib-math", &["glam", "rand_core", "rand_pcg"]),
+    Layer { package: "traylib-statistics", may_use: &["statrs"], behind_features: &["serde"] },
     Layer {
         package: "traylib-geometry",
         may_use: &["traylib-math"],
@@ -46,9 +47,22 @@ pub(super) const LAYERS: &[Layer] = &[
         &["traylib-math", "traylib-geometry", "traylib-materials", "traylib-scene", "rayon"],
     ),
     layer(
+        "traylib-known",
+        &[
+            "traylib-math",
+            "traylib-statistics",
+            "traylib-geometry",
+            "traylib-materials",
+            "traylib-scene",
+            "traylib-integrators",
+            "glam",
+        ],
+    ),
+    layer(
         "traylib-demos",
         &[
             "traylib-math",
+            "traylib-statistics",
             "traylib-geometry",
             "traylib-materials",
             "traylib-scene",
@@ -65,27 +79,29 @@ pub(super) const LAYERS: &[Layer] = &[
         "traylib-tests",
         &[
             "traylib-math",
+            "traylib-statistics",
             "traylib-geometry",
             "traylib-materials",
             "traylib-scene",
             "traylib-io",
             "traylib-integrators",
+            "traylib-known",
             "glam",
             "maud",
             "serde",
             "serde_json",
-            "statrs",
         ],
     ),
     layer(
         "traylib-compare",
         &[
             "traylib-math",
+            "traylib-statistics",
             "traylib-scene",
             "traylib-io",
             "traylib-integrators",
+            "traylib-known",
             "traylib-demos",
-            "traylib-tests",
             "base64",
             "clap",
             "image",

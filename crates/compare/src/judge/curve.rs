@@ -1,10 +1,11 @@
 //! Error over time.
 
 use super::{Entry, LEVEL};
-use crate::bootstrap::{self, quantile};
+use crate::bootstrap;
 use crate::reference::Reference;
 use crate::results::Point;
 use crate::run::{Look, Picture, Record};
+use traylib_statistics::quantile;
 
 /// After each power of two of passes that every run reached.
 pub(super) fn powers_of_two(entry: &Entry, reference: &Reference) -> Vec<Point> {

@@ -1,12 +1,11 @@
 //! Whether a method's good average can be relied on.
 
 use super::{Entry, raw_errors};
-use crate::bootstrap::quantile;
 use crate::reference::Reference;
 use crate::results::{Estimate, Stability};
 use crate::run::{Picture, grey};
-use traylib_tests::stability::tail::{FEWER, KEPT, Largest, TailIndex, alarm};
-use traylib_tests::statistics::Sample;
+use traylib_statistics::tail::{FEWER, KEPT, Largest, TailIndex, alarm};
+use traylib_statistics::{Sample, quantile};
 
 /// Deviations that noise alone does not reach.
 const FAR: f64 = 10.0;

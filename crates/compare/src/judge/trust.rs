@@ -11,8 +11,7 @@ use crate::reference::{LARGEST_OWN_SHARE, Reference};
 use crate::results::MethodResults;
 use crate::run::grey;
 use traylib_integrators::Method;
-use traylib_scene::relative_square_errors;
-use traylib_tests::statistics::{Sample, welch};
+use traylib_statistics::{Sample, relative_square_errors, welch};
 
 /// Standard errors that noise does not reach: once in three million scenes.
 const SURE: f64 = 5.0;
@@ -47,11 +46,11 @@ pub fn doubted_by(
 fn lasting(entry: &Entry, reference: &Reference) -> bool {
     let errors = entry.error_map(reference);
     let Some(mean) = curve::mean_picture(&entry.records, &entry.pictures) else { return false };
-    let of_mean = relative_square_errors(&mean, &reference.picture, reference.epsilon);
-    let Some(of_mean) = of_mean else { return false };
+    let [x, r] = [mean.values(), reference.picture.values()];
+    let Some(of_mean) = relative_square_errors(x, r, reference.epsilon) else { return false };
     let runs = entry.records.len() as f64;
     // Of each pixel: the product of the errors of two runs, mean over all pairs.
-    let pairs = of_mean.values().iter().zip(errors.values());
+    let pairs = of_mean.iter().zip(errors.values());
     let lasting: Vec<f64> =
         pairs.map(|(of_mean, of_one)| (runs * of_mean - of_one) / (runs - 1.0)).collect();
     let Sample { mean, variance_of_mean, .. } = Sample::of(&lasting);

@@ -1,5 +1,5 @@
 use super::*;
-use traylib_tests::known::furnace::{diffuse_walls, glowing_ball};
+use traylib_known::furnace::{diffuse_walls, glowing_ball};
 
 fn furnace(passes: u32) -> Vec<LengthShare> {
     lengths(&glowing_ball(diffuse_walls(), None).scene, 0.04, passes).unwrap()

@@ -2,9 +2,10 @@
 
 use super::SAMPLES_A_PASS;
 use traylib_integrators::Integrator;
-use traylib_tests::known::analytic::disk;
-use traylib_tests::known::estimators::Estimator;
-use traylib_tests::stability::cost::{interleaved, median};
+use traylib_known::analytic::disk;
+use traylib_known::cost::interleaved;
+use traylib_known::estimators::Estimator;
+use traylib_statistics::median;
 
 /// Seconds of one sample of several estimators, each timed as often, in turns.
 #[derive(Debug)]

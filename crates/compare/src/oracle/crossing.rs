@@ -7,12 +7,10 @@
 use super::cost::Costs;
 use super::{Size, side_by_side};
 use crate::results::{Estimate, OracleCrossing};
-use traylib_tests::known::estimators::{Estimator, root_near};
-use traylib_tests::known::variance;
-use traylib_tests::statistics::Moments;
-
-/// Two sides of the normal law, 5 % outside.
-const QUANTILE: f64 = 1.96;
+use traylib_known::estimators::{Estimator, root_near};
+use traylib_known::variance;
+use traylib_statistics::Moments;
+use traylib_statistics::normal::OUTSIDE_5_PERCENT;
 
 /// Radii are this part of the middle one apart.
 const STEP: f64 = 0.07;
@@ -61,10 +59,9 @@ fn log_ratio(radius: f64, passes: u32, seed: u64) -> Measured {
     Measured { value: lights.value - walks.value, error: lights.error.hypot(walks.error) }
 }
 
-/// ln V; an estimated variance has the variance (μ₄ − σ⁴)/n.
+/// ln V.
 fn log_variance(moments: &Moments) -> Measured {
-    let spread = (moments.fourth - moments.variance.powi(2)).max(0.0);
-    let error = (spread / moments.count as f64).sqrt() / moments.variance;
+    let error = moments.error_of_variance() / moments.variance;
     Measured { value: moments.variance.ln(), error }
 }
 
@@ -81,7 +78,7 @@ fn root(middle: f64, step: f64, target: Measured, ratios: [Measured; 3]) -> Esti
     };
     let by_target = at(target.value + target.error, values) - value;
     let error = [moved_by(0), moved_by(1), moved_by(2), by_target];
-    let width = QUANTILE * error.iter().map(|e| e * e).sum::<f64>().sqrt();
+    let width = OUTSIDE_5_PERCENT * error.iter().map(|e| e * e).sum::<f64>().sqrt();
     Estimate { value, low: value - width, high: value + width }
 }
 

@@ -2,13 +2,11 @@
 
 use super::half::Numbers;
 use crate::results::{Estimate, ReferenceAgreement};
-use traylib_tests::statistics::{sidak, welch};
+use traylib_statistics::normal::OUTSIDE_1E_3;
+use traylib_statistics::{sidak, welch};
 
 /// False alarms among all tiles of a pair.
 const LEVEL: f64 = 1e-3;
-
-/// Of the normal law, 0.1 % outside.
-const QUANTILE: f64 = 3.2905;
 
 /// Compares two; `masked` is the share of pixels that were left out.
 pub(super) fn agreement(a: &Numbers, b: &Numbers, masked: f64) -> ReferenceAgreement {
@@ -33,7 +31,7 @@ fn mean_ratio(a: &Numbers, b: &Numbers) -> Option<Estimate> {
     }
     let value = a.mean / b.mean;
     let relative = a.variance_of_mean / a.mean.powi(2) + b.variance_of_mean / b.mean.powi(2);
-    let half_width = QUANTILE * relative.sqrt() * value;
+    let half_width = OUTSIDE_1E_3 * relative.sqrt() * value;
     Some(Estimate { value, low: value - half_width, high: value + half_width })
 }
 

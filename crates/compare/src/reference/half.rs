@@ -8,7 +8,7 @@ use std::time::Instant;
 use traylib_integrators::{Control, Method, Settings, ThreadError, render};
 use traylib_math::Grid;
 use traylib_scene::Scene;
-use traylib_tests::statistics::Sample;
+use traylib_statistics::Sample;
 
 /// Tiles across the picture.
 const TILES_ACROSS: usize = 8;

@@ -10,7 +10,8 @@ use crate::store::{Store, StoreError, key_of};
 use std::fmt;
 use traylib_integrators::{Control, Method, ThreadError};
 use traylib_math::Grid;
-use traylib_scene::{Scene, error_floor};
+use traylib_scene::Scene;
+use traylib_statistics::error_floor;
 
 /// Sees all that any method here does.
 const FIRST: Method = Method::BDPT;
@@ -151,7 +152,7 @@ impl Making<'_> {
 
 /// Mean of variance/(r² + ε) where nothing is masked.
 fn relative_variance(picture: &Picture, variance: &Picture, masked: &Grid<bool>) -> f64 {
-    let epsilon = error_floor(picture);
+    let epsilon = error_floor(picture.values());
     let pixels = picture.values().iter().zip(variance.values()).zip(masked.values());
     let seen: Vec<f64> = pixels
         .filter(|(_, masked)| !**masked)

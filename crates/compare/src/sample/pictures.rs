@@ -4,6 +4,7 @@ use crate::pictures::ScenePictures;
 use crate::results::{MethodResults, SceneResults};
 use traylib_integrators::Technique;
 use traylib_math::{Grid, Rgb};
+use traylib_statistics::relative_square_errors;
 
 /// The pictures of a made-up scene.
 pub(super) fn of(scene: &SceneResults) -> ScenePictures {
@@ -51,12 +52,9 @@ fn wall(x: f32, y: f32) -> (f32, Rgb) {
 }
 
 fn errors(x: &Grid<Rgb>, reference: &Grid<Rgb>, epsilon: f64) -> Grid<f64> {
-    let error = |(x, r): (&Rgb, &Rgb)| {
-        let (x, r) = (f64::from(x.luminance()), f64::from(r.luminance()));
-        (x - r).powi(2) / (r * r + epsilon)
-    };
-    let values = x.values().iter().zip(reference.values()).map(error).collect();
-    Grid::from_values(x.width(), x.height(), values)
+    let grey = |of: &Grid<Rgb>| of.map(|light| [f64::from(light.luminance())]);
+    let values = relative_square_errors(grey(x).values(), grey(reference).values(), epsilon);
+    Grid::from_values(x.width(), x.height(), values.unwrap_or_default())
         .unwrap_or_else(|| Grid::filled(x.width(), x.height(), 0.0))
 }
 

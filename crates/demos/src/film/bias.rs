@@ -1,6 +1,7 @@
 //! Whether one picture is brighter than another, or only noisier.
 
 use traylib_math::Grid;
+use traylib_statistics::{Sample, tile_sums};
 
 /// Side of a block in pixels.
 pub(super) const SIDE: usize = 8;
@@ -21,21 +22,9 @@ pub(super) struct BlockTest {
 /// Blocks are taken as independent: right for pixels with noise of their own, too
 /// sure where one light path adds to many pixels.
 pub(super) fn block_test(differences: &Grid<f64>) -> BlockTest {
-    let (columns, rows) = (differences.width().div_ceil(SIDE), differences.height().div_ceil(SIDE));
-    let mut sums = vec![0.0; columns * rows];
-    for (index, difference) in differences.values().iter().enumerate() {
-        let (x, y) = (index % differences.width(), index / differences.width());
-        sums[y / SIDE * columns + x / SIDE] += difference;
-    }
-    BlockTest { z: z_score(&sums), blocks: sums.len() }
-}
-
-fn z_score(sums: &[f64]) -> Option<f64> {
-    let n = sums.len() as f64;
-    let mean = sums.iter().sum::<f64>() / n;
-    let spread = sums.iter().map(|sum| (sum - mean).powi(2)).sum::<f64>();
-    let z = mean / (spread / (n * (n - 1.0))).sqrt();
-    z.is_finite().then_some(z)
+    let blocks = tile_sums(differences.values(), differences.width(), SIDE);
+    let sums: Vec<f64> = blocks.into_iter().map(|(sum, _)| sum).collect();
+    BlockTest { z: Sample::of(&sums).z_score(), blocks: sums.len() }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::bias::{BlockTest, block_test};
 use traylib_math::{Grid, Rgb};
-use traylib_scene::{PictureError, error_floor, relative_square_errors};
+use traylib_statistics::{PictureError, error_floor, relative_square_errors};
 
 type Light = [f64; 3];
 
@@ -57,14 +57,14 @@ impl Comparison {
         let pixels = [picture, reference].map(|grid| grid.map(light));
         let is_sound = |index: &usize| pixels.iter().all(|grid| is_finite(&grid.values()[*index]));
         let kept: Vec<usize> = (0..pixels[0].values().len()).filter(is_sound).collect();
-        let [x, r] = pixels.each_ref().map(|grid| row(grid, &kept));
+        let [x, r] = pixels.each_ref().map(|grid| pick(grid, &kept));
         let epsilon = epsilon.unwrap_or_else(|| error_floor(&r));
         let errors = relative_square_errors(&x, &r, epsilon)?;
-        let worst = greatest(errors.values()).map(|i| Worst {
+        let worst = greatest(&errors).map(|i| Worst {
             at: place(picture.width(), kept[i]),
-            error: errors.values()[i],
-            picture: x.values()[i],
-            reference: r.values()[i],
+            error: errors[i],
+            picture: x[i],
+            reference: r[i],
         });
         Some(Self {
             size: [picture.width(), picture.height()],
@@ -85,10 +85,9 @@ fn is_finite(light: &Light) -> bool {
     light.iter().all(|band| band.is_finite())
 }
 
-/// Some of the pixels in a row: the figures do not ask where a pixel stands.
-fn row(grid: &Grid<Light>, kept: &[usize]) -> Grid<Light> {
-    let values = kept.iter().map(|&index| grid.values()[index]).collect();
-    Grid::from_values(kept.len(), 1, values).expect("as many values as pixels")
+/// Some of the pixels: the figures do not ask where a pixel stands.
+fn pick(grid: &Grid<Light>, kept: &[usize]) -> Vec<Light> {
+    kept.iter().map(|&index| grid.values()[index]).collect()
 }
 
 /// x − r, sum of the bands; nothing where a pixel is left out.

@@ -5,15 +5,15 @@ use super::{FAST, LONG, sampler};
 use std::f64::consts::PI;
 use traylib_geometry::{Vec2, Vec3};
 use traylib_integrators::{Method, Settings};
+use traylib_known::furnace::{diffuse_walls, glowing_ball};
+use traylib_known::grid::{Counts, SIDE, even};
+use traylib_known::stage::{Stage, black, camera_of_size, disk_facing_down, lambert, rectangle};
+use traylib_known::{each_pass, samples_in_a_pass};
 use traylib_scene::{Camera, Scene};
-use traylib_tests::known::furnace::{diffuse_walls, glowing_ball};
 use traylib_tests::laws::chi_square::follows;
-use traylib_tests::laws::grid::{Counts, SIDE, even};
 use traylib_tests::laws::verdict::{Known, has_mean, same_bits, within, worse};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::measure::{each_pass, samples_in_a_pass};
 use traylib_tests::methods;
-use traylib_tests::scenes::{Stage, black, camera_of_size, disk_facing_down, lambert, rectangle};
 
 /// Fields of view in degrees, and films. Single precision keeps a direction to
 /// 10⁻⁷, so a pixel must fill some 10⁻⁴ radians for a thousandth of it to be seen.

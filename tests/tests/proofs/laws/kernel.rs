@@ -4,13 +4,13 @@
 use super::sampler;
 use glam::DVec3;
 use traylib_geometry::{SurfaceSite, Vec3};
+use traylib_known::frame::frame;
+use traylib_known::stage::{lambert, max_phong, phong};
 use traylib_materials::SurfaceModel;
 use traylib_math::{Rgb, Sampler, warp};
 use traylib_scene::{SurfacePoint, Walk};
-use traylib_tests::laws::frame::frame;
 use traylib_tests::laws::verdict::{same_bits, within, worse};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::scenes::{lambert, max_phong, phong};
 
 const PAIRS: u64 = 100_000;
 /// Tangent of the angle between the normals.

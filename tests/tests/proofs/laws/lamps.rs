@@ -5,15 +5,15 @@ use super::{FAST, LONG, sampler};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 use traylib_geometry::{Primitive, Triangle, Vec3};
+use traylib_known::frame::frame;
+use traylib_known::grid::{Counts, even, probabilities};
+use traylib_known::stage::{ball, disk_facing_down, hollow_ball, rectangle, tube};
 use traylib_math::Rgb;
 use traylib_scene::{Light, PointLight};
 use traylib_tests::laws::chart::Chart;
 use traylib_tests::laws::chi_square::follows;
-use traylib_tests::laws::frame::frame;
-use traylib_tests::laws::grid::{Counts, even, probabilities};
 use traylib_tests::laws::verdict::{within, worse};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::scenes::{ball, disk_facing_down, hollow_ball, rectangle, tube};
 
 /// A lamp and where it is seen from.
 struct View {

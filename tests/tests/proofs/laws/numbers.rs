@@ -5,12 +5,12 @@ use super::{FAST, LONG, sampler};
 use glam::DVec3;
 use std::f64::consts::TAU;
 use traylib_geometry::{Vec2, Vec3};
+use traylib_known::frame::frame;
+use traylib_known::grid::{At, Counts, even};
+use traylib_known::stage::{Stage, black, camera, disk_facing_down};
 use traylib_math::{DiscreteDistribution, Purpose, Sampler, VertexNumbers, warp};
 use traylib_tests::laws::chi_square::follows;
-use traylib_tests::laws::frame::frame;
-use traylib_tests::laws::grid::{At, Counts, even};
 use traylib_tests::ledger::{Finding, settle};
-use traylib_tests::scenes::{Stage, black, camera, disk_facing_down};
 
 /// A map is right if the point of the square in which its density is even comes
 /// back evenly.

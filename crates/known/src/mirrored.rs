@@ -1,0 +1,170 @@
+//! C1 to C4: light that a mirror throws onto the floor.
+//!
+//! A lamp at the height 1 shines up at a plane mirror at the height 2, and from
+//! there onto a diffuse floor at the height 0. By the method of images the floor
+//! sees, in the mirror, a lamp at the height 3: with the mirror's reflectance km
+//! it has the radiance L = ρ·km·Le·F, F that of the part of the image that is
+//! seen through the mirror and beside the lamp itself, which is black from
+//! behind and casts a shadow. Paths have three edges.
+
+use crate::case::Case;
+use crate::polygon::{factor, square_at, through};
+use crate::stage::{Stage, black, camera, disk_facing_up, floor, lambert, mirror, rectangle, spot};
+use glam::DVec3;
+use std::f64::consts::PI;
+use traylib_geometry::{Primitive, Vec3};
+use traylib_materials::SurfaceModel;
+use traylib_math::{Grid, Vec2};
+use traylib_scene::{Camera, Scene};
+
+const FLOOR: f64 = 0.8;
+const MIRROR: f64 = 0.9;
+const RADIANCE: f64 = 100.0;
+/// Of a point light in the lamp's place, in W/sr.
+const INTENSITY: f64 = 5.0;
+/// Half-side of the lamp.
+const LAMP: f64 = 0.1;
+/// Half-side of a mirror that cuts nothing off what the camera sees: the way
+/// from the floor at 1.2 to the far end of the image crosses it at 0.47.
+pub const WIDE_MIRROR: f64 = 0.6;
+/// Half-side of a mirror that cuts off the light of the outer parts of the view,
+/// with half shadows from 0.7 to 1.1.
+pub const NARROW_MIRROR: f64 = 0.3;
+
+/// A scene and what each pixel of its picture should be.
+#[derive(Debug)]
+pub struct Picture {
+    /// What it is called in a report.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
+    /// The longest path, in edges.
+    pub max_depth: Option<u32>,
+    /// The mean radiance over each pixel, in W/m²/sr.
+    pub truth: Grid<f64>,
+}
+
+/// C1: seen from right below the lamp, 64 × 64 pixels over |x|, |y| ≤ 1.2.
+pub fn mirrored_lamp(mirror_half_side: f64) -> Picture {
+    let scene = below_mirror(overhead(), mirror_half_side, mirror(MIRROR as f32, 0.0)).build();
+    let lit = |x: DVec3| FLOOR * MIRROR * RADIANCE * image_factor(x, mirror_half_side);
+    let truth = over_pixels(scene.camera(), lit);
+    let name = format!("C1 half-side {mirror_half_side}");
+    Picture { name, scene, max_depth: Some(3), truth }
+}
+
+/// C2: the point (1, 0) of the floor of C1 seen in a second mirror, the plane
+/// x = 1.6 near the floor: one more factor km and one more edge. The second
+/// mirror stands behind the point, and what it reflects onto the floor has more
+/// edges still before it is seen.
+pub fn mirrored_lamp_in_a_mirror() -> Case {
+    let scene = second_mirror(below_mirror(in_mirror(), WIDE_MIRROR, mirror(MIRROR as f32, 0.0)));
+    let seen = image_factor(DVec3::X, WIDE_MIRROR);
+    let truth = FLOOR * MIRROR * MIRROR * RADIANCE * seen;
+    Case { name: "C2".into(), scene: scene.build(), max_depth: Some(4), truth }
+}
+
+/// C3: C1 with a point light I and a black plate of radius 0.2 below it. Its
+/// image at the height 3 gives L = ρ/π·km·I·cosθ/d² = ρ/π·km·I·3/d³ outside the
+/// plate's shadow, a disk of radius 0.2·3/(3 − 0.98). Direct light begins
+/// beyond x = 10.
+pub fn mirrored_point() -> Case {
+    let camera = camera(0.9 * Vec3::Z, Vec3::ZERO, 2.0 * 2.0_f32.atan().to_degrees(), 32);
+    let shadow = 0.2 * 3.0 / (3.0 - f64::from(PLATE));
+    let truth = crate::case::mean_over_floor(&camera, |x| {
+        let square = DVec3::from(x).dot(DVec3::from(x));
+        let seen = if square < shadow * shadow { 0.0 } else { 1.0 };
+        seen * FLOOR * MIRROR / PI * INTENSITY * 3.0 / (square + 9.0).powf(1.5)
+    });
+    let scene = point_below_mirror(camera).build();
+    Case { name: "C3".into(), scene, max_depth: Some(3), truth }
+}
+
+/// C2 and C3 together: light that no method here can find, and what it is.
+pub fn mirrored_point_in_a_mirror() -> Case {
+    let scene = second_mirror(point_below_mirror(in_mirror())).build();
+    let truth = FLOOR * MIRROR * MIRROR / PI * INTENSITY * 3.0 / 10.0_f64.powf(1.5);
+    Case { name: "C2 + C3".into(), scene, max_depth: Some(4), truth }
+}
+
+/// C4: C1 with another surface in the mirror's place, and what sharp lobes on it
+/// converge to: a lobe of Phong's model reflects ks times the cosine of the
+/// angle of incidence (its albedo there), and lamp, mirror and floor share that
+/// angle. The cosine is taken at the middle of the image, of half-angle 2°.
+pub fn mirrored_in(model: SurfaceModel, specular: f64) -> Picture {
+    let scene = below_mirror(overhead(), WIDE_MIRROR, model).build();
+    let lit = |x: DVec3| {
+        let cosine = 3.0 / (DVec3::new(0.0, 0.0, 3.0) - x).length();
+        FLOOR * specular * cosine * RADIANCE * image_factor(x, WIDE_MIRROR)
+    };
+    let truth = over_pixels(scene.camera(), lit);
+    Picture { name: "C4".into(), scene, max_depth: Some(3), truth }
+}
+
+/// F of what the floor's point sees of the lamp's image: through the mirror, but
+/// for what is behind the lamp.
+fn image_factor(point: DVec3, mirror_half_side: f64) -> f64 {
+    let seen = through(point, &square_at(3.0, LAMP), &square_at(2.0, mirror_half_side));
+    let hidden = through(point, &seen, &square_at(1.0, LAMP));
+    factor(point, DVec3::Z, &seen) - factor(point, DVec3::Z, &hidden)
+}
+
+/// Straight down on |x|, |y| ≤ 1.2 from right below the lamp.
+fn overhead() -> Camera {
+    camera(0.9 * Vec3::Z, Vec3::ZERO, 2.0 * (1.2_f32 / 0.9).atan().to_degrees(), 64)
+}
+
+/// At the image of the floor's point (1, 0) in the plane x = 1.6.
+fn in_mirror() -> Camera {
+    spot(Vec3::new(1.2, 0.0, 0.3), Vec3::new(2.2, 0.0, 0.0))
+}
+
+fn below_mirror(camera: Camera, half_side: f64, model: SurfaceModel) -> Stage {
+    let lamp = square_up(1.0, LAMP as f32);
+    Stage::new(camera)
+        .surface(floor(), lambert(FLOOR as f32))
+        .surface(square_up(2.0, half_side as f32), model)
+        .solid_lamp(lamp, RADIANCE as f32, black())
+}
+
+/// Height of the plate below the point light.
+const PLATE: f32 = 0.98;
+
+fn point_below_mirror(camera: Camera) -> Stage {
+    Stage::new(camera)
+        .surface(floor(), lambert(FLOOR as f32))
+        .surface(square_up(2.0, 0.75), mirror(MIRROR as f32, 0.0))
+        .surface(disk_facing_up(PLATE * Vec3::Z, 0.2), black())
+        .point(Vec3::Z, INTENSITY as f32)
+}
+
+fn second_mirror(stage: Stage) -> Stage {
+    let edges = [Vec3::Z, Vec3::Y];
+    stage.surface(
+        rectangle(Vec3::new(1.6, -0.5, 0.0), edges[0], edges[1]),
+        mirror(MIRROR as f32, 0.0),
+    )
+}
+
+fn square_up(height: f32, half_side: f32) -> Primitive {
+    let a = half_side;
+    rectangle(Vec3::new(-a, -a, height), 2.0 * a * Vec3::X, 2.0 * a * Vec3::Y)
+}
+
+/// The mean over each pixel of what is seen of the floor, by the midpoint rule on
+/// 4 × 4 film points.
+fn over_pixels(camera: &Camera, radiance: impl Fn(DVec3) -> f64) -> Grid<f64> {
+    const STEPS: u32 = 4;
+    let mut truth = Grid::filled(camera.width() as usize, camera.height() as usize, 0.0);
+    let width = camera.width();
+    for (pixel, mean) in (0..).zip(truth.values_mut()) {
+        let corner = Vec2::new((pixel % width) as f32, (pixel / width) as f32);
+        let sum: f64 = (0..STEPS * STEPS)
+            .map(|i| Vec2::new((i % STEPS) as f32 + 0.5, (i / STEPS) as f32 + 0.5))
+            .map(|within| camera.ray(corner + within / STEPS as f32))
+            .map(|ray| radiance(DVec3::from(ray.at(-ray.origin.z / ray.direction.z))))
+            .sum();
+        *mean = sum / f64::from(STEPS * STEPS);
+    }
+    truth
+}
