@@ -1,27 +1,54 @@
-//! `cargo xtask layers`: the dependency arrows, held against a table.
+//! `cargo xtask layers`: the arrows between packages, held against a table, and no circles
+//! of files within any.
 
+mod circles;
+mod modules;
+mod natural;
 mod table;
 
 #[cfg(test)]
 mod tests;
 
 use crate::workspace::cargo;
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use serde_json::Value;
+use std::path::Path;
 use table::Layer;
 
-/// Reads the workspace's packages from cargo and prints every arrow that the
-/// table does not have; an error if there is one.
+/// Reads the workspace's packages from cargo and their modules from source, and prints
+/// every arrow that the table does not have or that is part of a circle; an error if there
+/// is one.
 pub(crate) fn run() -> Result<()> {
-    let wrong = wrong_arrows(&metadata()?, table::LAYERS)?;
-    for line in &wrong {
+    let metadata = metadata()?;
+    let wrong = wrong_arrows(&metadata, table::LAYERS)?;
+    let circular = circular_arrows(&metadata)?;
+    for line in wrong.iter().chain(&circular) {
         println!("{line}");
     }
-    match wrong.len() {
-        0 => Ok(()),
-        1 => bail!("1 dependency is not in the table of layers (xtask/src/layers/table.rs)"),
-        n => bail!("{n} dependencies are not in the table of layers (xtask/src/layers/table.rs)"),
+    ensure!(
+        wrong.is_empty(),
+        "{} of dependencies not in the table of layers (xtask/src/layers/table.rs)",
+        wrong.len()
+    );
+    ensure!(circular.is_empty(), "{} of imports in circles", circular.len());
+    Ok(())
+}
+
+/// One line for each import that is part of a circle, in libraries and programs.
+fn circular_arrows(metadata: &Value) -> Result<Vec<String>> {
+    let mut circular = Vec::new();
+    for package in list(metadata, "packages")? {
+        let name = text(package, "name")?;
+        for target in list(package, "targets")? {
+            let kinds = list(target, "kind")?;
+            if kinds.iter().any(|kind| kind == "lib" || kind == "bin") {
+                let modules = modules::read(Path::new(text(target, "src_path")?))?;
+                let lines = circles::circles(&modules, |from, to| natural::is(name, from, to));
+                circular.extend(lines.into_iter().map(|line| format!("{name}: {line}")));
+            }
+        }
     }
+    Ok(circular)
 }
 
 fn metadata() -> Result<Value> {

@@ -1,8 +1,8 @@
 //! What a comparison tells of the machine and the program it was made with.
 
+use crate::hash::Fnv;
 use crate::options::Options;
 use crate::results::How;
-use std::hash::{DefaultHasher, Hasher};
 
 /// Everything about how it is made, but for how long it takes.
 pub fn how(options: &Options, arguments: &[String]) -> How {
@@ -45,11 +45,11 @@ fn processor() -> Option<String> {
     Some(line.split_once(':')?.1.trim().to_string())
 }
 
-/// A hash of the program itself: another build may be faster, or wrong.
+/// FNV-1a of 64 bits (RFC 9923) of the program itself: another build may be faster, or wrong.
 pub fn build_key() -> u64 {
     let bytes = std::env::current_exe().and_then(std::fs::read).unwrap_or_default();
-    let mut hash = DefaultHasher::new();
-    hash.write(&bytes);
+    let mut hash = Fnv::default();
+    hash.add(&bytes);
     hash.finish()
 }
 

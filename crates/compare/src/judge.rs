@@ -10,9 +10,10 @@ pub use verdict::{no_verdict, verdict};
 
 use crate::bootstrap;
 use crate::method::{blind_spots, is_biased, longest_path};
+use crate::picture::Picture;
 use crate::reference::Reference;
 use crate::results::{Estimate, MethodResults, Metrics, Rays, Target};
-use crate::run::{Picture, Record};
+use crate::run::Record;
 use curve::{averaged, budgets, powers_of_two};
 use steadiness::steadiness;
 use traylib_integrators::{Method, SceneFacts};

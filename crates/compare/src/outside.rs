@@ -1,6 +1,6 @@
 //! Pictures of other programs, to stand on the same chart.
 
-use crate::precision::double;
+use crate::picture::double;
 use crate::radiance;
 use crate::reference::Reference;
 use crate::results::OutsidePoint;

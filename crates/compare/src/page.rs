@@ -3,6 +3,7 @@
 //! Everything on it can be read without its script, which adds the wipe between two
 //! pictures and nothing else.
 
+mod anchor;
 mod efficiency;
 mod files;
 mod headline;
@@ -10,7 +11,6 @@ mod heat;
 mod how;
 mod image;
 mod legend;
-pub(crate) mod number;
 mod oracle;
 mod pictures;
 mod scene;

@@ -3,9 +3,9 @@
 //! By turns, so that whatever else the machine does falls on all alike.
 
 use crate::judge::Entry;
-use crate::precision::{double, single};
+use crate::picture::{Picture, double, single};
 use crate::progress::Plan;
-use crate::run::{Picture, Race, Record};
+use crate::run::{Race, Record};
 use crate::store::{Store, key_of};
 use std::time::Duration;
 use traylib_demos::Failure;

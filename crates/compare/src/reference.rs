@@ -7,8 +7,8 @@ mod pair;
 pub use half::Half;
 pub use pair::{Making, make};
 
+use crate::picture::Picture;
 use crate::results::ReferenceResults;
-use crate::run::Picture;
 use traylib_math::Grid;
 use traylib_statistics::{error_floor, own_rel_mse, rel_mse};
 

@@ -1,6 +1,7 @@
 //! One run: a method renders until its time is up, and is looked at on the way.
 
 use crate::memory::peak_during;
+use crate::picture::{Picture, grey};
 use crate::reference::Reference;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -9,13 +10,9 @@ use traylib_integrators::Method;
 use traylib_integrators::{
     Control, Progress, Rendering, Settings, Statistics, ThreadError, render,
 };
-use traylib_math::Grid;
 use traylib_scene::Scene;
 use traylib_statistics::PictureError;
 use traylib_statistics::tail::Largest;
-
-/// A picture in linear radiance.
-pub type Picture = Grid<[f64; 3]>;
 
 /// What is kept of a run, beside its picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -190,9 +187,4 @@ impl<'a> Watch<'a> {
             largest: self.largest.descending(),
         }
     }
-}
-
-/// The mean of the bands.
-pub fn grey(bands: &[f64; 3]) -> f64 {
-    bands.iter().sum::<f64>() / 3.0
 }

@@ -1,6 +1,6 @@
 //! The page's main table, for a terminal.
 
-use crate::page::number::{ratio, seconds, short};
+use crate::number::{ratio, seconds, short};
 use crate::results::{Estimate, MethodResults, Metrics, Results, SceneResults, Target};
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! What happens when a program fails by its own fault.
 
-use crate::messages::say;
+use crate::say::say;
 use std::backtrace::{Backtrace, BacktraceStatus};
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook};
 use std::sync::Once;

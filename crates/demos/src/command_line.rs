@@ -1,8 +1,8 @@
 //! Reading the command line.
 
 use crate::VERSION;
-use crate::messages::say;
 use crate::options::RenderOptions;
+use crate::say::say;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::parser::ValueSource;

@@ -12,7 +12,7 @@ pub use convert::ConvertOptions;
 pub use diff::DiffOptions;
 pub use info::InfoOptions;
 
-use crate::run::conclude;
+use crate::conclude::conclude;
 use clap::Subcommand;
 use std::process::ExitCode;
 

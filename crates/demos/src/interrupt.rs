@@ -1,7 +1,7 @@
 //! Being asked to stop: Ctrl-C, a closed terminal, a system going down, time that is up.
 
-use crate::messages::say;
 use crate::outcome::Failure;
+use crate::say::say;
 use crate::signals::{self, Signal};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};

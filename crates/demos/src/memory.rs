@@ -1,7 +1,7 @@
 //! Whether a picture fits into memory, before it is begun.
 
+use crate::job::Job;
 use crate::outcome::Failure;
-use crate::run::Job;
 use std::fs;
 use std::path::{Path, PathBuf};
 use traylib_io::Loaded;

@@ -1,61 +1,12 @@
-//! What people read: results on standard output, all else on standard error. No
-//! reader is no reason to stop.
+//! What a rendering program says of itself: before the start, at the end.
 
+use crate::done::Done;
 use crate::options::RenderOptions;
 use crate::outcome::Failure;
-use crate::run::Done;
-use std::fmt::Display;
-use std::io::{ErrorKind, IsTerminal, Write};
-use std::path::Path;
+use crate::say::{count, say, say_line, tell};
 use traylib_integrators::{Integrator, Limits, SceneFacts};
-use traylib_io::{Loaded, printable, printable_json};
+use traylib_io::Loaded;
 use traylib_scene::Scene;
-
-/// Prints something about the work, as text that does nothing to a terminal.
-pub fn say(text: impl Display) {
-    let _ = writeln!(std::io::stderr(), "{}", printable(&text.to_string()));
-}
-
-/// Prints a warning or a note, which is one line whatever a file has put into it.
-pub(crate) fn say_line(kind: &str, text: impl Display) {
-    say(format_args!("{kind}: {}", text.to_string().replace('\n', "\\n")));
-}
-
-/// Prints one line of the program's result, as text that does nothing to a terminal.
-///
-/// # Errors
-/// Standard output takes no more.
-pub fn tell(line: impl Display) -> Result<(), Failure> {
-    print(&printable(&line.to_string()))
-}
-
-/// [`tell`] for JSON.
-///
-/// # Errors
-/// As `tell`.
-pub(crate) fn tell_json(json: &str) -> Result<(), Failure> {
-    print(&printable_json(json))
-}
-
-/// Prints the name of a file that was written: as it is for whoever reads it to find the
-/// file, as [`tell`] for people.
-///
-/// # Errors
-/// As `tell`.
-pub fn tell_name(file: &Path) -> Result<(), Failure> {
-    let name = file.display();
-    if std::io::stdout().is_terminal() { tell(name) } else { print(&name.to_string()) }
-}
-
-fn print(text: &str) -> Result<(), Failure> {
-    match writeln!(std::io::stdout(), "{text}") {
-        // A reader that has seen enough closes the pipe.
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::output(format_args!("standard output: cannot be written: {error}")))
-        }
-        _ => Ok(()),
-    }
-}
 
 /// Prints the text that an integrator was asked for: a program's result.
 ///
@@ -137,16 +88,6 @@ pub(crate) fn summarise(program: &str, done: &Done, end: &str) {
         ));
     } else {
         say("  non-finite samples: 0");
-    }
-}
-
-/// A number short enough to read.
-pub(crate) fn count(n: u64) -> String {
-    match n as f64 {
-        x if x >= 1e9 => format!("{:.2} G", x / 1e9),
-        x if x >= 1e6 => format!("{:.2} M", x / 1e6),
-        x if x >= 1e4 => format!("{:.1} k", x / 1e3),
-        _ => n.to_string(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The line that moves while a picture is rendered.
 
 use crate::interrupt::Stop;
-use crate::messages::{count, say};
+use crate::say::{count, say};
 use crate::signals::Signal;
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::cell::Cell;

@@ -1,6 +1,6 @@
 //! How to make a picture again.
 
-use crate::run::Job;
+use crate::job::Job;
 use std::fmt::Write;
 use std::path::Path;
 use traylib_integrators::Method;

@@ -1,8 +1,8 @@
 //! What is in a file, as JSON.
 
-use crate::messages::{say_line, tell_json};
 use crate::options::RenderOptions;
 use crate::outcome::Failure;
+use crate::say::{say_line, tell_json};
 use std::path::{Path, PathBuf};
 use traylib_io::{inventory, write_file};
 

@@ -1,8 +1,9 @@
 //! A picture of each bidirectional technique.
 
-use crate::messages::tell_name;
+use crate::done::Done;
+use crate::job::Job;
 use crate::outcome::Failure;
-use crate::run::{Done, Job};
+use crate::say::tell_name;
 use std::path::Path;
 use traylib_integrators::Technique;
 use traylib_io::{PictureInfo, save_picture};

@@ -3,7 +3,7 @@
 //! The formulas of [`watertight`](crate::watertight), which see for the idea, as kernels
 //! compute them for many triangles at once, operation by operation in the same order.
 
-use crate::shape::ShapeHit;
+use crate::ShapeHit;
 use crate::watertight::{self, pick};
 use crate::{Ray, Vec3};
 

@@ -146,6 +146,7 @@ mod precise;
 mod primitive;
 mod ray;
 mod shape;
+mod shape_hit;
 mod tree;
 mod watertight;
 
@@ -157,8 +158,9 @@ pub use point::SurfaceSite;
 pub use primitive::{Normals, Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
 pub use shape::{
-    Cone, Disk, Facing, Quad, Shape, ShapeHit, ShapeList, SidedTriangle, Sides, Sphere, Triangle,
+    Cone, Disk, Facing, Quad, Shape, ShapeList, SidedTriangle, Sides, Sphere, Triangle,
 };
+pub use shape_hit::ShapeHit;
 pub use traylib_math::{Vec2, Vec3, glam};
 pub use tree::build::Quality;
 

@@ -213,6 +213,23 @@ pub struct SidedPrimitive {
     pub sides: Sides,
 }
 
+/// From both sides.
+impl Shape for Primitive {
+    #[inline]
+    fn bounds(&self) -> Aabb {
+        self.bounds()
+    }
+
+    #[inline]
+    fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
+        self.intersect(ray, Sides::Both)
+    }
+
+    fn triangle(&self) -> Option<SidedTriangle> {
+        self.sided_triangle(Sides::Both)
+    }
+}
+
 impl Shape for SidedPrimitive {
     fn bounds(&self) -> Aabb {
         self.primitive.bounds()

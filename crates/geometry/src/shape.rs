@@ -17,18 +17,7 @@ pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 use crate::precise::DVec3;
-use crate::{Aabb, Error, Primitive, Ray, Vec3};
-
-/// Where a ray meets one shape.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ShapeHit {
-    /// Where along the ray, in units of its direction's length.
-    pub t: f32,
-    /// First surface coordinate; see [`Hit`](crate::Hit).
-    pub u: f32,
-    /// Second surface coordinate; see [`Hit`](crate::Hit).
-    pub v: f32,
-}
+use crate::{Aabb, Error, Ray, ShapeHit, Vec3};
 
 /// Anything a [`Bvh`](crate::Bvh) can hold.
 pub trait Shape: Send + Sync {
@@ -116,8 +105,7 @@ shape_from_both_sides!(
     Disk: |_| None,
     Quad: |_| None,
     Sphere: |_| None,
-    Triangle: |triangle| Some(triangle.corners()),
-    Primitive: |primitive| primitive.corners()
+    Triangle: |triangle| Some(triangle.corners())
 );
 
 /// Refuses areas that are zero or whose reciprocal is not a number.

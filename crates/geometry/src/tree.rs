@@ -10,6 +10,7 @@ mod extents;
 mod interleave;
 pub(crate) mod intersector;
 mod kernel;
+pub(crate) mod lanes;
 pub(crate) mod mask;
 pub(crate) mod node;
 pub(crate) mod packet;

@@ -11,8 +11,8 @@
 //! underflows. Kernels only leave out triangles that are surely passed by, so all of
 //! them agree to the bit.
 
+use crate::ShapeHit;
 use crate::precise::{DVec3, difference};
-use crate::shape::ShapeHit;
 use crate::{Ray, Vec3};
 
 /// The coordinate along which a ray is longest, last of the three; in cyclic order, which

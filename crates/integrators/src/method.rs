@@ -13,7 +13,8 @@ pub use spelling::MethodError;
 
 use crate::bdpt::BdptSettings;
 use crate::{
-    DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Techniques, Trace,
+    DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Roulette, Techniques,
+    Trace,
 };
 use traylib_math::Heuristic;
 
@@ -246,7 +247,7 @@ impl Method {
     /// nothing is weighted.
     pub fn with(self, given: &[MethodSetting]) -> Result<Self, MethodError> {
         let has = |setting| given.contains(&setting);
-        let limits = option::limits(given)?;
+        let limits = limits(given)?;
         let heuristic = option::heuristic(given);
         Ok(match self {
             Self::Trace(_) => Self::Trace(Trace { jitter: has(MethodSetting::Jitter) }),
@@ -267,4 +268,24 @@ impl Method {
             }),
         })
     }
+}
+
+/// The limits among settings, defaults where there are none.
+fn limits(given: &[MethodSetting]) -> Result<Limits, MethodError> {
+    let mut limits = Limits::NONE;
+    for setting in given {
+        match *setting {
+            MethodSetting::MaxDepth(edges) => limits.max_depth = Some(edges),
+            MethodSetting::Roulette(roulette) => limits.roulette = roulette,
+            MethodSetting::Jitter
+            | MethodSetting::Combine
+            | MethodSetting::Heuristic(_)
+            | MethodSetting::DirectSum
+            | MethodSetting::NoConnections => {}
+        }
+    }
+    if limits.roulette == Roulette::OFF && limits.max_depth.is_none() {
+        return Err(MethodError::Endless);
+    }
+    Ok(limits)
 }

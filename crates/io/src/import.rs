@@ -24,11 +24,11 @@ mod whole;
 pub(crate) use files::{SceneFile, gather};
 pub(crate) use whole::import_whole;
 
-use crate::load::{LoadOptions, SceneSettings};
+use crate::load_options::{LoadOptions, SceneSettings};
+use crate::locate::Path;
 use crate::report::Problems;
 use crate::ron_scene::Shape;
-use crate::ron_scene::locate::Path;
-use crate::{Error, Warning};
+use crate::{Error, MAX_PIXELS, Warning};
 use imported_object::{ImportedObject, ObjectMaterial};
 use material::Materials;
 use model::ModelFiles;
@@ -51,15 +51,11 @@ pub(crate) fn is_model(path: &std::path::Path) -> bool {
     model::is_model(path)
 }
 
-/// The most pixels a picture may have. Larger ones are taken for a slip: 2²⁸
-/// pixels are 3 GiB of film.
-pub const MAX_PIXELS: u64 = 1 << 28;
-
 /// Builds the scene of these files; the last one is the scene itself, the
 /// others are included.
 pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Imported, Error> {
     let mut problems = Problems::default();
-    let Some(root) = files.last() else { return Err(problems.into_error()) };
+    let Some(root) = files.last() else { return Err(Error::Scene(problems.into_report())) };
     let camera = camera(root, options, &mut problems);
     let settings = settings(root, &mut problems);
     let materials = Materials::collect(files, options.limits, &mut problems);
@@ -80,7 +76,7 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
             warnings.extend(coincidence::warnings(&scene, &root.source.name));
             Ok(Imported { scene, settings, warnings, notes: Vec::new() })
         }
-        _ => Err(problems.into_error()),
+        _ => Err(Error::Scene(problems.into_report())),
     }
 }
 
@@ -212,7 +208,7 @@ fn build(
         whole.note(lights::add_light(&mut builder, light), &mut problems);
     }
     let scene = whole.note(builder.build(), &mut problems);
-    scene.filter(|_| problems.is_empty()).ok_or(problems.into_error())
+    scene.filter(|_| problems.is_empty()).ok_or(Error::Scene(problems.into_report()))
 }
 
 #[cfg(test)]

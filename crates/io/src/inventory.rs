@@ -1,6 +1,7 @@
 //! What is in a file, in figures.
 
-use crate::load::{LoadOptions, load_scene_with};
+use crate::load::load_scene_with;
+use crate::load_options::LoadOptions;
 use crate::{Error, Warning, mgf, three_ds};
 use serde::Serialize;
 use std::path::{Path, PathBuf};

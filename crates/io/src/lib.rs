@@ -22,9 +22,12 @@ mod import;
 mod inventory;
 mod limit;
 mod load;
+mod load_options;
+pub mod locate;
 pub mod mgf;
 pub mod picture;
 mod printable;
+mod read_limits;
 mod replace;
 pub mod report;
 pub mod ron_scene;
@@ -32,20 +35,21 @@ mod source;
 mod srgb;
 mod suggest;
 pub mod texture;
+mod texture_error;
 pub mod three_ds;
 
 pub use builtin::builtin_names;
 pub use error::{Error, Warning};
-pub use import::MAX_PIXELS;
 pub use inventory::{Inventory, SceneCounts, inventory};
-pub use limit::{Limit, ReadLimits};
-pub use load::{Headlight, LoadOptions, Loaded, SceneSettings, load_scene, load_scene_with};
+pub use limit::{Limit, MAX_PIXELS};
+pub use load::{Loaded, load_scene, load_scene_with};
+pub use load_options::{Headlight, LoadOptions, SceneSettings};
 pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_picture, check_writable, load_exr, losses,
     open_exr, png_texts, save_picture, write_picture,
 };
 pub use printable::{printable, printable_json};
+pub use read_limits::ReadLimits;
 pub use replace::{check_file, discard_unfinished, write_file};
-pub use texture::{
-    Coding, Fault, Texture, TextureError, TextureLimits, load_texture, texture_from_bytes,
-};
+pub use texture::{Coding, Texture, TextureLimits, load_texture, texture_from_bytes};
+pub use texture_error::{Fault, TextureError};

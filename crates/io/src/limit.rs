@@ -1,8 +1,10 @@
 //! Bounds on what files may ask for, by names that users know.
 
-use crate::{TextureLimits, mgf, three_ds};
 use std::fmt;
-use std::path::{Path, PathBuf};
+
+/// The most pixels a picture may have. Larger ones are taken for a slip: 2²⁸
+/// pixels are 3 GiB of film.
+pub const MAX_PIXELS: u64 = 1 << 28;
 
 /// A bound that a caller may set otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,59 +79,6 @@ impl Limit {
     }
 }
 
-/// The bounds that a caller has set; the readers' own else.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ReadLimits([Option<u64>; Limit::ALL.len()]);
-
-impl ReadLimits {
-    /// Sets a bound.
-    pub fn set(&mut self, limit: Limit, value: u64) {
-        self.0[limit as usize] = Some(value);
-    }
-
-    fn get(&self, limit: Limit) -> Option<u64> {
-        self.0[limit as usize]
-    }
-
-    fn count(&self, limit: Limit, usual: usize) -> usize {
-        self.get(limit).map_or(usual, |value| usize::try_from(value).unwrap_or(usize::MAX))
-    }
-
-    /// For MGF files that may include from the folder `root`.
-    pub(crate) fn mgf(&self, root: Option<&Path>) -> mgf::Options {
-        let usual = mgf::Options::default();
-        let bound = |limit, usual| self.get(limit).unwrap_or(usual);
-        mgf::Options {
-            root: root.map(PathBuf::from),
-            max_depth: self.count(Limit::Depth, usual.max_depth),
-            max_transforms: self.count(Limit::Transforms, usual.max_transforms),
-            max_surfaces: bound(Limit::Surfaces, usual.max_surfaces),
-            max_corners: self.count(Limit::Corners, usual.max_corners),
-            max_cutting: bound(Limit::Cutting, usual.max_cutting),
-            max_line: self.count(Limit::Line, usual.max_line),
-            max_bytes: bound(Limit::Bytes, usual.max_bytes),
-            max_work: bound(Limit::Work, usual.max_work),
-            max_memory: bound(Limit::Memory, usual.max_memory),
-        }
-    }
-
-    pub(crate) fn three_ds(&self) -> three_ds::Limits {
-        let usual = three_ds::Limits::default();
-        three_ds::Limits {
-            items: self.count(Limit::Items, usual.items),
-            bytes: self.count(Limit::Bytes, usual.bytes),
-        }
-    }
-
-    pub(crate) fn texture(&self) -> TextureLimits {
-        let usual = TextureLimits::default();
-        TextureLimits {
-            pixels: self.get(Limit::Pixels).unwrap_or(usual.pixels),
-            file_bytes: self.get(Limit::Bytes).unwrap_or(usual.file_bytes),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -140,21 +89,5 @@ mod tests {
             assert_eq!((Limit::of_name(limit.name()), limit as usize), (Some(limit), index));
         }
         assert_eq!(Limit::of_name("faces"), None);
-    }
-
-    /// Each changes something, and nothing else does.
-    #[test]
-    fn what_is_set_is_used() {
-        let used = |limits: ReadLimits| {
-            format!("{:?}{:?}{:?}", limits.mgf(None), limits.three_ds(), limits.texture())
-        };
-        let usual = used(ReadLimits::default());
-        for limit in Limit::ALL {
-            let mut limits = ReadLimits::default();
-            limits.set(limit, 12_345);
-            let times = if limit == Limit::Bytes { 3 } else { 1 };
-            assert_eq!(used(limits).matches("12345").count(), times, "{limit:?}");
-            assert!(!usual.contains("12345"));
-        }
     }
 }

@@ -1,7 +1,6 @@
 //! Errors in scene files, shown with the lines they are in.
 
-use crate::Error;
-use crate::ron_scene::locate::{Path, locate_near};
+use crate::locate::{Path, locate_near};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::borrow::Cow;
 use std::fmt;
@@ -84,8 +83,8 @@ impl Problems {
         self.first.is_empty()
     }
 
-    pub(crate) fn into_error(self) -> Error {
-        Error::Scene(Report { problems: self.first, more: self.more })
+    pub(crate) fn into_report(self) -> Report {
+        Report { problems: self.first, more: self.more }
     }
 }
 
@@ -221,7 +220,7 @@ the view is closed
     fn only_the_first_are_shown() {
         let mut problems = Problems::default();
         (0..100).for_each(|_| problems.push(problem(None)));
-        let shown = problems.into_error().to_string();
+        let shown = problems.into_report().to_string();
         assert_eq!(shown.matches("closed").count(), 20);
         assert!(shown.ends_with("\n\nand 80 more errors"), "{shown}");
     }

@@ -6,7 +6,6 @@
 //! the text a value stands.
 
 mod context;
-pub mod locate;
 pub mod material;
 pub(crate) mod syntax;
 mod wanted;

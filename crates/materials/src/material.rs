@@ -1,7 +1,7 @@
 //! A model and what lies over it.
 
-use crate::{Maps, SurfaceModel};
-use traylib_math::{Rgb, Vec2, Vec3};
+use crate::{Maps, Site, SurfaceModel};
+use traylib_math::{Rgb, Vec3};
 
 /// What a surface is made of: how it scatters light, how much of it passes
 /// straight through as if the surface were not there, and its textures.
@@ -15,16 +15,6 @@ pub struct Material {
     pub through: Rgb,
     /// Its textures, if it has any.
     pub maps: Option<Box<Maps>>,
-}
-
-/// Where on a surface a material is asked for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Site {
-    /// Texture coordinates.
-    pub uv: Vec2,
-    /// How the place moves with each of them, in metres a unit; `None` where that
-    /// is not known.
-    pub tangents: Option<[Vec3; 2]>,
 }
 
 /// A material at one place.

@@ -1,9 +1,10 @@
 //! From parts to a scene.
 
+use crate::LightId;
 use crate::coincidence;
 use crate::light::check_emission;
 use crate::light_tree::LightTree;
-use crate::scene::{LightId, Stage};
+use crate::scene::Stage;
 use crate::seat::Seat;
 use crate::surfaces::{Form, Surfaces};
 use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};

@@ -110,7 +110,7 @@ fn in_one_place(tree: &Bvh<Shapes<Surfaces>>, index: u32) -> Option<Vec<(u32, bo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::LightId;
+    use crate::LightId;
     use crate::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder};
     use std::sync::Arc;
     use traylib_geometry::{Facing, Primitive, Quad, Sphere, SurfaceSite};

@@ -1,18 +1,16 @@
 //! The finished scene and the questions a renderer asks of it.
 
+mod sample;
+
 use crate::coincidence::Coincidences;
 use crate::light_tree::LightTree;
 use crate::seat::{self, Seat};
 use crate::surfaces::{Surface, Surfaces};
-use crate::{Camera, Light, LightPoint, SurfacePoint};
+use crate::{Camera, Light, LightId, LightPoint, SurfacePoint};
 use std::sync::Arc;
 use traylib_geometry::{Bvh, Hit, Ray, ShapeList, Shapes, SurfaceSite};
 use traylib_materials::{Material, Shading};
 use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3, planted};
-
-/// Names a lamp of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LightId(pub(crate) u32);
 
 /// Camera, lamps and surfaces, ready to be rendered. Immutable.
 ///

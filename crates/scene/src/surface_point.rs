@@ -1,7 +1,7 @@
 //! Where a ray met a surface: the one place that knows both where it is and
 //! what it is made of.
 
-use crate::scene::LightId;
+use crate::LightId;
 use traylib_geometry::SurfaceSite;
 use traylib_materials::{BsdfSample, Scattering, SurfaceModel};
 use traylib_math::{Defect, Rgb, Vec3, planted};

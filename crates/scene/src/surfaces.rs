@@ -1,6 +1,6 @@
 //! All that rays can meet, by number.
 
-use crate::scene::LightId;
+use crate::LightId;
 use traylib_geometry::{
     Aabb, Hit, Mesh, Primitive, Ray, ShapeHit, ShapeList, SidedTriangle, Sides, SurfaceSite,
     Triangle, Vec2, Vec3,

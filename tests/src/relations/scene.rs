@@ -5,7 +5,7 @@ mod material;
 mod shape;
 
 pub use material::{Base, Coding, Lobes, Map, Material, Picture, Relief, Tiling};
-pub use shape::{Mesh, Shape};
+pub use shape::{Mesh, Shape, sides_of_box};
 
 use traylib_geometry::Sides;
 use traylib_math::Vec3;

@@ -124,6 +124,7 @@ pub(super) const LAYERS: &[Layer] = &[
             "traylib-integrators",
             "anyhow",
             "serde_json",
+            "syn",
         ],
     ),
 ];

@@ -1,6 +1,6 @@
 //! Logarithmic axes.
 
-use crate::page::number::{significant, superscript};
+use crate::number::{significant, superscript};
 use crate::results::{LEAST_ERROR, Point};
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;

@@ -9,7 +9,7 @@ use crate::chart::canvas::{Failed, LETTER, Place, breadth, text};
 use crate::chart::colour::MUTED;
 use crate::chart::palette::{Look, Palette};
 use crate::chart::plot::{Plot, Stroke};
-use crate::page::number;
+use crate::number;
 use crate::results::{MethodResults, SceneResults};
 use plotters::style::text_anchor::{HPos, VPos};
 

@@ -1,8 +1,8 @@
 //! From what was done on a scene to what is told and shown of it.
 
 use crate::judge::{Entry, doubted_by, judge, no_verdict, verdict, withhold};
+use crate::picture::single;
 use crate::pictures::ScenePictures;
-use crate::precision::single;
 use crate::prepare::Prepared;
 use crate::reference::Reference;
 use crate::results::{LengthShare, OutsidePoint, SceneResults, Verdict};

@@ -2,9 +2,10 @@
 
 use super::{Entry, LEVEL};
 use crate::bootstrap;
+use crate::picture::Picture;
 use crate::reference::Reference;
 use crate::results::Point;
-use crate::run::{Look, Picture, Record};
+use crate::run::{Look, Record};
 use traylib_statistics::quantile;
 
 /// After each power of two of passes that every run reached.

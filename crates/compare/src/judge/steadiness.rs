@@ -1,9 +1,9 @@
 //! Whether a method's good average can be relied on.
 
 use super::{Entry, raw_errors};
+use crate::picture::{Picture, grey};
 use crate::reference::Reference;
 use crate::results::{Estimate, Stability};
-use crate::run::{Picture, grey};
 use traylib_statistics::tail::{FEWER, KEPT, Largest, TailIndex, alarm};
 use traylib_statistics::{Sample, quantile};
 

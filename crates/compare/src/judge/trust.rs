@@ -7,9 +7,9 @@
 //! rare that none of its runs has met it, which is no fault of the reference.
 
 use super::{Entry, curve};
+use crate::picture::grey;
 use crate::reference::{LARGEST_OWN_SHARE, Reference};
 use crate::results::MethodResults;
-use crate::run::grey;
 use traylib_integrators::Method;
 use traylib_statistics::{Sample, relative_square_errors, welch};
 

@@ -1,6 +1,6 @@
 //! The answer, in a sentence.
 
-use crate::page::number::{percent, ratio};
+use crate::number::{percent, ratio};
 use crate::results::{Estimate, LEAST_ERROR, MethodResults, Metrics, ReferenceResults, Verdict};
 use traylib_integrators::Method;
 

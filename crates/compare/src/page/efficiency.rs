@@ -1,8 +1,8 @@
 //! What an error costs, and why.
 
 use crate::chart::{Bar, Baseline, Palette, bars};
+use crate::number::{bytes, interval, percent, prefixed, ratio, seconds_interval, short};
 use crate::page::legend;
-use crate::page::number::{bytes, interval, percent, prefixed, ratio, seconds_interval, short};
 use crate::results::{Estimate, MethodResults, SceneResults};
 use maud::{Markup, html};
 

@@ -1,6 +1,6 @@
 //! The answer, before anything else.
 
-use crate::page::scene::anchor;
+use crate::page::anchor::anchor;
 use crate::results::Results;
 use maud::{Markup, html};
 

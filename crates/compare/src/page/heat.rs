@@ -1,7 +1,7 @@
 //! Maps of error, on one scale for all methods of a scene.
 
+use crate::number::superscript;
 use crate::page::image::bytes_as_image;
-use crate::page::number::superscript;
 use maud::{Markup, html};
 use traylib_math::Grid;
 

@@ -1,6 +1,6 @@
 //! How the comparison was made.
 
-use crate::page::number::{bytes, chosen, interval_of, percent, seconds, short};
+use crate::number::{bytes, chosen, interval_of, percent, seconds, short};
 use crate::results::{How, ReferenceResults, Results, SceneResults};
 use maud::{Markup, html};
 

@@ -1,8 +1,8 @@
 //! Measurement against theory.
 
 use crate::chart::{Palette, Quantity, oracle as chart};
+use crate::number::{interval_of, prefixed, significant};
 use crate::page::legend;
-use crate::page::number::{interval_of, prefixed, significant};
 use crate::results::{Oracle, OracleCrossing};
 use maud::{Markup, html};
 

@@ -1,11 +1,11 @@
 //! Pictures at equal time, where they err, and a wipe between any two.
 
 use crate::chart::Palette;
+use crate::number::{seconds, short};
+use crate::page::anchor::anchor;
 use crate::page::heat::Scale;
 use crate::page::image::picture;
 use crate::page::legend;
-use crate::page::number::{seconds, short};
-use crate::page::scene::anchor;
 use crate::pictures::ScenePictures;
 use crate::results::{MethodResults, OutsidePoint, SceneResults};
 use maud::{Markup, html};

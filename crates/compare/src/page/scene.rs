@@ -1,16 +1,12 @@
 //! Everything about one scene.
 
 use crate::chart::Palette;
-use crate::page::number::{prefixed, short};
+use crate::number::{prefixed, short};
+use crate::page::anchor::anchor;
 use crate::page::{efficiency, pictures, settings, speed, stability, techniques};
 use crate::pictures::ScenePictures;
 use crate::results::SceneResults;
 use maud::{Markup, html};
-
-/// The name of a scene's place on the page.
-pub(crate) fn anchor(index: usize) -> String {
-    format!("scene-{}", index + 1)
-}
 
 /// The section of a scene; `alone` if the verdict above the page is its own.
 pub(crate) fn scene(

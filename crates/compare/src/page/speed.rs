@@ -1,8 +1,8 @@
 //! Error against time.
 
 use crate::chart::{Palette, convergence};
+use crate::number::{chosen, seconds_interval};
 use crate::page::legend;
-use crate::page::number::{chosen, seconds_interval};
 use crate::results::{MethodResults, SceneResults, Target};
 use maud::{Markup, html};
 

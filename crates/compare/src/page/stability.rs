@@ -1,8 +1,8 @@
 //! How steady each method is, and what it cannot see.
 
 use crate::chart::Palette;
+use crate::number::{interval, short};
 use crate::page::legend;
-use crate::page::number::{interval, short};
 use crate::results::{MethodResults, SceneResults, Stability};
 use maud::{Markup, html};
 

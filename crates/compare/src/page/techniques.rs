@@ -1,8 +1,8 @@
 //! What each technique of bdpt and each path length bring.
 
 use crate::chart::lengths;
+use crate::number::percent;
 use crate::page::image::picture;
-use crate::page::number::percent;
 use crate::pictures::ScenePictures;
 use crate::results::{LengthShare, SceneResults};
 use maud::{Markup, html};

@@ -1,7 +1,6 @@
 //! One method's picture for a reference, with what is needed to doubt it.
 
-use crate::precision::{double, single};
-use crate::run::{Picture, grey};
+use crate::picture::{Picture, double, grey, single};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::time::Instant;

@@ -1,7 +1,7 @@
 //! A picture of any format that can be read.
 
-use crate::messages::say_line;
 use crate::outcome::Failure;
+use crate::say::say_line;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;

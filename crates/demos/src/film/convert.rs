@@ -2,8 +2,8 @@
 
 use super::any::load_texture_aloud;
 use crate::VERSION;
-use crate::messages::{say, say_line, tell_name};
 use crate::outcome::Failure;
+use crate::say::{say, say_line, tell_name};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use traylib_io::{check_writable, losses, open_exr, write_picture};

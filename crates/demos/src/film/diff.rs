@@ -3,8 +3,8 @@
 use super::any;
 use super::bias::SIDE;
 use super::comparison::{Comparison, LeftOut, Worst};
-use crate::messages::{tell, tell_json};
 use crate::outcome::Failure;
+use crate::say::{tell, tell_json};
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::PathBuf;

@@ -1,8 +1,8 @@
 //! `film info`.
 
 use super::any;
-use crate::messages::{tell, tell_json};
 use crate::outcome::Failure;
+use crate::say::{tell, tell_json};
 use clap::Args;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};

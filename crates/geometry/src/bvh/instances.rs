@@ -7,7 +7,7 @@ use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
 use crate::tree::intersector::TriangleIntersector;
-use crate::tree::packet::triangles::PacketTriangles;
+use crate::tree::lanes::triangles::PacketTriangles;
 use crate::tree::query::Query;
 use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;

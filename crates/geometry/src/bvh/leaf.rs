@@ -1,10 +1,10 @@
 //! What a tree can hold.
 
-use crate::shape::ShapeHit;
+use crate::ShapeHit;
 use crate::tree::batch::Batch;
 use crate::tree::block::Block;
 use crate::tree::intersector::TriangleIntersector;
-use crate::tree::packet::triangles::PacketTriangles;
+use crate::tree::lanes::triangles::PacketTriangles;
 use crate::tree::query::Query;
 use crate::tree::simd::Simd;
 use crate::tree::visitor::{Visitor, Visitors};

@@ -3,17 +3,16 @@
 use super::leaf::{Leaf, LeafVisitor, offer};
 use super::{Bvh, Options, Precision, check_count, watertight, widened};
 use crate::f32_filter::Shear;
-use crate::shape::{ShapeHit, SidedTriangle};
 use crate::tree::block::Block;
+use crate::tree::lanes::triangles::PacketTriangles;
 use crate::tree::mask::ones;
 use crate::tree::node::LEAF;
-use crate::tree::packet::triangles::PacketTriangles;
 use crate::tree::query::Query;
 use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;
 use crate::tree::{GRAIN, Tree, intersector, parallel};
 use crate::watertight::{axes, meet};
-use crate::{Aabb, Error, Mesh, Ray, Sides, Triangle, Vec3};
+use crate::{Aabb, Error, Mesh, Ray, ShapeHit, SidedTriangle, Sides, Triangle, Vec3};
 use std::hint::black_box;
 use std::ops::ControlFlow;
 

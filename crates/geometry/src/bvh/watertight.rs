@@ -3,8 +3,8 @@
 use super::leaf::{Leaf, LeafVisitor, offer};
 use crate::tree::block::Block;
 use crate::tree::intersector;
+use crate::tree::lanes::triangles::PacketTriangles;
 use crate::tree::mask::ones;
-use crate::tree::packet::triangles::PacketTriangles;
 use crate::tree::query::Query;
 use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;

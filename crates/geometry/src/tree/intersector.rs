@@ -15,8 +15,8 @@ use super::block::Block;
 use super::mask::ones;
 use super::node::{Child, LEAF, Node, WIDTH};
 use super::stack::Stack;
+use crate::ShapeHit;
 use crate::f32_filter::Flat;
-use crate::shape::ShapeHit;
 use crate::{Ray, watertight};
 
 /// Distances to near planes are made smaller and those to far planes larger, which covers

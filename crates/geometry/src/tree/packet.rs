@@ -2,16 +2,13 @@
 //! boxes and meet triangles together.
 
 mod boxes;
-mod candidates;
-mod exact;
-mod fast;
-mod rays;
-pub(crate) mod triangles;
 
 use super::Tree;
 use super::batch::Batch;
 use super::interleave::{InFlight, Queue, interleave};
 use super::intersector::ChildIntersector;
+use super::lanes::rays::{Rays, packet};
+use super::lanes::triangles::PacketTriangles;
 use super::node::{Child, Content};
 use super::prefetch::Prefetcher;
 use super::simd::{ALL, PACKET, Simd};
@@ -19,12 +16,10 @@ use super::stack::Stack;
 use super::visitor::{Visitor, Visitors};
 use crate::Ray;
 use boxes::PacketBoxes;
-use rays::{Rays, packet};
 use std::array::from_fn;
 use std::iter::Enumerate;
 use std::ops::Range;
 use std::slice::Chunks;
-use triangles::PacketTriangles;
 
 /// So many packets at once are best where the tree fits into the cache of a core.
 const FEW: usize = 2;

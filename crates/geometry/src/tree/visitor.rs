@@ -3,9 +3,9 @@
 use super::Tree;
 use super::block::Block;
 use super::intersector::TriangleIntersector;
+use super::lanes::triangles::PacketTriangles;
 use super::mask::ones;
 use super::node::{Child, Content};
-use super::packet::triangles::PacketTriangles;
 use super::simd::{F32x8, PACKET, Simd};
 use std::array::from_fn;
 use std::ops::{ControlFlow, Range};

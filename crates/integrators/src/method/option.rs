@@ -1,7 +1,6 @@
 //! The options of methods: how they are spelled, and how their values are read.
 
-use super::MethodError;
-use crate::{Limits, Roulette};
+use crate::Roulette;
 use std::fmt;
 use traylib_math::Heuristic;
 
@@ -197,26 +196,6 @@ impl fmt::Display for MethodSetting {
         let blank = if value.is_empty() { "" } else { " " };
         write!(f, "--{name}{blank}{value}")
     }
-}
-
-/// The limits among settings, defaults where there are none.
-pub(super) fn limits(given: &[MethodSetting]) -> Result<Limits, MethodError> {
-    let mut limits = Limits::NONE;
-    for setting in given {
-        match *setting {
-            MethodSetting::MaxDepth(edges) => limits.max_depth = Some(edges),
-            MethodSetting::Roulette(roulette) => limits.roulette = roulette,
-            MethodSetting::Jitter
-            | MethodSetting::Combine
-            | MethodSetting::Heuristic(_)
-            | MethodSetting::DirectSum
-            | MethodSetting::NoConnections => {}
-        }
-    }
-    if limits.roulette == Roulette::OFF && limits.max_depth.is_none() {
-        return Err(MethodError::Endless);
-    }
-    Ok(limits)
 }
 
 /// The heuristic among settings.

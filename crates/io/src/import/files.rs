@@ -2,8 +2,8 @@
 
 use super::place::Place;
 use crate::Error;
+use crate::locate::{Path, Step};
 use crate::report::{Problem, Problems, SourceText};
-use crate::ron_scene::locate::{Path, Step};
 use crate::ron_scene::{Document, decode, syntax};
 use crate::source::{Location, joined, why};
 use crate::suggest::shown;
@@ -41,7 +41,7 @@ pub(crate) fn gather(root: &Location, widened: Option<&FilePath>) -> Result<Vec<
     if gathering.problems.is_empty() {
         Ok(gathering.files)
     } else {
-        Err(gathering.problems.into_error())
+        Err(Error::Scene(gathering.problems.into_report()))
     }
 }
 

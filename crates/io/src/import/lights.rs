@@ -2,8 +2,8 @@
 
 use super::files::SceneFile;
 use super::place::Place;
+use crate::locate::{Path, Step};
 use crate::report::Problems;
-use crate::ron_scene::locate::{Path, Step};
 use crate::ron_scene::{Light, SpotLight};
 use traylib_math::{Rgb, Vec3};
 use traylib_scene::{Error, PointLight, SceneBuilder, SpotCone};

@@ -5,7 +5,7 @@ mod three_ds;
 
 use super::counter::Counter;
 use super::placement::Placement;
-use crate::load::LoadOptions;
+use crate::load_options::LoadOptions;
 use crate::source::{Location, why};
 use crate::{Error, Warning};
 use std::collections::HashMap;

@@ -1,7 +1,7 @@
 //! Places in scene files that errors can name.
 
+use crate::locate::{Path, Step};
 use crate::report::{Problem, Problems, SourceText, Spot};
-use crate::ron_scene::locate::{Path, Step};
 use std::fmt::Display;
 use std::sync::Arc;
 use traylib_math::Rgb;

@@ -10,7 +10,7 @@ use super::meter;
 use super::model::{ModelCamera, ModelFile, ModelPart};
 use super::one_sided::{self, Described};
 use super::placement::Placement;
-use crate::load::{Headlight, LoadOptions, SceneSettings};
+use crate::load_options::{Headlight, LoadOptions, SceneSettings};
 use crate::ron_scene;
 use crate::source::Location;
 use crate::{Error, Warning};

@@ -3,7 +3,7 @@
 //! The text before that place is sound as far as the parser is concerned, so that
 //! brackets, names and colons before it can be told apart without judging them.
 
-use super::locate::{Scanner, skip_blanks};
+use crate::locate::{Scanner, skip_blanks};
 use std::ops::Range;
 
 /// A bracket that is open at a place, and what is read inside.

@@ -4,8 +4,8 @@ mod structure;
 mod value;
 
 use super::context::{Context, Reading, context, read_to};
+use crate::locate::skip_blanks;
 use crate::report::{Problem, SourceText, Spot};
-use crate::ron_scene::locate::skip_blanks;
 use crate::suggest::{nearest, quoted_list, shown};
 use ron::error::{Error, Position, SpannedError};
 use std::ops::Range;

@@ -1,7 +1,8 @@
 //! PCX, of any version.
 
 use super::raster::from_rgba8;
-use super::{Decoded, Fault, TextureError, TextureLimits};
+use super::{Decoded, TextureError, TextureLimits};
+use crate::Fault;
 use pcx::Reader;
 use std::io::{self, Cursor};
 

@@ -1,7 +1,8 @@
 //! Formats of 8 or 16 bits a channel: to linear light.
 
 use super::gif::with_screen;
-use super::{Coding, Decoded, Fault, TextureError, TextureLimits};
+use super::{Coding, Decoded, TextureError, TextureLimits};
+use crate::Fault;
 use crate::srgb;
 use image::codecs::bmp::BmpDecoder;
 use image::codecs::gif::GifDecoder;

@@ -1,7 +1,7 @@
 //! Spaces: rooms, floors, skies.
 
 use super::{Dice, material, number, shape};
-use crate::relations::form::cut::sides_of_box;
+use crate::relations::scene::sides_of_box;
 use crate::relations::scene::{Material, Mesh, Object, Shape};
 use traylib_geometry::Sides;
 use traylib_math::Vec3;

@@ -1,8 +1,7 @@
 //! The same surfaces in other pieces: boxes as quads, quads as triangles, meshes
 //! as triangles; lamps in two; objects in another order.
 
-use crate::relations::scene::{DrawnScene, Mesh, Object, Shape};
-use traylib_math::Vec3;
+use crate::relations::scene::{DrawnScene, Mesh, Object, Shape, sides_of_box};
 
 /// What becomes of an object.
 type Pieces = fn(&Object) -> Option<Vec<Object>>;
@@ -28,19 +27,6 @@ pub fn boxes_as_quads(scene: &DrawnScene) -> Option<DrawnScene> {
             sides_of_box(&object.shape).into_iter().map(|side| object.with_shape(side)).collect()
         })
     })
-}
-
-/// The quads of a box, their fronts outside, as pictures lie on them: seen from
-/// outside, with y up, u goes to the right and v up on the walls; top and bottom go
-/// on from the wall at the largest z.
-pub fn sides_of_box(shape: &Shape) -> Vec<Shape> {
-    let &Shape::Box([min, max]) = shape else { return Vec::new() };
-    let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * (max - min));
-    let [right, top] = [min.with_x(max.x), min.with_y(max.y).with_z(max.z)];
-    let [front, right_front] = [min.with_z(max.z), max.with_y(min.y)];
-    [(min, z, y), (right_front, -z, y), (min, x, z), (top, x, -z), (right, -x, y), (front, x, y)]
-        .map(|(corner, u, v)| Shape::Quad([corner, u, v]))
-        .into()
 }
 
 /// Two triangles for each quad without pictures.

@@ -2,7 +2,7 @@
 
 use super::ron::{self, Entry};
 use super::{Files, mgf, three_ds};
-use crate::relations::form::cut::sides_of_box;
+use crate::relations::scene::sides_of_box;
 use crate::relations::scene::{Base, DrawnScene, Lobes, Material, Mesh, Object, Shape, luminance};
 use std::collections::BTreeMap;
 use traylib_geometry::Sides;
@@ -27,7 +27,7 @@ pub fn through_mgf(scene: &DrawnScene, stem: &str) -> Option<Exported> {
         return None;
     }
     let arranged = outside.iter().cloned().chain(in_order_of_mgf(&inside)).collect();
-    let mut files = Files::empty(stem);
+    let mut files = Files::empty(stem, None);
     let text = mgf::whole(&in_order_of_mgf(&inside));
     let whole = Entry::Whole(files.add("mgf", text.into_bytes()));
     let entries: Vec<Entry<'_>> = outside.iter().map(Entry::Object).chain([whole]).collect();
@@ -129,7 +129,7 @@ pub fn through_three_ds(scene: &DrawnScene, stem: &str) -> Option<Exported> {
     if inside.is_empty() && lamps.is_empty() {
         return None;
     }
-    let mut files = Files::empty(stem);
+    let mut files = Files::empty(stem, None);
     let mut entries: Vec<Entry<'_>> = outside.iter().map(Entry::Object).collect();
     if !inside.is_empty() {
         entries.push(Entry::Whole(files.add("3ds", three_ds::whole(&inside))));

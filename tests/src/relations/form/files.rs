@@ -1,9 +1,8 @@
 //! A scene as files, and back as what the library makes of them.
 
 use super::motion::Motion;
-use super::ron::Entry;
-use super::{mgf, picture, ron};
-use crate::relations::scene::{DrawnScene, Picture, Shape};
+use super::{mgf, picture};
+use crate::relations::scene::{Picture, Shape};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -48,15 +47,6 @@ impl Placement {
 }
 
 impl Files {
-    /// The same, with every shape that can stand in an MGF file in one of its own, and
-    /// placed from there.
-    pub fn placed(scene: &DrawnScene, stem: &str, placement: Placement) -> Self {
-        let mut files = Self { placement: Some(placement), ..Self::empty(stem) };
-        let entries: Vec<Entry<'_>> = scene.objects.iter().map(Entry::Object).collect();
-        files.text = ron::scene(scene, &entries, &mut files);
-        files
-    }
-
     /// The words for a shape that stands in an MGF file of its own, if it should.
     pub(super) fn mesh(&mut self, shape: &Shape) -> String {
         let Some(placement) = self.placement else {
@@ -65,7 +55,7 @@ impl Files {
         let taken_back = mgf::single(&placement.taken_back(shape));
         let file = self.add("mgf", taken_back.into_bytes());
         let Placement { scale, rotate: [x, y, z], translate } = placement;
-        let translate = ron::vector(translate);
+        let translate = vector(translate);
         format!(
             "Mesh(file: \"{file}\", scale: {scale}, rotate: ({x}, {y}, {z}), translate: {translate})"
         )
@@ -76,17 +66,8 @@ impl Files {
         self.placement.is_some()
     }
 
-    /// The scene in our own format; shapes that only other formats know stand in
-    /// files of theirs. All names begin with `stem`.
-    pub fn of(scene: &DrawnScene, stem: &str) -> Self {
-        let mut files = Self::empty(stem);
-        let entries: Vec<Entry<'_>> = scene.objects.iter().map(Entry::Object).collect();
-        files.text = ron::scene(scene, &entries, &mut files);
-        files
-    }
-
-    pub(super) fn empty(stem: &str) -> Self {
-        Self { text: String::new(), beside: Vec::new(), stem: stem.into(), placement: None }
+    pub(super) fn empty(stem: &str, placement: Option<Placement>) -> Self {
+        Self { text: String::new(), beside: Vec::new(), stem: stem.into(), placement }
     }
 
     /// The name of the scene file.
@@ -130,4 +111,9 @@ impl Files {
         }
         let _ = fs::remove_file(folder.join(self.name()));
     }
+}
+
+/// Three numbers, as short as they can be read back to the last bit.
+pub(super) fn vector(v: Vec3) -> String {
+    format!("({}, {}, {})", v.x, v.y, v.z)
 }

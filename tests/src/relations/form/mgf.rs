@@ -1,6 +1,6 @@
 //! The Materials and Geometry Format.
 
-use crate::relations::form::cut::sides_of_box;
+use crate::relations::scene::sides_of_box;
 use crate::relations::scene::{Base, Lobes, Mesh, Object, Shape};
 use std::f64::consts::PI;
 use std::fmt::Write;

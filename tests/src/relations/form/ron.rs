@@ -1,12 +1,12 @@
 //! Our own scene format.
 
-use super::Files;
+use super::files::vector;
+use super::{Files, Placement};
 use crate::relations::scene::{
     Base, Camera, DrawnScene, Light, Lobes, Map, Material, Object, Relief, Shape, Tiling,
 };
 use std::fmt::Write;
 use traylib_geometry::Sides;
-use traylib_math::Vec3;
 
 /// What stands in a list of objects.
 pub(super) enum Entry<'a> {
@@ -17,6 +17,26 @@ pub(super) enum Entry<'a> {
     /// A file of shapes that says what shines, with a factor on that; all else is as
     /// of this object.
     Lamp(String, f32, &'a Object),
+}
+
+impl Files {
+    /// The scene in our own format; shapes that only other formats know stand in
+    /// files of theirs. All names begin with `stem`.
+    pub fn of(scene: &DrawnScene, stem: &str) -> Self {
+        let mut files = Self::empty(stem, None);
+        let entries: Vec<Entry<'_>> = scene.objects.iter().map(Entry::Object).collect();
+        files.text = self::scene(scene, &entries, &mut files);
+        files
+    }
+
+    /// The same, with every shape that can stand in an MGF file in one of its own, and
+    /// placed from there.
+    pub fn placed(scene: &DrawnScene, stem: &str, placement: Placement) -> Self {
+        let mut files = Self::empty(stem, Some(placement));
+        let entries: Vec<Entry<'_>> = scene.objects.iter().map(Entry::Object).collect();
+        files.text = self::scene(scene, &entries, &mut files);
+        files
+    }
 }
 
 /// The text; pictures and shapes from other formats are added to `files`.
@@ -83,11 +103,6 @@ fn camera(camera: &Camera) -> String {
         "camera: (position: {position}, target: {target}, up: {up}, fov: {fov}, \
          resolution: ({pixels}, {pixels}))"
     )
-}
-
-/// Three numbers, as short as they can be read back to the last bit.
-pub(super) fn vector(v: Vec3) -> String {
-    format!("({}, {}, {})", v.x, v.y, v.z)
 }
 
 fn shape(shape: &Shape, files: &mut Files) -> String {

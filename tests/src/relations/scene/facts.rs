@@ -184,9 +184,7 @@ fn flats(shape: &Shape) -> Vec<Flat> {
             let u = normal.any_orthogonal_vector();
             vec![flat(centre, u, normal.cross(u), shape.clone())]
         }
-        Shape::Box(_) => {
-            crate::relations::form::cut::sides_of_box(shape).iter().flat_map(flats).collect()
-        }
+        Shape::Box(_) => super::sides_of_box(shape).iter().flat_map(flats).collect(),
         Shape::Mesh(mesh) => {
             mesh.corners().flat_map(|corners| flats(&Shape::Triangle(corners))).collect()
         }

@@ -1,6 +1,6 @@
 //! Scenes that are one step simpler.
 
-use crate::relations::form::cut::sides_of_box;
+use crate::relations::scene::sides_of_box;
 use crate::relations::scene::{Camera, DrawnScene, Light, Material, Mesh, Object, Picture, Shape};
 use traylib_geometry::Sides;
 use traylib_math::Vec3;

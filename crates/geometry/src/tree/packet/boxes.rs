@@ -1,7 +1,7 @@
 //! A packet before boxes.
 
-use super::rays::Rays;
 use crate::tree::intersector::{FARTHER, NEARER};
+use crate::tree::lanes::rays::Rays;
 use crate::tree::node::Node;
 use crate::tree::simd::{F32x8, Float, PACKET, Simd};
 

@@ -7,7 +7,7 @@ mod triangles;
 use super::{Content, ImportedMaterial, ModelFile, ModelPart, ModelSide};
 use crate::import::counter::Counter;
 use crate::import::placement::Placement;
-use crate::load::LoadOptions;
+use crate::load_options::LoadOptions;
 use crate::mgf::{self, Shape, Surface};
 use crate::{Error, Warning};
 use std::path::Path;

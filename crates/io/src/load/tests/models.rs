@@ -1,7 +1,7 @@
 //! 3DS and MGF files as scenes, and in scenes.
 
 use super::*;
-use crate::Limit;
+use crate::{Headlight, Limit, ReadLimits};
 use traylib_math::Rgb;
 use traylib_scene::Light;
 

@@ -1,6 +1,6 @@
 //! All that an EXR file holds.
 
-use crate::texture::check_memory;
+use crate::texture_error::check_memory;
 use crate::{Error, Fault, MAX_PIXELS, TextureError};
 use exr::block;
 use exr::meta::attribute::Chromaticities;

@@ -1,8 +1,8 @@
 //! Brackets, commas, colons and what stands in their places.
 
 use super::{Finding, Stop, line_of};
+use crate::locate::skip_blanks;
 use crate::ron_scene::context::{Frame, read_to};
-use crate::ron_scene::locate::skip_blanks;
 use crate::suggest::shown;
 use ron::error::Error;
 

@@ -1,8 +1,8 @@
 //! Values of another kind than their field wants.
 
 use super::{Finding, Stop};
+use crate::locate::Scanner;
 use crate::ron_scene::context::Context;
-use crate::ron_scene::locate::Scanner;
 use crate::ron_scene::wanted::wanted;
 use crate::srgb;
 use crate::suggest::shown;

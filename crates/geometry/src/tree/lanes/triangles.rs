@@ -27,7 +27,7 @@ pub(crate) type Corners = [[[f32; LEAF]; 3]; 3];
 
 impl<E: Simd> PacketTriangles<E> {
     #[inline(always)]
-    pub(super) fn of(rays: &Rays<E>, extents: QuantisedExtents) -> Self {
+    pub(crate) fn of(rays: &Rays<E>, extents: QuantisedExtents) -> Self {
         let axes = rays.axes;
         let direction = [0, 1, 2].map(|i| rays.directions[axes[i]]);
         let reciprocal = direction[2].reciprocal();

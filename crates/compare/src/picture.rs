@@ -1,8 +1,15 @@
 //! Pictures in double precision, in which they are computed with, and in single, in
 //! which they are kept and shown.
 
-use crate::run::Picture;
 use traylib_math::{Grid, Rgb};
+
+/// A picture in linear radiance.
+pub type Picture = Grid<[f64; 3]>;
+
+/// The mean of the bands.
+pub fn grey(bands: &[f64; 3]) -> f64 {
+    bands.iter().sum::<f64>() / 3.0
+}
 
 /// As it is kept in files.
 pub fn single(picture: &Picture) -> Grid<Rgb> {

@@ -9,20 +9,20 @@ const NARROW: f32 = 0.99;
 
 /// The rays of a packet: of one origin and octant, with the same longest coordinate.
 #[derive(Clone, Copy)]
-pub(super) struct Rays<E: Simd> {
-    pub(super) simd: E,
-    pub(super) origin: Vec3,
+pub(crate) struct Rays<E: Simd> {
+    pub(crate) simd: E,
+    pub(crate) origin: Vec3,
     /// By axis.
-    pub(super) directions: [E::F32x8; 3],
+    pub(crate) directions: [E::F32x8; 3],
     /// For each axis 1 if they go backward along it.
-    pub(super) backward: [usize; 3],
+    pub(crate) backward: [usize; 3],
     /// As [`watertight::axes`] has them.
-    pub(super) axes: [usize; 3],
+    pub(crate) axes: [usize; 3],
 }
 
 impl<E: Simd> Rays<E> {
     #[inline(always)]
-    pub(super) fn of(simd: E, rays: &[Ray; PACKET]) -> Self {
+    pub(crate) fn of(simd: E, rays: &[Ray; PACKET]) -> Self {
         let direction = |axis: usize| simd.load(from_fn(|i| rays[i].direction[axis]));
         let backward = |axis: usize| usize::from(rays[0].direction[axis].is_sign_negative());
         Self {
@@ -50,7 +50,7 @@ impl<E: Simd> Rays<E> {
 
 /// The rays, if they make a packet and all can be traced.
 #[inline(always)]
-pub(super) fn packet<E: Simd>(simd: E, rays: &[Ray]) -> Option<&[Ray; PACKET]> {
+pub(crate) fn packet<E: Simd>(simd: E, rays: &[Ray]) -> Option<&[Ray; PACKET]> {
     let rays: &[Ray; PACKET] = rays.try_into().ok()?;
     let (first, last) = (&rays[0], &rays[PACKET - 1]);
     // Most rays are told by the first and the last.

@@ -1,0 +1,46 @@
+//! What came of it.
+
+use crate::VERSION;
+use crate::job::Job;
+use crate::recipe;
+use std::collections::BTreeMap;
+use std::time::Duration;
+use traylib_integrators::Statistics;
+use traylib_io::{Loaded, PictureInfo};
+use traylib_math::{Grid, Rgb};
+
+/// What came of a job.
+#[derive(Debug)]
+pub struct Done {
+    /// The scene and its settings.
+    pub loaded: Loaded,
+    /// How many passes there are.
+    pub passes: u32,
+    /// The picture's own estimate of its relative error.
+    pub error: Option<f64>,
+    /// Further pictures, by number.
+    pub layers: BTreeMap<u16, Grid<Rgb>>,
+    /// Text that was asked for.
+    pub notes: Vec<String>,
+    /// Tally of the work.
+    pub statistics: Statistics,
+    /// Time that it took.
+    pub elapsed: Duration,
+}
+
+impl Done {
+    /// What a picture of this job says of itself.
+    pub fn info(&self, job: &Job<'_>) -> PictureInfo {
+        PictureInfo {
+            exposure: self.loaded.settings.exposure,
+            program: format!("TrayLib {VERSION}"),
+            integrator: job.program.into(),
+            command: recipe::command(job, &self.loaded, self.passes),
+            scene: self.loaded.name.clone(),
+            seed: job.options.seed,
+            spp: u64::from(self.passes),
+            seconds: self.elapsed.as_secs_f64(),
+            rejected_samples: self.statistics.rejected,
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! What a program was asked to do.
+
+use crate::command_line::CommandLine;
+use crate::options::RenderOptions;
+use std::path::Path;
+use traylib_integrators::{Limits, Method};
+use traylib_io::{Headlight, Loaded};
+
+/// What a program was asked to do.
+#[derive(Debug)]
+pub struct Job<'a> {
+    /// The program's name.
+    pub program: &'static str,
+    /// Options that all programs have.
+    pub options: &'a RenderOptions,
+    /// What it renders by; `None` for an integrator that is no method.
+    pub method: Option<Method>,
+    /// Samples a pixel where the command line names none; `None` for the
+    /// scene's number.
+    pub default_spp: Option<u32>,
+    /// Whether a picture is wanted, or only what `finish` makes of it.
+    pub wants_picture: bool,
+    /// When a model is lit from the camera; of what is only checked, if nothing in it
+    /// emits light.
+    pub headlight: Headlight,
+    /// A folder for what `finish` writes.
+    pub folder: Option<&'a Path>,
+    /// How many pictures beside the picture there may be, to find out beforehand whether
+    /// there is memory for them.
+    pub layers: u64,
+}
+
+impl<'a> Job<'a> {
+    /// The usual: a picture.
+    pub fn new(program: &'static str, options: &'a RenderOptions) -> Self {
+        Self {
+            program,
+            options,
+            method: None,
+            default_spp: None,
+            wants_picture: true,
+            headlight: Headlight::Never,
+            folder: None,
+            layers: 0,
+        }
+    }
+
+    /// A picture by the method of a command line.
+    pub fn of<O>(line: &'a CommandLine<O>) -> Self {
+        let CommandLine { render, method, .. } = line;
+        Self { method: Some(*method), ..Self::new(method.name(), render) }
+    }
+
+    /// The limits on its paths.
+    pub(crate) fn limits(&self) -> Limits {
+        self.method.and_then(Method::limits).unwrap_or_default()
+    }
+
+    /// How many passes are asked for; `None` if it is the time that ends them.
+    pub(crate) fn spp(&self, loaded: &Loaded) -> Option<u32> {
+        let default = self.default_spp.unwrap_or(loaded.settings.spp);
+        self.options.spp.or(self.options.time_limit.is_none().then_some(default))
+    }
+}

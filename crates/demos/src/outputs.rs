@@ -1,0 +1,76 @@
+//! Where results go: whether they can, before the work, and then that they do.
+
+use crate::job::Job;
+use crate::outcome::Failure;
+use crate::say::tell_name;
+use std::path::{Path, PathBuf};
+use traylib_io::{PictureInfo, check_file, check_picture, save_picture};
+use traylib_math::{Grid, Rgb};
+use traylib_scene::Camera;
+
+/// The files of the picture and the folder of what is beside it.
+#[derive(Debug)]
+pub(crate) struct Outputs<'a> {
+    files: Vec<PathBuf>,
+    folder: Option<&'a Path>,
+}
+
+impl<'a> Outputs<'a> {
+    /// Of this job.
+    pub(crate) fn of(job: &Job<'a>) -> Self {
+        Self { files: outfiles(job), folder: job.folder }
+    }
+
+    /// Finds out before the work whether its result can be kept.
+    ///
+    /// # Errors
+    /// It cannot.
+    pub(crate) fn check(&self, camera: &Camera) -> Result<(), Failure> {
+        for file in &self.files {
+            check_picture(file, camera.width(), camera.height())?;
+        }
+        let Some(folder) = self.folder else { return Ok(()) };
+        // What is not there yet will be made, where the first folder above it is.
+        let above = folder.ancestors().find(|above| above.exists()).unwrap_or(Path::new(""));
+        check_file(&above.join(".any")).map_err(|_| {
+            Failure::output(format_args!(
+                "{}: cannot be written to: {} takes no files",
+                folder.display(),
+                if above == Path::new("") { Path::new(".") } else { above }.display(),
+            ))
+        })
+    }
+
+    /// Makes the folder, if one is wanted.
+    ///
+    /// # Errors
+    /// It cannot be made.
+    pub(crate) fn make_folder(&self) -> Result<(), Failure> {
+        let Some(folder) = self.folder else { return Ok(()) };
+        std::fs::create_dir_all(folder).map_err(|error| {
+            Failure::output(format_args!("{}: cannot be made: {error}", folder.display()))
+        })
+    }
+
+    /// Writes the picture into every file and tells their names.
+    ///
+    /// # Errors
+    /// A file cannot be written, or standard output takes no more.
+    pub(crate) fn save(&self, picture: &Grid<Rgb>, info: &PictureInfo) -> Result<(), Failure> {
+        for file in &self.files {
+            save_picture(file, picture, info)?;
+            tell_name(file)?;
+        }
+        Ok(())
+    }
+}
+
+fn outfiles(job: &Job<'_>) -> Vec<PathBuf> {
+    if !job.wants_picture {
+        Vec::new()
+    } else if job.options.outfile.is_empty() {
+        vec![PathBuf::from(format!("{}.png", job.program))]
+    } else {
+        job.options.outfile.clone()
+    }
+}

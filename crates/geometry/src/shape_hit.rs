@@ -1,0 +1,12 @@
+//! Where a ray meets one shape.
+
+/// Where a ray meets one shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShapeHit {
+    /// Where along the ray, in units of its direction's length.
+    pub t: f32,
+    /// First surface coordinate; see [`Hit`](crate::Hit).
+    pub u: f32,
+    /// Second surface coordinate; see [`Hit`](crate::Hit).
+    pub v: f32,
+}

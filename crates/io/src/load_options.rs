@@ -1,0 +1,43 @@
+//! What a scene file says about rendering, and what the caller wants otherwise.
+
+use crate::ReadLimits;
+use std::path::Path;
+
+/// What a scene file says about rendering it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneSettings {
+    /// Samples per pixel, at least one.
+    pub spp: u32,
+    /// Factor on radiance in 8-bit pictures, positive.
+    pub exposure: f32,
+}
+
+/// What the caller wants otherwise than the file says.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LoadOptions<'a> {
+    /// Width and height of the picture in pixels.
+    pub resolution: Option<(u32, u32)>,
+    /// Factor on radiance in 8-bit pictures, positive; that of the file, or one that
+    /// suits its light, if none is given.
+    pub exposure: Option<f32>,
+    /// The folder that files included by scene files and MGF files may not leave;
+    /// that of the scene, if none is given.
+    pub root: Option<&'a Path>,
+    /// When a 3DS or MGF file gets a point light at the camera, with a warning.
+    pub headlight: Headlight,
+    /// What files may ask for.
+    pub limits: ReadLimits,
+}
+
+/// When a 3DS or MGF file gets a point light at the camera.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Headlight {
+    /// Never: a file without any light is an error.
+    #[default]
+    Never,
+    /// If nothing in it emits light.
+    WithoutLight,
+    /// If it has no point or spot light, for programs that see by these alone: also if
+    /// something in it shines by itself, be it a lamp or no more than an eye.
+    WithoutPointLight,
+}

@@ -1,0 +1,13 @@
+//! A place on a surface.
+
+use traylib_math::{Vec2, Vec3};
+
+/// Where on a surface a material is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Site {
+    /// Texture coordinates.
+    pub uv: Vec2,
+    /// How the place moves with each of them, in metres a unit; `None` where that
+    /// is not known.
+    pub tangents: Option<[Vec3; 2]>,
+}

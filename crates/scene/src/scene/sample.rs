@@ -1,0 +1,48 @@
+//! Points of lamps, with what they lie on.
+
+use super::Scene;
+use crate::seat::Seat;
+use crate::{Emission, LightId, LightPoint};
+use traylib_math::{AreaPdf, Defect, Vec2, Vec3, planted};
+
+impl Scene {
+    /// A point of a lamp to light `from` with, and its density; one for a point
+    /// light. It emits what the lamp's opacity leaves of it there.
+    #[inline]
+    pub fn sample_light(&self, id: LightId, from: Vec3, u: Vec2) -> (LightPoint, AreaPdf) {
+        let (mut point, pdf) = self.light(id).sample_toward(from, u);
+        self.seat(id, &mut point, u);
+        (point, pdf)
+    }
+
+    /// A point of a lamp for a light path to start at and a direction for it to take.
+    /// It emits what the lamp's opacity leaves of it there.
+    #[inline]
+    pub fn sample_emission(&self, id: LightId, u_point: Vec2, u_direction: Vec2) -> Emission {
+        let mut emission = self.light(id).sample_emission(u_point, u_direction);
+        self.seat(id, &mut emission.point, u_point);
+        emission
+    }
+
+    /// Gives the point that `u` made of a lamp what the lamp lies on.
+    #[inline]
+    fn seat(&self, id: LightId, point: &mut LightPoint, u: Vec2) {
+        match self.stage.seats.get(id.0 as usize) {
+            None | Some(Seat::Plain) => {}
+            Some(Seat::Masked(surface)) => point.emitted *= self.coverage_of_sample(*surface, u),
+            Some(Seat::Within(site)) => point.site = *site,
+        }
+    }
+
+    /// How much of a surface is there at the point that
+    /// [`Primitive::sample_area`](traylib_geometry::Primitive::sample_area) makes of
+    /// `u`. What has texture coordinates is sampled by area in every technique.
+    fn coverage_of_sample(&self, index: u32, u: Vec2) -> f32 {
+        if planted(Defect::LampOpacityForgotten) {
+            return 1.0;
+        }
+        let surface = self.stage.tree.shapes().get(index);
+        let at = surface.sample_coordinates(u);
+        self.stage.materials[surface.material()].opacity(|| surface.site_of_textures(at))
+    }
+}
