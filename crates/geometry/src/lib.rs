@@ -141,6 +141,7 @@ mod bvh;
 mod error;
 mod f32_filter;
 mod mesh;
+mod normals;
 mod point;
 mod precise;
 mod primitive;
@@ -154,8 +155,9 @@ pub use aabb::Aabb;
 pub use bvh::{Bvh, Instance, Instances, LeafKind, Options, Precision, Shapes, Triangles};
 pub use error::Error;
 pub use mesh::Mesh;
+pub use normals::Normals;
 pub use point::SurfaceSite;
-pub use primitive::{Normals, Primitive, SidedPrimitive};
+pub use primitive::{Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
 pub use shape::{
     Cone, Disk, Facing, Quad, Shape, ShapeList, SidedTriangle, Sides, Sphere, Triangle,

@@ -9,11 +9,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// An arrow between two modules of one parent, and the file that draws it.
 type Arrows = BTreeMap<(Names, Names), Names>;
 
-/// A line for each arrow that is part of a circle, but those that `may` be.
-pub(super) fn circles(
-    modules: &BTreeMap<Names, Module>,
-    may: impl Fn(&str, &str) -> bool,
-) -> Vec<String> {
+/// A line for each arrow that is part of a circle.
+pub(super) fn circles(modules: &BTreeMap<Names, Module>) -> Vec<String> {
     let mut arrows = Arrows::new();
     for (from, module) in modules {
         for path in &module.paths {
@@ -23,7 +20,6 @@ pub(super) fn circles(
             }
         }
     }
-    arrows.retain(|(from, to), _| !may(&from.join("::"), &to.join("::")));
     let circular = arrows.iter().filter(|((from, to), _)| leads(&arrows, to, from));
     circular
         .map(|((from, to), file)| {
@@ -84,7 +80,7 @@ mod tests {
             let path: Names = path.split("::").filter(|n| !n.is_empty()).map(Into::into).collect();
             (path.clone(), parse(&path, text).unwrap().0)
         });
-        circles(&modules.collect(), |_, _| false)
+        circles(&modules.collect())
     }
 
     #[test]

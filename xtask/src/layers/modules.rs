@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fs::read_to_string;
 use std::path::Path;
 use syn::visit::{self, Visit};
-use syn::{Attribute, Item, ItemMod, ItemUse, UseTree};
+use syn::{Attribute, Ident, ItemFn, ItemImpl, ItemMod, ItemUse, UseTree};
 
 /// A path of names below the root of the package.
 pub(super) type Names = Vec<String>;
@@ -34,7 +34,8 @@ pub(super) fn read(root: &Path) -> Result<BTreeMap<Names, Module>> {
             let flat = folder.join(format!("{child}.rs"));
             let below = folder.join(&child);
             let file = if flat.exists() { flat } else { below.join("mod.rs") };
-            open.push((joined(&path, &child), file, below));
+            let path = [path.as_slice(), &[child]].concat();
+            open.push((path, file, below));
         }
         modules.insert(path, module);
     }
@@ -75,42 +76,36 @@ impl Reader {
     }
 
     fn import(&mut self, before: &mut Names, tree: &UseTree) {
-        let (name, alias) = match tree {
+        match tree {
             UseTree::Path(inner) => {
                 before.push(inner.ident.to_string());
                 self.import(before, &inner.tree);
                 before.pop();
-                return;
             }
-            UseTree::Group(group) => {
-                group.items.iter().for_each(|tree| self.import(before, tree));
-                return;
-            }
-            UseTree::Name(name) => (Some(&name.ident), &name.ident),
-            UseTree::Rename(rename) => (Some(&rename.ident), &rename.rename),
-            UseTree::Glob(_) => {
-                self.module.paths.extend(self.absolute(before));
-                return;
-            }
-        };
-        let mut names = before.clone();
-        names.extend(name.filter(|name| *name != "self").map(ToString::to_string));
-        // A path that begins with a child, as of a parent that passes names on.
-        let local = || joined_all(&self.path, &names);
-        let path = self.absolute(&names).unwrap_or_else(local);
-        self.module.imports.insert(alias.to_string(), path.clone());
+            UseTree::Group(group) => group.items.iter().for_each(|tree| self.import(before, tree)),
+            UseTree::Name(name) => self.import_one(before, &name.ident, &name.ident),
+            UseTree::Rename(rename) => self.import_one(before, &rename.ident, &rename.rename),
+            UseTree::Glob(_) => self.module.paths.extend(self.absolute(before)),
+        }
+    }
+
+    fn import_one(&mut self, before: &[String], name: &Ident, known_as: &Ident) {
+        let mut names = before.to_vec();
+        if name != "self" {
+            names.push(name.to_string());
+        }
+        // What begins with the name of a child, as where a parent passes names on.
+        let path = self.absolute(&names).unwrap_or_else(|| [self.path.as_slice(), &names].concat());
+        self.module.imports.insert(known_as.to_string(), path.clone());
         self.module.paths.push(path);
     }
 }
 
 impl Visit<'_> for Reader {
-    fn visit_item(&mut self, item: &Item) {
-        if !is_for_tests(attributes(item)) {
-            visit::visit_item(self, item);
-        }
-    }
-
     fn visit_item_mod(&mut self, module: &ItemMod) {
+        if is_for_tests(&module.attrs) {
+            return;
+        }
         if module.content.is_none() {
             self.children.push(module.ident.to_string());
             return;
@@ -121,7 +116,21 @@ impl Visit<'_> for Reader {
     }
 
     fn visit_item_use(&mut self, item: &ItemUse) {
-        self.import(&mut Names::new(), &item.tree);
+        if !is_for_tests(&item.attrs) {
+            self.import(&mut Names::new(), &item.tree);
+        }
+    }
+
+    fn visit_item_fn(&mut self, item: &ItemFn) {
+        if !is_for_tests(&item.attrs) {
+            visit::visit_item_fn(self, item);
+        }
+    }
+
+    fn visit_item_impl(&mut self, item: &ItemImpl) {
+        if !is_for_tests(&item.attrs) {
+            visit::visit_item_impl(self, item);
+        }
     }
 
     fn visit_path(&mut self, path: &syn::Path) {
@@ -131,27 +140,9 @@ impl Visit<'_> for Reader {
     }
 }
 
-fn attributes(item: &Item) -> &[Attribute] {
-    match item {
-        Item::Mod(item) => &item.attrs,
-        Item::Use(item) => &item.attrs,
-        Item::Fn(item) => &item.attrs,
-        Item::Impl(item) => &item.attrs,
-        _ => &[],
-    }
-}
-
 fn is_for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
-        let test = |name: syn::Ident| name == "test" || name == "doctest";
-        attribute.path().is_ident("cfg") && attribute.parse_args().is_ok_and(test)
+        let is_test = |name: Ident| name == "test" || name == "doctest";
+        attribute.path().is_ident("cfg") && attribute.parse_args().is_ok_and(is_test)
     })
-}
-
-fn joined(path: &[String], name: &str) -> Names {
-    joined_all(path, &[name.to_string()])
-}
-
-fn joined_all(path: &[String], names: &[String]) -> Names {
-    [path, names].concat()
 }
