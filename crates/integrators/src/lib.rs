@@ -1,4 +1,54 @@
-//! Light transport algorithms.
+//! Light transport algorithms: from a scene to its picture.
+//!
+//! ```
+//! use traylib_geometry::{Facing, Primitive, Quad, Sides, Sphere, Vec3};
+//! use traylib_integrators::{Method, Settings, render_to_end};
+//! use traylib_materials::{Lambert, SurfaceModel};
+//! use traylib_math::Rgb;
+//! use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, SceneBuilder};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let scratch = std::env::temp_dir().join(format!("traylib-ball-{}", std::process::id()));
+//! # std::fs::create_dir_all(&scratch)?;
+//! # std::env::set_current_dir(&scratch)?;
+//! let (position, target, up) = (Vec3::new(0.0, 2.0, 6.0), Vec3::Y, Vec3::Y);
+//! let (fov_degrees, width, height) = (45.0, 64, 48);
+//! let camera =
+//!     Camera::new(CameraSettings { position, target, up, fov_degrees, width, height })?;
+//! let mut builder = SceneBuilder::new(camera);
+//! let white = builder.add_material(SurfaceModel::Lambert(Lambert::new(Rgb::splat(0.7))?));
+//!
+//! let floor = Quad::new(Vec3::new(-3.0, 0.0, -3.0), 6.0 * Vec3::Z, 6.0 * Vec3::X)?;
+//! let ball = Sphere::new(Vec3::Y, 1.0, Facing::Outward)?;
+//! // Its front is where X × Z points: below.
+//! let lamp = Quad::new(Vec3::new(-1.0, 4.0, -1.0), 2.0 * Vec3::X, 2.0 * Vec3::Z)?;
+//! for (shape, emission) in [
+//!     (Primitive::Quad(floor), Rgb::BLACK),
+//!     (Primitive::Sphere(ball), Rgb::BLACK),
+//!     (Primitive::Quad(lamp), Rgb::splat(8.0)),
+//! ] {
+//!     let (shape, sides) = (ObjectShape::Primitive(shape), Sides::Both);
+//!     builder.add_object(Object { shape, sides, material: white, emission })?;
+//! }
+//! let scene = builder.build()?;
+//!
+//! let settings = Settings { spp: 16, ..Settings::default() };
+//! let picture = render_to_end(&scene, &*Method::BDPT.build(), &settings)?.film.develop();
+//!
+//! let mut file = format!("P6 {width} {height} 255\n").into_bytes();
+//! for radiance in picture.values() {
+//!     file.extend(radiance.to_array().map(|band| (255.0 * band.powf(1.0 / 2.2)) as u8));
+//! }
+//! std::fs::write("ball.ppm", file)?;
+//! # let (lit, shadow) = (picture.get(8, 40).g, picture.get(32, 40).g);
+//! # assert!(lit > 2.0 * shadow && shadow > 0.0, "{lit} {shadow}");
+//! # std::env::set_current_dir(std::env::temp_dir())?;
+//! # std::fs::remove_dir_all(scratch)?;
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! `traylib-io` writes other formats, and reads scenes from files.
 //!
 //! | integrator | what it samples | section of the paper |
 //! |---|---|---|
@@ -99,3 +149,8 @@ pub trait Integrator: Sync {
     /// however long it renders.
     fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot>;
 }
+
+/// What the package says of itself is run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

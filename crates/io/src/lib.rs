@@ -53,3 +53,8 @@ pub use read_limits::ReadLimits;
 pub use replace::{check_file, discard_unfinished, write_file};
 pub use texture::{Coding, Texture, TextureLimits, load_texture, texture_from_bytes};
 pub use texture_error::{Fault, TextureError};
+
+/// What the package says of itself is run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -51,3 +51,8 @@ pub use scattering::{BsdfSample, Scattering};
 pub use sheet::Sheet;
 pub use site::Site;
 pub use texture::{Texture, Tiling};
+
+/// What the package says of itself is run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -3,6 +3,37 @@
 //! A scene is built once by [`SceneBuilder`] and is immutable afterwards. It
 //! knows nothing of files, threads or algorithms. All randomness enters as
 //! numbers `u`, uniform on [0, 1).
+//!
+//! ```
+//! use traylib_geometry::{Primitive, Quad, Ray, Sides, Vec3};
+//! use traylib_materials::{Lambert, SurfaceModel};
+//! use traylib_math::Rgb;
+//! use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, SceneBuilder};
+//!
+//! let camera = Camera::new(CameraSettings {
+//!     position: Vec3::new(0.0, 1.0, 4.0),
+//!     target: Vec3::Y,
+//!     up: Vec3::Y,
+//!     fov_degrees: 45.0,
+//!     width: 64,
+//!     height: 48,
+//! })?;
+//! let mut builder = SceneBuilder::new(camera);
+//! let white = builder.add_material(SurfaceModel::Lambert(Lambert::new(Rgb::splat(0.7))?));
+//! // A lamp of one square metre, three metres above; its front is where X × Z points.
+//! let lamp = Quad::new(Vec3::new(-0.5, 3.0, -0.5), Vec3::X, Vec3::Z)?;
+//! builder.add_object(Object {
+//!     shape: ObjectShape::Primitive(Primitive::Quad(lamp)),
+//!     sides: Sides::Both,
+//!     material: white,
+//!     emission: Rgb::splat(8.0),
+//! })?;
+//! let scene = builder.build()?;
+//!
+//! let point = scene.intersect(&Ray::new(Vec3::ZERO, Vec3::Y)).expect("the lamp hangs there");
+//! assert_eq!((point.site.position.y, scene.emitted(&point).g), (3.0, 8.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod builder;
 mod camera;
@@ -26,3 +57,8 @@ pub use light::{Emission, Light, LightPoint, PointLight, SpotCone};
 pub use light_id::LightId;
 pub use scene::{LightChoice, LightDensities, MOST_PASSAGES, Scene};
 pub use surface_point::{SurfacePoint, Walk};
+
+/// What the package says of itself is run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
