@@ -3,8 +3,8 @@
 mod touch;
 
 use crate::{
-    Aabb, Cone, Disk, Facing, Hit, Normals, Quad, Ray, Shape, ShapeHit, SidedTriangle, Sides,
-    Sphere, SurfaceSite, Triangle, Vec2, Vec3,
+    Aabb, Cone, Disk, Error, Facing, Hit, Normals, Quad, Ray, Shape, ShapeHit, SidedTriangle,
+    Sides, Sphere, SurfaceSite, Triangle, Vec2, Vec3,
 };
 use traylib_math::{AreaPdf, warp};
 
@@ -140,6 +140,55 @@ impl Primitive {
             Self::Triangle(_) => Triangle::is_on_edge(u, v),
             Self::Quad(_) => u <= 0.0 || v <= 0.0 || u >= 1.0 || v >= 1.0,
             Self::Sphere(_) | Self::Disk(_) | Self::Cone(_) => false,
+        }
+    }
+
+    /// What pictures lie along: how the place moves with each surface coordinate, in metres
+    /// a unit; `None` where no picture can lie.
+    pub fn tangents(&self) -> Option<[Vec3; 2]> {
+        match self {
+            Self::Quad(quad) => Some(quad.edges()),
+            Self::Triangle(_) | Self::Sphere(_) | Self::Disk(_) | Self::Cone(_) => None,
+        }
+    }
+
+    /// A site with the normal and the error of a point on the surface, which is `point` on
+    /// what is round, and any on what is flat.
+    fn site_near(&self, point: Vec3) -> SurfaceSite {
+        match self {
+            Self::Triangle(triangle) => triangle.site(1.0 / 3.0, 1.0 / 3.0),
+            Self::Quad(quad) => quad.site(0.5, 0.5),
+            Self::Sphere(sphere) => sphere.site(&Ray::new(point, Vec3::ZERO), 0.0),
+            Self::Disk(disk) => disk.site(&Ray::new(point, Vec3::ZERO), 0.0),
+            Self::Cone(cone) => cone.site(&Ray::new(point, Vec3::ZERO), 0.0),
+        }
+    }
+
+    /// The shape moved to its front: what is flat by `offset`, which is `height` along its
+    /// normal, what is round by making it wider or narrower.
+    fn lifted_by(&self, height: f32, offset: Vec3) -> Result<Self, Error> {
+        match self {
+            Self::Triangle(triangle) => {
+                let [a, b, c] = triangle.corners().map(|corner| corner + offset);
+                Triangle::new(a, b, c).map(Self::Triangle)
+            }
+            Self::Quad(quad) => {
+                let [u, v] = quad.edges();
+                Quad::new(quad.corner() + offset, u, v).map(Self::Quad)
+            }
+            Self::Disk(disk) => {
+                let [inner, outer] = [disk.inner_radius(), disk.radius()];
+                Disk::ring(disk.centre() + offset, disk.normal(), inner, outer).map(Self::Disk)
+            }
+            Self::Sphere(sphere) => {
+                let (centre, facing) = (sphere.centre(), sphere.facing());
+                Sphere::new(centre, sphere.radius() + facing.turn(height), facing).map(Self::Sphere)
+            }
+            Self::Cone(cone) => {
+                let (ends, facing) = (cone.ends(), cone.facing());
+                let radii = cone.radii().map(|radius| (radius + facing.turn(height)).max(0.0));
+                Cone::new(ends, radii, facing).map(Self::Cone)
+            }
         }
     }
 

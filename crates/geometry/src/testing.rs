@@ -1,6 +1,9 @@
 //! Random shapes and closed meshes for tests.
 
-use crate::{Cone, Disk, Facing, Mesh, Primitive, Quad, Sphere, Triangle, Vec2, Vec3};
+pub(crate) mod shape;
+
+use crate::{Facing, Mesh, Primitive, Triangle, Vec2, Vec3};
+use shape::Measures;
 use std::collections::HashMap;
 use traylib_math::{Purpose, Sampler, warp};
 
@@ -54,22 +57,9 @@ impl Random {
 
     fn one_of(&mut self, centre: Vec3, along: Vec3, aside: Vec3, radius: f32) -> Primitive {
         let facing = if self.number() < 0.5 { Facing::Outward } else { Facing::Inward };
-        let kind = (9.0 * self.number()) as u32;
-        let part = self.number();
-        let cone = |to, radii| Cone::new([centre, centre + to], radii, facing).map(Primitive::Cone);
-        let shape = match kind {
-            0 => Sphere::new(centre, radius, facing).map(Primitive::Sphere),
-            1 => Disk::new(centre, along, radius).map(Primitive::Disk),
-            2 => Quad::new(centre, along, aside).map(Primitive::Quad),
-            3 => Triangle::new(centre, centre + along, centre + aside).map(Primitive::Triangle),
-            4 => Disk::ring(centre, along, part * radius, radius).map(Primitive::Disk),
-            5 => cone(along, [radius, radius]),
-            6 => cone(along, [part * radius, radius]),
-            // With its tip; as a sliver, almost flat.
-            7 => cone(aside, [0.5 * part, 0.0]),
-            // In a coordinate plane, as walls are.
-            _ => Quad::new(centre, along.x * Vec3::X, aside.z * Vec3::Z).map(Primitive::Quad),
-        };
+        let (kind, part) = (self.number(), self.number());
+        let mut forms = Measures { centre, along, aside, radius, part, facing }.forms();
+        let shape = forms.swap_remove((kind * forms.len() as f32) as usize);
         // Far from the origin a sliver's corners can round onto a line.
         shape.unwrap_or_else(|_| self.primitive(centre))
     }

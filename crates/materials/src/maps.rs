@@ -94,21 +94,7 @@ impl Maps {
     /// The model at a place: with the colours that the textures have there.
     pub(crate) fn apply(&self, model: SurfaceModel, uv: Vec2) -> SurfaceModel {
         let show = |layer: &Option<Layer>, base| layer.as_ref().map_or(base, |l| l.over(base, uv));
-        match model {
-            SurfaceModel::Lambert(m) => {
-                let reflectance = show(&self.diffuse, m.reflectance());
-                SurfaceModel::Lambert(m.with_reflectance(reflectance))
-            }
-            SurfaceModel::Phong(m) => {
-                let diffuse = show(&self.diffuse, m.diffuse());
-                let specular = show(&self.specular, m.specular());
-                SurfaceModel::Phong(m.with_parts(diffuse, specular))
-            }
-            other @ (SurfaceModel::MaxPhong(_)
-            | SurfaceModel::Mirror(_)
-            | SurfaceModel::Sheet(_)
-            | SurfaceModel::Dielectric(_)) => other,
-        }
+        model.with_colours(|base| show(&self.diffuse, base), |base| show(&self.specular, base))
     }
 
     /// How much of the surface is there.

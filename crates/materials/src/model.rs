@@ -1,7 +1,7 @@
 //! The closed set of surface models.
 
 use crate::{BsdfSample, Dielectric, Lambert, MaxPhong, Mirror, Phong, Scattering, Sheet};
-use traylib_math::{Defect, Vec3, planted};
+use traylib_math::{Defect, Rgb, Vec3, planted};
 
 /// How a surface scatters light. Small and `Copy`; a scene keeps one a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,6 +94,23 @@ impl SurfaceModel {
     /// below the surface.
     pub fn transmits(&self) -> bool {
         matches!(self, Self::Sheet(_))
+    }
+
+    /// The model with other colours in place of its diffuse and its specular part, where
+    /// pictures can show.
+    pub(crate) fn with_colours(
+        self,
+        diffuse: impl Fn(Rgb) -> Rgb,
+        specular: impl Fn(Rgb) -> Rgb,
+    ) -> Self {
+        match self {
+            Self::Lambert(m) => Self::Lambert(m.with_reflectance(diffuse(m.reflectance()))),
+            Self::Phong(m) => {
+                Self::Phong(m.with_parts(diffuse(m.diffuse()), specular(m.specular())))
+            }
+            other
+            @ (Self::MaxPhong(_) | Self::Mirror(_) | Self::Sheet(_) | Self::Dielectric(_)) => other,
+        }
     }
 
     /// The model of a surface whose front and back differ, seen from its back.

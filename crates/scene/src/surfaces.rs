@@ -82,13 +82,11 @@ impl Surfaces {
         let part = &mut self.parts[self.part_of[number as usize] as usize];
         match (&mut part.form, by) {
             (Form::Primitive(primitive), by) => *primitive = by,
-            (Form::Mesh(mesh), Primitive::Triangle(triangle)) => {
-                mesh.move_triangle((number - part.first) as usize, triangle.corners());
+            (Form::Mesh(mesh), by) => {
+                if let Some(triangle) = by.sided_triangle(part.sides) {
+                    mesh.move_triangle((number - part.first) as usize, triangle.corners);
+                }
             }
-            (
-                Form::Mesh(_),
-                Primitive::Quad(_) | Primitive::Sphere(_) | Primitive::Disk(_) | Primitive::Cone(_),
-            ) => {}
         }
     }
 }
@@ -195,15 +193,9 @@ impl Surface<'_> {
                 let uv = mesh.uv(self.index, at.x, at.y)?;
                 Some(Site { uv, tangents: mesh.tangents(self.index) })
             }
-            Form::Primitive(Primitive::Quad(quad)) => {
-                Some(Site { uv: at, tangents: Some(quad.edges()) })
+            Form::Primitive(primitive) => {
+                primitive.tangents().map(|edges| Site { uv: at, tangents: Some(edges) })
             }
-            Form::Primitive(
-                Primitive::Triangle(_)
-                | Primitive::Sphere(_)
-                | Primitive::Disk(_)
-                | Primitive::Cone(_),
-            ) => None,
         }
     }
 }

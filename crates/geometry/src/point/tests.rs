@@ -2,6 +2,7 @@ mod coordinate_planes;
 
 use super::*;
 use crate::testing::Random;
+use crate::testing::shape::is_final;
 use crate::{Cone, Disk, Facing, Hit, Primitive, Quad, Sides, Sphere, Triangle};
 
 /// A unit direction on the side of `normal`, often almost along the surface.
@@ -16,20 +17,6 @@ fn some_shape(i: u32, random: &mut Random) -> Primitive {
     let distance = if i.is_multiple_of(2) { 1.0 } else { random.magnitude(1e4) };
     let place = distance * random.point();
     if i.is_multiple_of(3) { random.sliver(place) } else { random.primitive(place) }
-}
-
-/// Whether a ray that leaves a site into the hemisphere of `normal` must not
-/// meet the shape again: all but those into a sphere or a cone.
-fn is_final(shape: &Primitive, side: f32) -> bool {
-    match shape {
-        Primitive::Sphere(sphere) => is_outside(sphere.facing(), side),
-        Primitive::Cone(cone) => is_outside(cone.facing(), side),
-        Primitive::Triangle(_) | Primitive::Quad(_) | Primitive::Disk(_) => true,
-    }
-}
-
-fn is_outside(facing: Facing, side: f32) -> bool {
-    (facing == Facing::Outward) == side.is_sign_positive()
 }
 
 #[test]

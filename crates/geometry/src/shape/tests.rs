@@ -1,10 +1,9 @@
 mod gaps;
 
 use super::*;
-use crate::precise::{DVec3, difference};
 use crate::testing::Random;
+use crate::testing::shape::{distance, on_border, scaled};
 use crate::{Hit, Primitive, SurfaceSite};
-use traylib_math::glam::DVec2;
 
 fn whole(hit: ShapeHit) -> Hit {
     Hit { t: hit.t, primitive: 0, u: hit.u, v: hit.v }
@@ -40,34 +39,6 @@ fn sampled_points_are_met() {
     }
 }
 
-/// Whether a site is within a ten thousandth of an edge or a rim.
-fn on_border(shape: &Primitive, site: &SurfaceSite) -> bool {
-    let beside = |from: Vec3, along: Vec3| {
-        (site.position - from).cross(along).length() < 1e-4 * along.length()
-    };
-    match shape {
-        Primitive::Quad(quad) => {
-            let (corner, [u, v]) = (quad.corner(), quad.edges());
-            beside(corner, u) || beside(corner, v) || beside(corner + u, v) || beside(corner + v, u)
-        }
-        Primitive::Triangle(triangle) => {
-            let [a, b, c] = triangle.corners();
-            beside(a, b - a) || beside(b, c - b) || beside(c, a - c)
-        }
-        Primitive::Sphere(_) => false,
-        Primitive::Disk(disk) => {
-            let away = site.position.distance(disk.centre());
-            [disk.radius(), disk.inner_radius()].iter().any(|r| (away - r).abs() < 1e-4)
-        }
-        // A rim is where its sphere around the end meets the surface.
-        Primitive::Cone(cone) => {
-            let [one, other] = cone.ends();
-            let across = |end: Vec3, to: Vec3| (site.position - end).dot((to - end).normalize());
-            across(one, other) < 1e-4 || across(other, one) < 1e-4
-        }
-    }
-}
-
 /// No constant with a unit of length: scaling by a power of two changes no bit.
 #[test]
 fn scaling_by_powers_of_two_is_exact() {
@@ -97,30 +68,6 @@ fn scaling_by_powers_of_two_is_exact() {
             assert_eq!(bits(far_site.normal), bits(site.normal));
             let out = random.direction();
             assert_eq!(bits(far_site.ray_origin(out)), bits(site.ray_origin(out) * scale));
-        }
-    }
-}
-
-fn scaled(shape: &Primitive, scale: f32) -> Primitive {
-    match shape {
-        Primitive::Triangle(triangle) => {
-            let [a, b, c] = triangle.corners().map(|p| p * scale);
-            Primitive::Triangle(Triangle::new(a, b, c).unwrap())
-        }
-        Primitive::Quad(quad) => {
-            let [u, v] = quad.edges().map(|e| e * scale);
-            Primitive::Quad(Quad::new(quad.corner() * scale, u, v).unwrap())
-        }
-        Primitive::Sphere(s) => Primitive::Sphere(
-            Sphere::new(s.centre() * scale, s.radius() * scale, s.facing()).unwrap(),
-        ),
-        Primitive::Disk(d) => {
-            let [inner, outer] = [d.inner_radius(), d.radius()].map(|r| r * scale);
-            Primitive::Disk(Disk::ring(d.centre() * scale, d.normal(), inner, outer).unwrap())
-        }
-        Primitive::Cone(c) => {
-            let (ends, radii) = (c.ends().map(|p| p * scale), c.radii().map(|r| r * scale));
-            Primitive::Cone(Cone::new(ends, radii, c.facing()).unwrap())
         }
     }
 }
@@ -184,40 +131,6 @@ fn errors_are_bounded() {
         let off = distance(&shape, site.position);
         assert!(off <= allowed, "{shape:?}: {off} > {allowed}");
     }
-}
-
-/// From the surface, in double precision.
-fn distance(shape: &Primitive, point: Vec3) -> f64 {
-    let plane = |origin: Vec3, normal: DVec3| {
-        (difference(point, origin).dot(normal) / normal.length()).abs()
-    };
-    match shape {
-        Primitive::Triangle(triangle) => {
-            let [a, b, c] = triangle.corners();
-            plane(a, difference(b, a).cross(difference(c, a)))
-        }
-        Primitive::Quad(quad) => {
-            let [u, v] = quad.edges().map(Vec3::as_dvec3);
-            plane(quad.corner(), u.cross(v))
-        }
-        Primitive::Disk(disk) => plane(disk.centre(), disk.normal().as_dvec3()),
-        Primitive::Sphere(sphere) => {
-            let away = difference(point, sphere.centre()).length();
-            (away - f64::from(sphere.radius())).abs()
-        }
-        Primitive::Cone(cone) => distance_to_cone(cone, point),
-    }
-}
-
-/// From the line that the surface is in a half plane of the axis.
-fn distance_to_cone(cone: &Cone, point: Vec3) -> f64 {
-    let ([one, other], [first, last]) = (cone.ends(), cone.radii().map(f64::from));
-    let axis = difference(other, one);
-    let from_one = difference(point, one);
-    let aside = from_one.cross(axis).length() / axis.length();
-    let side = DVec2::new(axis.length(), last - first);
-    let in_plane = DVec2::new(from_one.dot(axis) / axis.length(), aside - first);
-    (side.perp_dot(in_plane) / side.length()).abs()
 }
 
 #[test]

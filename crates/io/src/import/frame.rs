@@ -11,7 +11,7 @@ use super::imported_object::ImportedObject;
 use super::model::ModelCamera;
 use std::f32::consts::{PI, TAU};
 use surroundings::Tree;
-use traylib_geometry::{Aabb, Primitive, Ray, Vec2, Vec3};
+use traylib_geometry::{Aabb, Ray, Vec2, Vec3};
 use traylib_math::glam::DVec3;
 use traylib_scene::PointLight;
 
@@ -56,7 +56,7 @@ pub(super) fn up(items: &[ImportedObject], bounds: &Aabb) -> Vec3 {
     for lamp in items.iter().filter(|item| !item.emission.is_black()) {
         for primitive in lamp.primitives().map(|sided| sided.primitive) {
             let site = primitive.sample_area(Vec2::splat(0.5));
-            let is_round = matches!(primitive, Primitive::Sphere(_) | Primitive::Cone(_));
+            let is_round = primitive.normals().half_angle > 0.0;
             let downward = if is_round { Vec3::ZERO } else { -site.normal };
             let sign = (site.position - centre) / half + downward;
             let power = primitive.area() * lamp.emission.luminance();

@@ -192,12 +192,8 @@ mod tests {
                 [point(left, low, back), point(right, low, back), point(left, low, front)],
             ),
         ] {
-            let quads = sides.iter().filter_map(|side| match side {
-                Primitive::Quad(quad) => Some(quad),
-                Primitive::Triangle(_)
-                | Primitive::Sphere(_)
-                | Primitive::Disk(_)
-                | Primitive::Cone(_) => None,
+            let quads = sides.iter().filter_map(|side| {
+                if let Primitive::Quad(quad) = side { Some(quad) } else { None }
             });
             let quad = { quads }.find(|quad| quad.normal() == normal).unwrap();
             let [u, v] = quad.edges();

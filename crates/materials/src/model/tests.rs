@@ -30,14 +30,32 @@ fn sheet(exponent: f32) -> SurfaceModel {
 }
 
 fn models() -> Vec<SurfaceModel> {
-    let mut models = vec![
-        SurfaceModel::Lambert(Lambert::new(Rgb::new(0.2, 0.5, 0.9)).unwrap()),
-        mirror(0.5, 0.3),
-    ];
-    for n in EXPONENTS {
-        models.extend([phong(0.3, 0.6, n), phong(0.0, 1.0, n), max_phong(0.9, n), sheet(n)]);
+    let mut models = Vec::new();
+    loop {
+        let examples = examples_after(models.last());
+        if examples.is_empty() {
+            return models;
+        }
+        models.extend(examples);
     }
-    models
+}
+
+/// Some of the first model, or of the one after the last; none after the last of all. A new
+/// one has to find its place here.
+fn examples_after(last: Option<&SurfaceModel>) -> Vec<SurfaceModel> {
+    match last {
+        None => vec![SurfaceModel::Lambert(Lambert::new(Rgb::new(0.2, 0.5, 0.9)).unwrap())],
+        Some(SurfaceModel::Lambert(_)) => vec![mirror(0.5, 0.3)],
+        Some(SurfaceModel::Mirror(_)) => {
+            EXPONENTS.into_iter().flat_map(|n| [phong(0.3, 0.6, n), phong(0.0, 1.0, n)]).collect()
+        }
+        Some(SurfaceModel::Phong(_)) => EXPONENTS.map(|n| max_phong(0.9, n)).to_vec(),
+        Some(SurfaceModel::MaxPhong(_)) => EXPONENTS.map(sheet).to_vec(),
+        Some(SurfaceModel::Sheet(_)) => [0.7, 1.5]
+            .map(|index| SurfaceModel::Dielectric(Dielectric::new(index).unwrap()))
+            .to_vec(),
+        Some(SurfaceModel::Dielectric(_)) => Vec::new(),
+    }
 }
 
 /// Mean of `f` over `n` samples of the model, zero where it gives none.

@@ -10,9 +10,10 @@ mod judge;
 use super::brute_force;
 use crate::bvh::*;
 use crate::testing::Random;
+use crate::testing::shape::{Line, scaled};
 use crate::tree::Kernel;
-use crate::{Cone, Disk, Facing, Primitive, Quad, Sphere, Triangle};
-use judge::{Line, Verdict, verdict};
+use crate::{Cone, Facing, Primitive};
+use judge::{Verdict, verdict};
 use std::sync::Arc;
 use traylib_math::glam::{Affine3A, DAffine3, DVec3, Mat3A};
 
@@ -80,33 +81,6 @@ fn ray_at(shape: &Primitive, distance: f32, random: &mut Random) -> Ray {
         3 => Ray { direction: straight.direction.normalize(), ..straight },
         _ => straight,
     }
-}
-
-/// The shape this much larger.
-fn scaled(shape: &Primitive, by: f32) -> Primitive {
-    let shape = match shape {
-        Primitive::Triangle(triangle) => {
-            let [a, b, c] = triangle.corners().map(|corner| corner * by);
-            Triangle::new(a, b, c).map(Primitive::Triangle)
-        }
-        Primitive::Quad(quad) => {
-            let [u, v] = quad.edges().map(|edge| edge * by);
-            Quad::new(quad.corner() * by, u, v).map(Primitive::Quad)
-        }
-        Primitive::Sphere(ball) => {
-            Sphere::new(ball.centre() * by, ball.radius() * by, ball.facing())
-                .map(Primitive::Sphere)
-        }
-        Primitive::Disk(disk) => {
-            let [inner, outer] = [disk.inner_radius(), disk.radius()].map(|radius| radius * by);
-            Disk::ring(disk.centre() * by, disk.normal(), inner, outer).map(Primitive::Disk)
-        }
-        Primitive::Cone(cone) => {
-            let (ends, radii) = (cone.ends().map(|end| end * by), cone.radii().map(|r| r * by));
-            Cone::new(ends, radii, cone.facing()).map(Primitive::Cone)
-        }
-    };
-    shape.unwrap()
 }
 
 /// Every fourth a sliver.

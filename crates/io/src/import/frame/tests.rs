@@ -1,7 +1,7 @@
 use super::*;
 use crate::import::imported_object::ObjectMaterial;
 use crate::import::model::ModelSide;
-use traylib_geometry::{Disk, Facing, Mesh, Quad, Sides, Sphere};
+use traylib_geometry::{Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere};
 use traylib_math::Rgb;
 use traylib_scene::ObjectShape;
 
