@@ -221,8 +221,8 @@ pub(crate) fn thickness(shape: &Primitive) -> f64 {
     }
 }
 
-/// Where a line meets a shape's surface and what goes on from there: each t, and whether the
-/// shape is there.
+/// Where a line meets the surface that a shape is a part of: each t, and whether the shape is
+/// there.
 pub(crate) fn crossings(shape: &Primitive, line: &Line) -> Vec<(f64, bool)> {
     match shape {
         Primitive::Triangle(triangle) => {

@@ -56,17 +56,12 @@ impl Importer<'_> {
             let place = self.place.field("material");
             materials.find(name, &place, self.problems)
         });
-        let items = match &self.object.shape {
-            Shape::Mesh(mesh) => {
-                let (file, object, place) = (self.file, self.object, &self.place);
-                MeshImporter { file, object, mesh, place, materials, problems: self.problems }
-                    .items(named.flatten(), models)
-            }
-            shape @ (Shape::Quad(_)
-            | Shape::Sphere(_)
-            | Shape::Disk(_)
-            | Shape::Triangle(_)
-            | Shape::Box(_)) => self.primitives(shape, named.flatten(), to_check),
+        let items = if let Shape::Mesh(mesh) = &self.object.shape {
+            let (file, object, place) = (self.file, self.object, &self.place);
+            MeshImporter { file, object, mesh, place, materials, problems: self.problems }
+                .items(named.flatten(), models)
+        } else {
+            self.primitives(&self.object.shape, named.flatten(), to_check)
         };
         let place = &self.place;
         parts.extend(items.into_iter().map(|item| Part { place: place.clone(), item }));
