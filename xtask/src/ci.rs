@@ -17,7 +17,7 @@ pub(crate) fn run() -> Result<()> {
     step("layers", layers::run)?;
     step("test", || cargo(&["test", "--workspace"]))?;
     step("doc", document)?;
-    step("package", package::run)?;
+    step("package", package::pack)?;
     step("check", || bdpt(&["--check"]))?;
     step("picture", picture)?;
     step("compare", compare)?;

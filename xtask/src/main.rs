@@ -37,7 +37,8 @@ Usage: cargo xtask TASK [ARGUMENTS]
            which method reaches which error in which time; --help for more
   count-instructions [PART…] [OPTIONS]
            instructions a ray and a triangle, by valgrind; --help for more
-  package  packs traylib-math and traylib-geometry, and builds the packages
+  package  packs the libraries, builds the packages, and tries to publish them
+           in their order, all but the upload
   ci       format, clippy, layers, tests, docs, packages and a first picture;
            stops at the first step that fails
 
@@ -52,7 +53,7 @@ fn main() -> ExitCode {
         ["layers"] => layers::run(),
         ["check-data", folder] => check_data::run(folder),
         ["ci"] => ci::run(),
-        ["package"] => package::run(),
+        ["package"] => package::publish_dry(),
         ["prove"] => prove::run(),
         ["planted", ref defects @ ..] => planted::run(defects),
         ["relations", ref arguments @ ..] => relations::run(arguments),

@@ -1,16 +1,32 @@
-//! The crates that can be taken alone: whether each makes a whole package.
+//! The libraries as packages: whether each is whole, and could be published.
 
 use crate::workspace::cargo;
 use anyhow::{Result, ensure};
 
 /// From the lowest floor up.
-const ALONE: [&str; 2] = ["traylib-math", "traylib-geometry"];
+const LIBRARIES: [&str; 6] = [
+    "traylib-math",
+    "traylib-geometry",
+    "traylib-materials",
+    "traylib-scene",
+    "traylib-io",
+    "traylib-integrators",
+];
 
 /// Packs them, unpacks them elsewhere and builds them there, each against the
-/// others' packages.
-pub(crate) fn run() -> Result<()> {
-    let mut command = cargo(&["package", "--allow-dirty", "--offline"]);
-    for package in ALONE {
+/// others' packages. Needs no registry.
+pub(crate) fn pack() -> Result<()> {
+    of_libraries(&["package", "--allow-dirty", "--offline"])
+}
+
+/// [`pack`], and all that publishing does in their order but to upload them. Asks the registry.
+pub(crate) fn publish_dry() -> Result<()> {
+    of_libraries(&["publish", "--dry-run", "--allow-dirty"])
+}
+
+fn of_libraries(arguments: &[&str]) -> Result<()> {
+    let mut command = cargo(arguments);
+    for package in LIBRARIES {
         command.args(["--package", package]);
     }
     let status = command.status()?;
@@ -34,12 +50,14 @@ mod tests {
 
     #[test]
     fn packages_bring_their_licences_and_say_what_they_are() {
-        for package in ALONE {
+        for package in LIBRARIES {
             let files = files(package);
             for wanted in ["README.md", "LICENSE-MIT", "LICENSE-APACHE", "src/lib.rs"] {
                 assert!(files.iter().any(|file| file == wanted), "{package}: no {wanted}");
             }
-            let foreign = files.iter().find(|file| file.starts_with("peers"));
+            let foreign = files.iter().find(|file| {
+                ["peers", "tests", "scenes/pictures"].iter().any(|of| file.starts_with(of))
+            });
             assert_eq!(foreign, None, "{package}");
         }
     }
@@ -48,8 +66,9 @@ mod tests {
     fn their_licences_are_the_projects() {
         for file in ["LICENSE-MIT", "LICENSE-APACHE"] {
             let whole = read(root().join(file)).unwrap();
-            for folder in ["crates/math", "crates/geometry"] {
-                assert!(read(root().join(folder).join(file)).unwrap() == whole, "{folder}/{file}");
+            for package in LIBRARIES {
+                let folder = package.replace("traylib-", "crates/");
+                assert!(read(root().join(&folder).join(file)).unwrap() == whole, "{folder}/{file}");
             }
         }
     }
@@ -91,7 +110,7 @@ mod tests {
         let output = cargo(&["metadata", "--format-version", "1", "--no-deps"]).output().unwrap();
         let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         let packages = metadata["packages"].as_array().unwrap();
-        for package in packages.iter().filter(|p| ALONE.iter().any(|name| p["name"] == *name)) {
+        for package in packages.iter().filter(|p| LIBRARIES.iter().any(|name| p["name"] == *name)) {
             for field in ["description", "readme", "license"] {
                 assert!(package[field].is_string(), "{}: no {field}", package["name"]);
             }

@@ -3,7 +3,7 @@
 /// A file's name relative to the folder of scenes, and its bytes.
 macro_rules! file {
     ($name:literal) => {
-        ($name, include_bytes!(concat!("../../../scenes/", $name)))
+        ($name, include_bytes!(concat!(env!("TRAYLIB_SCENES"), "/", $name)))
     };
 }
 
