@@ -1,0 +1,108 @@
+//! The pages name files that exist.
+
+use std::fs::read_to_string;
+use std::path::{Path, PathBuf};
+
+const PAGES: [&str; 9] = [
+    "CONTRIBUTING.md",
+    "docs/architecture.md",
+    "docs/howto/format.md",
+    "docs/howto/integrator.md",
+    "docs/howto/material.md",
+    "docs/howto/shape.md",
+    "docs/ray-kernels-measured.md",
+    "docs/ray-kernels.md",
+    "docs/seed-map.md",
+];
+
+const FOLDERS: [&str; 6] = ["crates/", "docs/", "fuzz/", "scenes/", "tests/", "xtask/"];
+
+/// Everything between back ticks of a line.
+fn spans(line: &str) -> impl Iterator<Item = &str> {
+    line.split('`').skip(1).step_by(2)
+}
+
+/// Whether it stands for a file that is to be made.
+fn is_to_come(path: &str) -> bool {
+    path.contains("NAME") || path.ends_with("/name.rs") || path == "name.rs"
+}
+
+fn is_path(span: &str) -> bool {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
+    (span.contains('/') || is_rust(span)) && span.chars().all(is_plain) && !is_to_come(span)
+}
+
+fn is_rust(path: &str) -> bool {
+    Path::new(path).extension().is_some_and(|ending| ending == "rs")
+}
+
+/// The paths of a page that are not in the project. A path either begins with one of
+/// [`FOLDERS`], or is of Rust and the end of a path in the last folder that a sentence or the
+/// head of a table above it in the same section named.
+fn missing(page: &str, root: &Path) -> Vec<String> {
+    let (mut missing, mut folder) = (Vec::new(), root.to_path_buf());
+    let mut lines = page.lines().peekable();
+    while let Some(line) = lines.next() {
+        if line.starts_with("## ") {
+            folder = root.to_path_buf();
+        }
+        for span in spans(line).filter(|span| is_path(span)) {
+            let is_whole = FOLDERS.iter().any(|folder| span.starts_with(folder));
+            let is_there = if is_whole {
+                root.join(span).exists()
+            } else {
+                !(line.starts_with('|') || is_rust(span)) || holds(&folder, Path::new(span))
+            };
+            if !is_there {
+                missing.push(span.to_string());
+            }
+        }
+        let is_row = line.starts_with('|') && !lines.peek().is_some_and(|l| l.starts_with("|---"));
+        let named = spans(line).filter(|span| span.ends_with('/') && is_path(span));
+        if let Some(named) = named.map(|span| root.join(span)).find(|path| path.is_dir())
+            && !is_row
+        {
+            folder = named;
+        }
+    }
+    missing
+}
+
+/// Whether a folder, at any depth, has a path with this end.
+fn holds(folder: &Path, end: &Path) -> bool {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    paths.iter().any(|path| path.ends_with(end))
+        || paths.iter().any(|path| path.is_dir() && !is_of_tools(path) && holds(path, end))
+}
+
+fn is_of_tools(path: &Path) -> bool {
+    path.ends_with("target") || path.ends_with(".git")
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+#[test]
+fn only_back_ticks_around_paths_count() {
+    let line = "a `crates/a/src/b.rs` and `Name::c`, crates/d.rs, `f()` then `scenes/e.ron`";
+    let paths: Vec<&str> = spans(line).filter(|span| is_path(span)).collect();
+    assert_eq!(paths, ["crates/a/src/b.rs", "scenes/e.ron"]);
+}
+
+#[test]
+fn what_is_missing_is_found() {
+    let page = "in `crates/math/src/`:\n| `rgb.rs`, `bgr.rs` |\n## Next\n`ci.rs`, `crates/ci.rs`";
+    assert_eq!(missing(page, &root()), ["bgr.rs", "crates/ci.rs"]);
+}
+
+#[test]
+fn every_file_that_a_page_names_exists() {
+    for page in PAGES {
+        let text = read_to_string(root().join(page)).expect(page);
+        let paths = text.lines().flat_map(spans).filter(|span| is_path(span)).count();
+        assert!(paths > 1, "{page}: only {paths} paths: has the notation changed?");
+        assert_eq!(missing(&text, &root()), Vec::<String>::new(), "{page}");
+    }
+}
