@@ -1,6 +1,8 @@
 //! `cargo xtask ci`: everything a change must pass, in the order that finds a
 //! fault soonest.
 
+mod apart;
+
 use crate::{layers, package, workspace};
 use anyhow::{Context, Result, ensure};
 use std::path::{Path, PathBuf};
@@ -15,9 +17,13 @@ pub(crate) fn run() -> Result<()> {
         cargo(&["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"])
     })?;
     step("layers", layers::run)?;
+    step("deny", apart::deny)?;
+    step("features", apart::features)?;
+    step("targets", apart::targets)?;
     step("test", || cargo(&["test", "--workspace"]))?;
     step("doc", document)?;
     step("package", package::pack)?;
+    step("apart", apart::packages)?;
     step("check", || bdpt(&["--check"]))?;
     step("picture", picture)?;
     step("compare", compare)?;

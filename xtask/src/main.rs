@@ -39,8 +39,9 @@ Usage: cargo xtask TASK [ARGUMENTS]
            instructions a ray and a triangle, by valgrind; --help for more
   package  packs the libraries, builds the packages, and tries to publish them
            in their order, all but the upload
-  ci       format, clippy, layers, tests, docs, packages and a first picture;
-           stops at the first step that fails
+  ci       format, clippy, layers, licences, other features and systems, tests,
+           docs, packages, a first picture and a comparison; stops at the first
+           step that fails
 
 Exit status: 0 done, 1 a task failed, 2 the command line was not understood;
 of compare-integrators also 3 a scene or picture makes no sense, 4 nothing can

@@ -1,0 +1,93 @@
+//! What the workspace's own build does not reach: other features, other systems, and the
+//! packages that stand apart. What a machine lacks for it is said in a line and left out.
+
+use super::{cargo, finish};
+use crate::workspace;
+use anyhow::Result;
+use std::process::{Command, Stdio};
+
+/// Systems that nobody may run this on, but that must compile.
+const TARGETS: [&str; 3] =
+    ["x86_64-pc-windows-gnu", "aarch64-apple-darwin", "aarch64-unknown-linux-gnu"];
+
+/// Packages with workspaces of their own.
+const APART: [&str; 2] = ["fuzz", "crates/geometry/peers"];
+
+/// Licences, sources and versions of all dependencies, by `deny.toml`. Advisories are not
+/// asked for: they come from elsewhere, and change while nothing here does.
+pub(super) fn deny() -> Result<()> {
+    if !answers(&mut workspace::cargo(&["deny", "--version"])) {
+        return left_out("cargo-deny", "it is not installed");
+    }
+    cargo(&["deny", "--log-level", "error", "check", "bans", "licenses", "sources"])
+}
+
+/// The crates that others take alone, with no feature and with each.
+pub(super) fn features() -> Result<()> {
+    for features in ["", "rayon", "serde"] {
+        let package = ["check", "--package", "traylib-geometry", "--no-default-features"];
+        cargo(&[&package[..], &["--features", features]].concat())?;
+    }
+    cargo(&["check", "--package", "traylib-math", "--features", "serde"])
+}
+
+/// The programs and all that they use, for other systems.
+pub(super) fn targets() -> Result<()> {
+    let installed = Command::new("rustup").args(["target", "list", "--installed"]).output();
+    let installed = installed.map(|output| output.stdout).unwrap_or_default();
+    let installed = String::from_utf8_lossy(&installed);
+    for target in TARGETS {
+        if installed.lines().any(|line| line == target) {
+            cargo(&["check", "--package", "traylib-demos", "--target", target])?;
+        } else {
+            left_out(target, "the target is not installed")?;
+        }
+    }
+    Ok(())
+}
+
+/// Compiles the packages that stand apart, as their lock files have it.
+pub(super) fn packages() -> Result<()> {
+    for folder in APART {
+        let manifest = format!("{folder}/Cargo.toml");
+        let of = ["--locked", "--manifest-path", &manifest];
+        if answers(&mut workspace::cargo(&[&["fetch"][..], &of].concat())) {
+            let check = [&["check"][..], &of, &["--target-dir", "target/apart"]].concat();
+            finish(&mut workspace::cargo(&check))?;
+        } else {
+            left_out(folder, "what it depends on cannot be had as its lock file says")?;
+        }
+    }
+    Ok(())
+}
+
+fn left_out(what: &str, why: &str) -> Result<()> {
+    println!("{what}: left out, {why}");
+    Ok(())
+}
+
+/// Whether a command starts and succeeds; it may say what it likes.
+fn answers(command: &mut Command) -> bool {
+    let silent = command.stdout(Stdio::null()).stderr(Stdio::null());
+    silent.status().is_ok_and(|status| status.success())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::workspace::root;
+
+    #[test]
+    fn a_command_that_is_not_there_does_not_answer() {
+        assert!(answers(&mut workspace::cargo(&["--version"])));
+        assert!(!answers(&mut workspace::cargo(&["no-such-command-of-cargo"])));
+        assert!(!answers(&mut Command::new("no-such-program")));
+    }
+
+    #[test]
+    fn what_stands_apart_has_a_lock_file() {
+        for folder in APART {
+            assert!(root().join(folder).join("Cargo.lock").is_file(), "{folder}");
+        }
+    }
+}
