@@ -12,7 +12,7 @@ use traylib_integrators::{
 use traylib_known::furnace::{glowing_ball, offset_light_wide};
 use traylib_known::{Case, samples_in_a_pass};
 use traylib_materials::SurfaceModel;
-use traylib_math::{Heuristic, Purpose, Sampler};
+use traylib_math::{Heuristic, Sampler};
 use traylib_statistics::{Interval, mean_interval};
 
 /// A technique: vertices from the light, vertices from the camera.
@@ -55,7 +55,7 @@ fn pairs(least_s: usize) -> Vec<Pair> {
 
 /// Some techniques, at least one for each length; by chance, as `number` says.
 pub fn random_subset(spectrum: &Spectrum, number: u64) -> Vec<Pair> {
-    let mut sampler = Sampler::new(0, Purpose::Test, 0, number);
+    let mut sampler = Sampler::numbered(0, number);
     let mut chosen = Vec::new();
     for &k in spectrum.by_length.keys() {
         let of_length: Vec<Pair> =

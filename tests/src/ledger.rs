@@ -2,7 +2,7 @@
 //!
 //! A test that compares numbers states what it claims, by which statistic, how
 //! sure it is and on how many samples. `cargo xtask prove` and
-//! `cargo xtask planted` name a file in the environment and make their reports
+//! `cargo xtask faults` name a file in the environment and make their reports
 //! of what was written there; without it nothing is written.
 
 use serde::{Deserialize, Serialize};

@@ -5,9 +5,9 @@ mod check_data;
 mod ci;
 mod compare_integrators;
 mod count_instructions;
+mod faults;
 mod layers;
 mod package;
-mod planted;
 mod proofs;
 mod prove;
 mod relations;
@@ -26,8 +26,14 @@ Usage: cargo xtask TASK [ARGUMENTS]
            and DIR/pictures against the expected.json of each
   layers   hold the dependencies of every crate against the table of layers
   prove    every proof at length, with a report of all claims; under 40 minutes
-  planted [DEFECT…]
-           plant defects one at a time and name the tests that find each
+  faults [--only FAULT…]
+           fault injection: put mistakes into a copy of the sources, awaken one at
+           a time, and name the tests that find each
+  faults --edit FAULT
+           a copy of the sources with this fault alone, as far as its patch applies,
+           to mend it or to make a new one
+  faults --save FAULT [WHAT IS WRONG]
+           write the fault's patch from that copy
   relations [OPTIONS]
            scenes drawn by chance, and relations that must hold on them; under
            40 minutes, --help for more
@@ -56,7 +62,11 @@ fn main() -> ExitCode {
         ["ci"] => ci::run(),
         ["package"] => package::publish_dry(),
         ["prove"] => prove::run(),
-        ["planted", ref defects @ ..] => planted::run(defects),
+        ["faults"] => faults::run(&[]),
+        ["faults", "--only", ref names @ ..] if !names.is_empty() => faults::run(names),
+        ["faults", "--edit", name] => faults::edit(name),
+        ["faults", "--save", name] => faults::save(name, None),
+        ["faults", "--save", name, wrong] => faults::save(name, Some(wrong)),
         ["relations", ref arguments @ ..] => relations::run(arguments),
         ["stability", ref arguments @ ..] => stability::run(arguments),
         ["count-instructions", ref arguments @ ..] => count_instructions::run(arguments),

@@ -34,21 +34,25 @@ pub(crate) enum Extent {
 }
 
 /// Test programs, ready to run.
-pub(crate) struct Proofs(Vec<PathBuf>);
+pub(crate) struct Proofs {
+    programs: Vec<PathBuf>,
+    /// Where they are run.
+    folder: PathBuf,
+}
 
 impl Proofs {
-    /// Builds the test programs with the profile for proofs.
-    pub(crate) fn build(settings: impl FnOnce(&mut Command)) -> Result<Self> {
+    /// Builds the test programs of the workspace at `root` with the profile for proofs.
+    pub(crate) fn build(root: &Path, settings: impl FnOnce(&mut Command)) -> Result<Self> {
         let mut command = cargo(&["test", "--no-run", "--profile", "proof"]);
         command.args(["--lib", "--tests", "--message-format", "json-render-diagnostics"]);
         command.args(PACKAGES.iter().flat_map(|package| ["--package", package]));
-        settings(&mut command);
+        settings(command.current_dir(root));
         let output = command.stderr(Stdio::inherit()).output().context("cargo does not start")?;
         ensure!(output.status.success(), "the tests do not build");
         let programs: Vec<PathBuf> =
             String::from_utf8_lossy(&output.stdout).lines().filter_map(executable).collect();
         ensure!(!programs.is_empty(), "cargo built no tests");
-        Ok(Self(programs))
+        Ok(Self { programs, folder: root.join("tests") })
     }
 
     /// Runs them one after the other; what they find is written to `ledger`.
@@ -61,10 +65,10 @@ impl Proofs {
         // Left from an earlier run, or not there at all.
         let _ = std::fs::remove_file(ledger);
         let mut outcome = Outcome::default();
-        for program in &self.0 {
+        for program in &self.programs {
             let mut command = Command::new(program);
             command.env("TRAYLIB_LEDGER", ledger).env("RUST_BACKTRACE", "0");
-            command.current_dir(crate::workspace::root().join("tests"));
+            command.current_dir(&self.folder);
             if extent == Extent::Whole {
                 command.arg("--include-ignored");
             }

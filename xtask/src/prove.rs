@@ -13,7 +13,7 @@ pub(crate) fn run() -> Result<()> {
     let folder = root().join("target/prove");
     fs::create_dir_all(&folder).with_context(|| format!("cannot create {}", folder.display()))?;
     let start = Instant::now();
-    let proofs = Proofs::build(|_| {})?;
+    let proofs = Proofs::build(root(), |_| {})?;
     println!("built in {:.0} s; proving, which takes a while", start.elapsed().as_secs_f64());
     let start = Instant::now();
     let outcome = proofs.run(Extent::Whole, &folder.join("ledger.jsonl"), |_| {})?;

@@ -19,7 +19,7 @@ fn help_names_every_task() {
     assert!(output.status.success());
     let help = String::from_utf8(output.stdout).unwrap();
     assert!(
-        ["layers", "prove", "planted", "count-instructions", "ci"]
+        ["layers", "prove", "faults", "count-instructions", "ci"]
             .iter()
             .all(|task| help.contains(&format!("\n  {task} "))),
         "{help}"
@@ -28,7 +28,7 @@ fn help_names_every_task() {
 
 #[test]
 fn an_unknown_task_is_a_mistake_of_the_command_line() {
-    for words in [&[][..], &["polish"], &["layers", "ci"]] {
+    for words in [&[][..], &["polish"], &["layers", "ci"], &["faults", "--only"]] {
         assert_eq!(xtask(words).status.code(), Some(2), "{words:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! Bootstrap intervals whose random numbers are always the same, and so are they.
 
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 use traylib_statistics::{Estimate, bootstrap};
 
 /// [`bootstrap::mean`] of these values.
@@ -14,6 +14,6 @@ pub(crate) fn ratio(values: &[f64], others: &[f64], level: f64) -> Estimate {
 }
 
 fn stream(index: u64) -> impl FnMut() -> f32 {
-    let mut sampler = Sampler::new(0, Purpose::Test, 0, index);
+    let mut sampler = Sampler::numbered(0, index);
     move || sampler.next_1d()
 }

@@ -3,7 +3,7 @@
 //! noise in the limit: Knaus and Zwicker, *Progressive Photon Mapping*, 2011.
 
 use std::{collections::HashMap, error::Error, f32::consts::PI, path::Path};
-use traylib_integrators::toolkit::{Step, Tracer, emit, next_step};
+use traylib_integrators::toolkit::{Step, Tracer, VertexNumbers, emit, next_step};
 use traylib_integrators::{
     BlindSpot, Chunk, ChunkOutput, Integrator, Pass, RenderChunk, Roulette, SceneFacts, Settings,
     render_to_end,
@@ -86,7 +86,7 @@ impl PhotonMapping {
             }
             let step = next_step(Walk::FromLight, &point, wi, &numbers, self.roulette, edges);
             let Some(step) = step else { break };
-            numbers = sampler.next_vertex();
+            numbers = VertexNumbers::next(sampler);
             let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { break };
             power *= step.weight * hit.transmittance;
             (wi, point) = (-step.ray.direction, hit.point);
@@ -99,7 +99,7 @@ impl PhotonMapping {
         let (mut throughput, mut found) = (Rgb::WHITE, Rgb::BLACK);
         let mut ray = tracer.scene.camera().ray(at);
         for edges in 1.. {
-            let numbers = s.next_vertex();
+            let numbers = VertexNumbers::next(s);
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
             let Some(hit) = hit else { break };
             let (wo, point) = (-ray.direction, hit.point);

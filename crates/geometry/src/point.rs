@@ -1,7 +1,6 @@
 //! Points on surfaces, and rays that leave them.
 
 use crate::{Ray, Vec3};
-use traylib_math::{Defect, planted};
 
 /// The unit roundoff of f32, 2⁻²⁴.
 const ROUNDOFF: f32 = f32::EPSILON / 2.0;
@@ -51,10 +50,7 @@ impl SurfaceSite {
     /// much. 2⁻³⁰ of the extent has room for a factor of 2²⁰ of both, and is a
     /// thousandth of what the bound per axis amounts to in other planes.
     pub(crate) fn flat(position: Vec3, normal: Vec3, extent: Vec3) -> Self {
-        let site = Self::new(position, normal, extent);
-        let vanishes = planted(Defect::FlatErrorVanishes);
-        let mixed = if vanishes { 0.0 } else { extent.max_element() * MIXED };
-        site.with_error(mixed)
+        Self::new(position, normal, extent).with_error(extent.max_element() * MIXED)
     }
 
     /// A site that was computed in double precision and rounded once, on a surface of
@@ -114,7 +110,6 @@ impl SurfaceSite {
     #[inline]
     fn lifted(&self, direction: Vec3, more: Vec3) -> Vec3 {
         let height = self.height() + self.normal.abs().dot(more);
-        let height = if planted(Defect::AbsoluteEpsilon) { 1e-3 } else { height };
         self.position + self.normal * height.copysign(self.normal.dot(direction))
     }
 

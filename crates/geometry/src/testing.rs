@@ -5,14 +5,14 @@ pub(crate) mod shape;
 use crate::{Facing, Mesh, Primitive, Triangle, Vec2, Vec3};
 use shape::Measures;
 use std::collections::HashMap;
-use traylib_math::{Purpose, Sampler, warp};
+use traylib_math::{Sampler, warp};
 
 /// A seeded source of shapes.
 pub(crate) struct Random(Sampler);
 
 impl Random {
     pub(crate) fn new(seed: u64) -> Self {
-        Self(Sampler::new(seed, Purpose::Test, 0, 0))
+        Self(Sampler::numbered(seed, 0))
     }
 
     /// Uniform on [0, 1).

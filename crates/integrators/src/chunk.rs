@@ -1,9 +1,10 @@
 //! A part of a pass, and what came of it.
 
 use crate::Control;
+use crate::numbers::Purpose;
 use crate::tracer::{Statistics, Tracer};
 use std::ops::Range;
-use traylib_math::{Purpose, Rgb, Sampler, Vec2};
+use traylib_math::{Rgb, Sampler, Vec2};
 use traylib_scene::Scene;
 
 /// Some pixels and some light paths of one pass.
@@ -24,12 +25,12 @@ pub struct Chunk<'a> {
 impl Chunk<'_> {
     /// The random numbers of a pixel's camera path.
     pub fn camera_sampler(&self, pixel: u32) -> Sampler {
-        Sampler::new(self.seed, Purpose::Camera, self.pass, u64::from(pixel))
+        Purpose::Camera.sampler(self.seed, self.pass, pixel)
     }
 
     /// The random numbers of a light path.
     pub fn light_sampler(&self, path: u32) -> Sampler {
-        Sampler::new(self.seed, Purpose::Light, self.pass, u64::from(path))
+        Purpose::Light.sampler(self.seed, self.pass, path)
     }
 
     /// Gives each pixel of the chunk one sample: `estimate` of a film point drawn

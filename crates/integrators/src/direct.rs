@@ -1,8 +1,9 @@
 //! Light sampling: one point on one lamp for a vertex of a camera path.
 
+use crate::numbers::VertexNumbers;
 use crate::tracer::Tracer;
 use traylib_materials::Scattering;
-use traylib_math::{Defect, Rgb, Vec2, Vec3, VertexNumbers, planted, solid_angle_per_area};
+use traylib_math::{Rgb, Vec2, Vec3, solid_angle_per_area};
 use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
 /// A way from a lamp to a vertex that carries light, if nothing stands in it.
@@ -38,7 +39,7 @@ pub fn sample_light(
     // A lamp by what it may give this vertex.
     let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
     // Rounding decides from which side a point of a convex lamp sees the rest of it.
-    let is_own = point.light == Some(choice.id) && !planted(Defect::LampLightsItself);
+    let is_own = point.light == Some(choice.id);
     if is_own && !choice.light.lights_itself() {
         return None;
     }
@@ -50,9 +51,7 @@ pub fn sample_light(
     }
     // f·cos_s·Le·cos₀/d² over chance and density.
     let mut sample = aim(point, wo, choice.id, x0)?;
-    let forgotten = planted(Defect::LightChoiceForgotten);
-    let probability = if forgotten { 1.0 } else { choice.probability };
-    sample.radiance *= 1.0 / (probability * pdf.0);
+    sample.radiance *= 1.0 / (choice.probability * pdf.0);
     sample.chance = choice.probability;
     Some(sample)
 }
@@ -125,19 +124,19 @@ mod tests {
     use super::*;
     use crate::bdpt::room;
     use traylib_geometry::Ray;
-    use traylib_math::{Purpose, Sampler, warp};
+    use traylib_math::{Sampler, warp};
 
     /// The rim of a spherical lamp, where its density rounds to zero.
     #[test]
     fn the_rim_of_a_lamp_gives_no_infinite_light() {
         let scene = room();
-        let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(0, 0);
         let mut found = 0;
         for i in 0..400_000 {
             let direction = warp::uniform_sphere(sampler.next_2d());
             let ray = Ray::new(Vec3::new(0.0, 0.1, 0.9), direction);
             let Some(point) = scene.intersect(&ray) else { continue };
-            let mut numbers = sampler.next_vertex();
+            let mut numbers = VertexNumbers::next(&mut sampler);
             numbers.light_point.x = 1.0 - (i % 4 + 1) as f32 * f32::EPSILON / 2.0;
             if let Some(light) = sample_light(&scene, &point, -direction, &numbers) {
                 assert!(light.radiance.is_finite(), "{:?}", light.x0);

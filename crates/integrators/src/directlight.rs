@@ -1,13 +1,12 @@
 //! Lamps sampled at every vertex (sections 2.2 and 2.3 of the paper).
 
 use crate::direct::{LightSample, sample_light};
+use crate::numbers::VertexNumbers;
 use crate::step::next_step;
 use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_geometry::Ray;
-use traylib_math::{
-    Defect, Heuristic, Rgb, Sampler, SolidAnglePdf, Vec3, planted, solid_angle_per_area,
-};
+use traylib_math::{Heuristic, Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
 use traylib_scene::{Scene, SurfacePoint, Walk};
 
 /// Walks from the camera and aims at a lamp from every vertex.
@@ -53,7 +52,7 @@ impl DirectLight {
         let mut arrival = Arrival::Alone;
         for edges in 1.. {
             // The next vertex, and what the edge to it lets through.
-            let numbers = sampler.next_vertex();
+            let numbers = VertexNumbers::next(sampler);
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
             let Some(SurfaceHit { point, transmittance }) = hit else { break };
             throughput *= transmittance;
@@ -92,13 +91,10 @@ impl DirectLight {
         let Some((id, x0)) = scene.emitting_point(point) else { return Rgb::BLACK };
         let weight = match (arrival, self.combine) {
             (Arrival::Alone, _) => 1.0,
-            (Arrival::Sampled(..), None) if planted(Defect::HitsCountedTwice) => 1.0,
             (Arrival::Sampled(..), None) => 0.0,
             (Arrival::Sampled(from, pdf), Some(heuristic)) => {
                 // Both densities per area of the lamp, at the point that was hit.
                 let distance_squared = (x0.site.position - from).length_squared();
-                let forgotten = planted(Defect::DistanceForgotten);
-                let distance_squared = if forgotten { 1.0 } else { distance_squared };
                 let conversion = solid_angle_per_area(x0.cosine(wo), distance_squared);
                 let toward = scene.light_densities(id, &x0, from, wo).toward;
                 heuristic.weight(pdf.to_area(conversion).0, toward)

@@ -1,8 +1,9 @@
 //! How a light path starts.
 
+use crate::numbers::VertexNumbers;
 use crate::tracer::{SurfaceHit, Tracer};
 use traylib_geometry::Ray;
-use traylib_math::{Rgb, Sampler, Vec2, Vec3, VertexNumbers};
+use traylib_math::{Rgb, Sampler, Vec2, Vec3};
 use traylib_scene::{LightDensities, LightPoint, SurfacePoint};
 
 /// The first edge of a light path and the surface it met.
@@ -27,11 +28,11 @@ pub struct Emitted {
 pub fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emitted> {
     tracer.statistics.light_paths += 1;
     // A lamp by its power, a point on it, and a direction.
-    let start = sampler.next_vertex();
+    let start = VertexNumbers::next(sampler);
     let choice = tracer.scene.choose_light(start.light_pick);
     let u_direction = Vec2::new(start.bsdf[1], start.bsdf[2]);
     let emission = tracer.scene.sample_emission(choice.id, start.light_point, u_direction);
-    let numbers = sampler.next_vertex();
+    let numbers = VertexNumbers::next(sampler);
     let (x0, direction) = (emission.point, emission.direction);
     let falloff = x0.falloff(direction);
     if falloff <= 0.0 || x0.emitted.is_black() {

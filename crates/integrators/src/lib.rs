@@ -72,6 +72,7 @@ mod directlight;
 mod emission;
 mod limits;
 mod method;
+mod numbers;
 mod particle;
 mod pass;
 mod puremc;
@@ -102,7 +103,8 @@ pub use tracer::Statistics;
 /// A [`Tracer`](toolkit::Tracer) casts rays and counts them. A walk from the camera begins
 /// with [`Chunk::sample_pixels`], one from a light with [`emit`](toolkit::emit); both go on by
 /// [`next_step`](toolkit::next_step), which samples the surface and plays roulette. At each
-/// vertex [`sample_light`](toolkit::sample_light) aims at a light and
+/// vertex [`VertexNumbers`](toolkit::VertexNumbers) are drawn;
+/// [`sample_light`](toolkit::sample_light) aims at a light and
 /// [`aim_at_camera`](toolkit::aim_at_camera) at the camera.
 ///
 /// Two algorithms made of these alone are in `crates/demos/examples`.
@@ -110,6 +112,7 @@ pub mod toolkit {
     pub use crate::chunk::pixel_corner;
     pub use crate::direct::{LightSample, sample_light, sample_point_lights};
     pub use crate::emission::{Emitted, emit};
+    pub use crate::numbers::VertexNumbers;
     pub use crate::splat::{Splat, aim_at_camera};
     pub use crate::step::{Step, next_step};
     pub use crate::tracer::{SurfaceHit, Tracer};

@@ -1,6 +1,6 @@
 //! How long paths get.
 
-use traylib_math::{Defect, Rgb, planted};
+use traylib_math::Rgb;
 
 /// Bounds on the length of paths, counted in edges.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -60,8 +60,7 @@ impl Roulette {
         }
         // By the band that kept most: no band is ended that carries light.
         let chance = weight.max_band().clamp(SMALLEST_CHANCE, longest_chance(edge));
-        let unpaid = planted(Defect::LongPathsUnpaid) && edge > LONG;
-        (u < chance).then_some(if unpaid { 1.0 } else { chance })
+        (u < chance).then_some(chance)
     }
 }
 

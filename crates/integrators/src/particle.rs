@@ -1,6 +1,7 @@
 //! The particle tracer: light paths alone.
 
 use crate::emission::emit;
+use crate::numbers::VertexNumbers;
 use crate::splat::aim_at_camera;
 use crate::step::next_step;
 use crate::tracer::{SurfaceHit, Tracer};
@@ -23,7 +24,7 @@ impl Integrator for Particle {
 
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
-            let pass_through = sampler.next_vertex().pass_through;
+            let pass_through = VertexNumbers::next(sampler).pass_through;
             tracer
                 .camera_ray(&scene.camera().ray(film_point), pass_through)
                 .map_or(Rgb::BLACK, |SurfaceHit { point, transmittance }| {
@@ -73,7 +74,7 @@ impl Particle {
             let step = next_step(Walk::FromLight, &point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { return };
             wo = -step.ray.direction;
-            numbers = sampler.next_vertex();
+            numbers = VertexNumbers::next(sampler);
             let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
             throughput *= step.weight * hit.transmittance;
             point = hit.point;

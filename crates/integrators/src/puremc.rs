@@ -1,6 +1,7 @@
 //! Pure Monte Carlo path tracing (section 2.1 of the paper).
 
 use crate::direct::sample_light;
+use crate::numbers::VertexNumbers;
 use crate::step::next_step;
 use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
@@ -36,7 +37,7 @@ impl PureMc {
         let mut throughput = Rgb::WHITE;
         for edges in 1.. {
             // The next vertex, and what the edge to it lets through.
-            let numbers = sampler.next_vertex();
+            let numbers = VertexNumbers::next(sampler);
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
             let Some(SurfaceHit { point, transmittance }) = hit else { break };
             throughput *= transmittance;

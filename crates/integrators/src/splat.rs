@@ -1,7 +1,7 @@
 //! Joining a vertex of a light path to the camera (t = 1).
 
 use traylib_materials::Scattering;
-use traylib_math::{Defect, Rgb, Vec3, planted, solid_angle_per_area};
+use traylib_math::{Rgb, Vec3, solid_angle_per_area};
 use traylib_scene::{Projection, Scene, SurfacePoint, Walk};
 
 /// A way from a vertex to the camera that carries light, if nothing stands in
@@ -32,7 +32,6 @@ pub fn aim_at_camera(scene: &Scene, point: &SurfacePoint, wo: Vec3) -> Option<Sp
     }
     // The vertex's own cosine stands in the kernel; the camera's is in We.
     let cosine = point.cosine(Walk::FromLight, wo, projection.to_camera);
-    let cosine = if planted(Defect::SplatCosine) { 1.0 } else { cosine };
     let value = scattering.f * (cosine * projection.pdf.0 / projection.distance_squared);
     Some(Splat { projection, scattering, value })
 }
@@ -41,9 +40,7 @@ impl Splat {
     /// Row-major index of the pixel.
     pub fn pixel(&self, scene: &Scene) -> u32 {
         let Projection { x, y, .. } = self.projection;
-        let width = scene.camera().width();
-        let x = if planted(Defect::RasterShifted) { (x + 1) % width } else { x };
-        y * width + x
+        y * scene.camera().width() + x
     }
 
     /// Density with which a camera path would have found the vertex, per m².

@@ -1,9 +1,10 @@
 //! How a walk goes on: the same for walks from either end.
 
 use crate::limits::Roulette;
+use crate::numbers::VertexNumbers;
 use traylib_geometry::Ray;
 use traylib_materials::BsdfSample;
-use traylib_math::{Defect, Rgb, Vec3, VertexNumbers, planted};
+use traylib_math::{Rgb, Vec3};
 use traylib_scene::{SurfacePoint, Walk};
 
 /// The next edge of a walk.
@@ -34,8 +35,6 @@ pub fn next_step(
     let weight = point.walk_weight(walk, wo, &sample);
     // The chance to go on is paid for by the weight.
     let chance = roulette.survive(edge, weight, numbers.roulette)?;
-    let unpaid = planted(Defect::RouletteUnpaid) && walk == Walk::FromLight;
-    let chance = if unpaid { 1.0 } else { chance };
     // Radiance is compressed by refraction, power is not; roulette is for power.
     let eta_scale = if walk == Walk::FromCamera { sample.eta_scale } else { 1.0 };
     let ray = Ray::new(point.site.ray_origin(sample.wi), sample.wi);

@@ -1,7 +1,7 @@
 //! The closed set of surface models.
 
 use crate::{BsdfSample, Dielectric, Lambert, MaxPhong, Mirror, Phong, Scattering, Sheet};
-use traylib_math::{Defect, Rgb, Vec3, planted};
+use traylib_math::{Rgb, Vec3};
 
 /// How a surface scatters light. Small and `Copy`; a scene keeps one a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,8 +56,6 @@ impl SurfaceModel {
     /// The sample that a drawn direction makes. BRDF and density come from the
     /// same stored direction: a sharp lobe would not forgive less.
     fn weigh(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Option<BsdfSample> {
-        let folded = planted(Defect::BelowHorizonFolded);
-        let wi = if folded { wi - 2.0 * normal.dot(wi).min(0.0) * normal } else { wi };
         let Scattering { f, pdf, pdf_reverse } = self.evaluate(normal, wo, wi);
         let weight = f * (normal.dot(wi).abs() / pdf.0);
         (pdf.0 > 0.0 && !weight.is_black()).then_some(BsdfSample {

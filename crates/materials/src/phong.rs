@@ -4,7 +4,7 @@ use crate::error::{Error, check_energy, check_exponent};
 use crate::lobe_choice::specular_chance;
 use crate::scattering::Scattering;
 use std::f32::consts::{FRAC_1_PI, TAU};
-use traylib_math::{Defect, Rgb, SolidAnglePdf, Vec2, Vec3, planted, warp};
+use traylib_math::{Rgb, SolidAnglePdf, Vec2, Vec3, warp};
 
 /// Modified Phong: f = kd/π + ks·(n+2)/(2π)·cosⁿα, α the angle between `wi` and
 /// the mirror direction of `wo`.
@@ -108,9 +108,7 @@ impl Phong {
     pub(crate) fn direction(&self, normal: Vec3, wo: Vec3, u: [f32; 3]) -> Vec3 {
         let square = Vec2::new(u[1], u[2]);
         if u[0] < self.lobe_chance {
-            let around_normal = planted(Defect::LobeAroundNormal);
-            let axis = if around_normal { normal } else { mirror_direction(normal, wo) };
-            warp::cosine_power_lobe(axis, self.exponent, square)
+            warp::cosine_power_lobe(mirror_direction(normal, wo), self.exponent, square)
         } else {
             warp::cosine_hemisphere(normal, square)
         }

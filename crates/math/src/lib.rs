@@ -4,9 +4,9 @@
 //! Nothing here knows of rays, surfaces, files or threads.
 //!
 //! ```
-//! use traylib_math::{Purpose, Sampler, Vec3, warp};
+//! use traylib_math::{Sampler, Vec3, warp};
 //!
-//! let mut sampler = Sampler::new(0, Purpose::Camera, 0, 0);
+//! let mut sampler = Sampler::numbered(0, 0);
 //! let direction = warp::cosine_hemisphere(Vec3::Z, sampler.next_2d());
 //! assert!(direction.z >= 0.0);
 //! ```
@@ -16,7 +16,6 @@ pub mod frame;
 pub mod grid;
 pub mod measure;
 pub mod mis;
-pub mod planted;
 pub mod rgb;
 pub mod sampler;
 pub mod warp;
@@ -27,9 +26,8 @@ pub use glam::{self, Vec2, Vec3};
 pub use grid::Grid;
 pub use measure::{AreaPdf, SolidAnglePdf, solid_angle_per_area};
 pub use mis::Heuristic;
-pub use planted::{Defect, planted};
 pub use rgb::Rgb;
-pub use sampler::{Purpose, Sampler, VertexNumbers};
+pub use sampler::Sampler;
 
 /// What the package says of itself is run as a test.
 #[cfg(doctest)]

@@ -4,56 +4,34 @@ use crate::Vec2;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
-/// What a stream of numbers is for: streams of different purposes never meet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// Camera paths, numbered by pixel.
-    Camera,
-    /// Light paths, numbered within the pass.
-    Light,
-    /// Tests and measurements.
-    Test,
-}
-
-/// The numbers one path vertex may need, all uniform on [0, 1), in steps of 2⁻²⁴
-/// but where said otherwise.
-///
-/// All are drawn at every vertex, used or not, so that switching a technique
-/// off does not shift the numbers of the others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VertexNumbers {
-    /// Which of the surfaces that light can pass straight through the edge to
-    /// this vertex ends at.
-    pub pass_through: f32,
-    /// Lobe, and two for the direction.
-    pub bsdf: [f32; 3],
-    /// Russian roulette.
-    pub roulette: f32,
-    /// Which light; in steps of 2⁻³², for lamps that are rarely chosen.
-    pub light_pick: f64,
-    /// Where on the light.
-    pub light_point: Vec2,
-}
-
 /// One stream of uniform random numbers: PCG-XSH-RR 64/32.
 ///
-/// A path has a stream of its own, numbered by seed, purpose, pass and index,
-/// so a result depends neither on the number of threads nor on their order.
+/// Whatever can be done in any order has a stream of its own, so a result depends
+/// neither on the number of threads nor on their order.
 #[derive(Clone, Debug)]
 pub struct Sampler(Pcg32);
 
 impl Sampler {
-    /// The stream with this number.
+    /// The first part of the number of every stream for tests and measurements; what
+    /// makes results takes others.
+    pub const TESTS: u64 = 2;
+
+    /// The stream of this seed with this number, whose first part says what it is for.
     ///
-    /// Start and increment of the generator are both hashed from all four
-    /// parts: neighbouring streams of PCG are correlated, as its documentation
-    /// warns.
-    pub fn new(seed: u64, purpose: Purpose, pass: u64, index: u64) -> Self {
+    /// Start and increment of the generator are both hashed from seed and number:
+    /// neighbouring streams of PCG are correlated, as its documentation warns.
+    pub fn new(seed: u64, number: [u64; 3]) -> Self {
         let mut hash = mix(seed ^ 0x9e37_79b9_7f4a_7c15);
-        for part in [purpose as u64, pass, index] {
+        for part in number {
             hash = mix(hash.wrapping_add(part.wrapping_mul(0xd134_2543_de82_ef95)).wrapping_add(1));
         }
         Self(Pcg32::new(hash, mix(hash)))
+    }
+
+    /// A stream for tests and measurements: the one with the number
+    /// [[`TESTS`](Self::TESTS), 0, `number`].
+    pub fn numbered(seed: u64, number: u64) -> Self {
+        Self::new(seed, [Self::TESTS, 0, number])
     }
 
     /// A number uniform on [0, 1), a multiple of 2⁻²⁴.
@@ -76,16 +54,10 @@ impl Sampler {
         Vec2::new(x, self.next_1d())
     }
 
-    /// The numbers of the next path vertex.
+    /// A point uniform in the unit cube.
     #[inline]
-    pub fn next_vertex(&mut self) -> VertexNumbers {
-        VertexNumbers {
-            pass_through: self.next_1d(),
-            bsdf: [self.next_1d(), self.next_1d(), self.next_1d()],
-            roulette: self.next_1d(),
-            light_pick: self.next_fine(),
-            light_point: self.next_2d(),
-        }
+    pub fn next_3d(&mut self) -> [f32; 3] {
+        [self.next_1d(), self.next_1d(), self.next_1d()]
     }
 }
 
@@ -103,12 +75,12 @@ mod tests {
 
     #[test]
     fn a_stream_repeats_and_its_neighbours_differ() {
-        let draw = |seed, purpose, pass, index| Sampler::new(seed, purpose, pass, index).next_1d();
-        let one = draw(1, Purpose::Camera, 2, 3);
-        assert_eq!(one, draw(1, Purpose::Camera, 2, 3));
-        assert_ne!(one, draw(2, Purpose::Camera, 2, 3));
-        assert_ne!(one, draw(1, Purpose::Light, 2, 3));
-        assert_ne!(one, draw(1, Purpose::Camera, 3, 2));
+        let draw = |seed, number| Sampler::new(seed, number).next_1d();
+        let one = draw(1, [0, 2, 3]);
+        assert_eq!(one, draw(1, [0, 2, 3]));
+        assert_ne!(one, draw(2, [0, 2, 3]));
+        assert_ne!(one, draw(1, [1, 2, 3]));
+        assert_ne!(one, draw(1, [0, 3, 2]));
     }
 
     /// Pairs of the same draw from neighbouring streams fill a 16 × 16 grid
@@ -118,7 +90,7 @@ mod tests {
         const STREAMS: u64 = 200_000;
         for draws_before in 0..3 {
             let value = |index| {
-                let mut sampler = Sampler::new(7, Purpose::Test, 0, index);
+                let mut sampler = Sampler::numbered(7, index);
                 for _ in 0..draws_before {
                     sampler.next_1d();
                 }
@@ -140,7 +112,7 @@ mod tests {
 
     #[test]
     fn fine_numbers_have_more_bits_of_the_same_draw() {
-        let mut coarse = Sampler::new(3, Purpose::Test, 0, 0);
+        let mut coarse = Sampler::numbered(3, 0);
         let mut fine = coarse.clone();
         for _ in 0..1000 {
             let (x, y) = (f64::from(coarse.next_1d()), fine.next_fine());
@@ -151,7 +123,7 @@ mod tests {
 
     #[test]
     fn numbers_stay_below_one_and_have_the_right_mean() {
-        let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(0, 0);
         let n = 100_000;
         let mut sum = 0.0;
         for _ in 0..n {

@@ -3,7 +3,7 @@
 //! Every function is pure: the same `u` gives the same result. Directions are
 //! unit vectors.
 
-use crate::{Defect, Frame, Vec2, Vec3, planted};
+use crate::{Frame, Vec2, Vec3};
 use std::f32::consts::{FRAC_1_PI, TAU};
 
 /// A direction around the unit `normal` with density cosθ/π per steradian.
@@ -73,9 +73,6 @@ pub fn cosine_power(half_square: f32, exponent: f32) -> f32 {
     // ln(1 − x) ≤ −x, and beyond 104 the power is zero in single precision.
     if half_square >= 1.0 || exponent * half_square > 104.0 {
         return 0.0;
-    }
-    if planted(Defect::PowerByPowf) {
-        return (1.0 - half_square).powf(exponent);
     }
     (exponent * (-half_square).ln_1p()).exp()
 }

@@ -11,7 +11,7 @@ use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
 use std::sync::Arc;
 use traylib_geometry::{Bvh, Mesh, Primitive, Sides};
 use traylib_materials::Material;
-use traylib_math::{Defect, DiscreteDistribution, Rgb, Vec3, planted};
+use traylib_math::{DiscreteDistribution, Rgb, Vec3};
 
 /// A lamp starts no fewer light paths than this part of what it would if all were
 /// alike. It costs the others at most as much of theirs, and a lamp that outshines
@@ -146,9 +146,8 @@ impl SceneBuilder {
     pub fn build(self) -> Result<Scene, Error> {
         let Self { mut lights, .. } = self;
         let powers: Vec<f32> = lights.iter().map(|l| l.power().luminance()).collect();
-        let rarest = if planted(Defect::FaintLampUnchosen) { 0.0 } else { RAREST };
         let light_by_power =
-            DiscreteDistribution::with_floor(&powers, rarest).ok_or(Error::Dark)?;
+            DiscreteDistribution::with_floor(&powers, RAREST).ok_or(Error::Dark)?;
         let tree = Bvh::of_shapes(self.surfaces)?;
         let (tree, lifted_lamps) = coincidence::lift_lamps(tree, &mut lights)?;
         let seats = seats(&lights, &self.materials, tree.shapes());

@@ -9,7 +9,7 @@
 use crate::Light;
 use crate::surfaces::Surfaces;
 use traylib_geometry::{Bvh, Error, Ray, ShapeList, Shapes, Sides};
-use traylib_math::{Defect, Vec2, planted};
+use traylib_math::Vec2;
 
 /// Points along each side of a lamp at which something else is looked for.
 const POINTS: u8 = 3;
@@ -39,9 +39,6 @@ pub(crate) fn lift_lamps(
     tree: Bvh<Shapes<Surfaces>>,
     lights: &mut [Light],
 ) -> Result<(Bvh<Shapes<Surfaces>>, usize), Error> {
-    if planted(Defect::LampStaysFlush) {
-        return Ok((tree, 0));
-    }
     let count = tree.shapes().count() as u32;
     let lamps = (0..count).filter(|&i| tree.shapes().get(i).light().is_some());
     let heights: Vec<(u32, f32)> =
@@ -115,7 +112,7 @@ mod tests {
     use std::sync::Arc;
     use traylib_geometry::{Facing, Primitive, Quad, Sphere, SurfaceSite};
     use traylib_materials::{Lambert, SurfaceModel};
-    use traylib_math::{Purpose, Rgb, Sampler, Vec3, warp};
+    use traylib_math::{Rgb, Sampler, Vec3, warp};
 
     /// Surfaces by how brightly they shine, in this order.
     fn scene(shapes: &[(Primitive, Sides, f32)], point: Option<Vec3>) -> Scene {
@@ -153,7 +150,7 @@ mod tests {
 
     /// What is seen from below at random points of the square.
     fn seen(scene: &Scene, slope: f32) -> Vec<f32> {
-        let mut sampler = Sampler::new(3, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(3, 0);
         let mut look = || {
             let [x, z] = (sampler.next_2d() * 1.8 - 0.9).to_array();
             let from = Vec3::new(sampler.next_1d(), 0.0, sampler.next_1d());
@@ -208,7 +205,7 @@ mod tests {
     /// All rays into the surface meet it, none that leaves it.
     #[test]
     fn a_camera_in_a_surface_sees_from_one_side_of_it() {
-        let mut sampler = Sampler::new(5, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(5, 0);
         for slope in [0.0, 0.3, -0.77] {
             for side in [1.0, -1.0] {
                 let floor = square(3.0, slope);
@@ -263,7 +260,7 @@ mod tests {
     #[test]
     fn a_point_light_in_a_surface_is_seen_from_all_around() {
         let centre = Vec3::new(0.3, 2.5, 0.1);
-        let mut sampler = Sampler::new(4, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(4, 0);
         for _ in 0..200 {
             let normal = warp::uniform_sphere(sampler.next_2d());
             let ball = Sphere::new(centre, 0.7, Facing::Outward).unwrap();

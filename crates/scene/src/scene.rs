@@ -10,7 +10,7 @@ use crate::{Camera, Light, LightId, LightPoint, SurfacePoint};
 use std::sync::Arc;
 use traylib_geometry::{Bvh, Hit, Ray, ShapeList, Shapes, SurfaceSite};
 use traylib_materials::{Material, Shading};
-use traylib_math::{Defect, DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3, planted};
+use traylib_math::{DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3};
 
 /// Camera, lamps and surfaces, ready to be rendered. Immutable.
 ///
@@ -153,9 +153,7 @@ impl Scene {
         let material = &self.stage.materials[surface.material()];
         let shading = material.at(smooth, || surface.site_of_textures(at));
         let Shading { model, opacity, through, normal: front_shading } = shading;
-        let by_shading = planted(Defect::EmissionByShadingNormal);
-        let front = if by_shading { front_shading } else { site.normal };
-        let is_front = front.dot(ray.direction) <= 0.0;
+        let is_front = site.normal.dot(ray.direction) <= 0.0;
         let side = if is_front { 1.0 } else { -1.0 };
         Some(SurfacePoint {
             site,
@@ -303,11 +301,7 @@ impl Scene {
         let emission =
             self.stage.light_by_power.probability(id.0 as usize) * light.emission_pdf().0;
         let toward = chosen_for_x1 * light.toward_pdf(x1, x0).0;
-        LightDensities {
-            emission,
-            direction: x0.direction_pdf(direction),
-            toward: if planted(Defect::EmissionForLightSampling) { emission } else { toward },
-        }
+        LightDensities { emission, direction: x0.direction_pdf(direction), toward }
     }
 }
 

@@ -3,7 +3,7 @@
 
 use crate::surfaces::Surfaces;
 use traylib_geometry::{ShapeList, SurfaceSite};
-use traylib_math::{Defect, Vec3, planted};
+use traylib_math::Vec3;
 
 /// What a lamp lies on.
 #[derive(Clone, Copy, Debug)]
@@ -20,9 +20,6 @@ pub(crate) enum Seat {
 impl Seat {
     /// The seat of a point light among these surfaces.
     pub(crate) fn of_point(position: Vec3, surfaces: &Surfaces) -> Self {
-        if planted(Defect::PointInSurfaceLost) {
-            return Self::Plain;
-        }
         touching(position, surfaces).next().map_or(Self::Plain, Self::Within)
     }
 }

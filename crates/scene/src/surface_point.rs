@@ -4,7 +4,7 @@
 use crate::LightId;
 use traylib_geometry::SurfaceSite;
 use traylib_materials::{BsdfSample, Scattering, SurfaceModel};
-use traylib_math::{Defect, Rgb, Vec3, planted};
+use traylib_math::{Rgb, Vec3};
 
 /// Which end of the path a walk started from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +85,6 @@ impl SurfacePoint {
     pub fn cosine(&self, walk: Walk, wo: Vec3, wi: Vec3) -> f32 {
         match walk {
             Walk::FromCamera => self.shading_normal.dot(wi).abs(),
-            Walk::FromLight if planted(Defect::AdjointMissing) => self.shading_normal.dot(wi).abs(),
             Walk::FromLight => {
                 self.normal.dot(wi).abs() * self.shading_normal.dot(wo).abs()
                     / self.normal.dot(wo).abs()

@@ -85,10 +85,10 @@ fn spread(samples: &[&[f64]]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_math::{Purpose, Sampler};
+    use traylib_math::Sampler;
 
     fn stream(index: u64) -> impl FnMut() -> f32 {
-        let mut sampler = Sampler::new(0, Purpose::Test, 0, index);
+        let mut sampler = Sampler::numbered(0, index);
         move || sampler.next_1d()
     }
 
@@ -101,7 +101,7 @@ mod tests {
     /// the bootstrap promises its level only nearly, 20 are allowed, which plain
     /// percentiles of 16 such values exceed more often than not.
     fn misses(interval: impl Fn(&mut Sampler) -> Estimate) -> usize {
-        let mut sampler = Sampler::new(5, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(5, 0);
         let missed = |e: Estimate| !(e.low..=e.high).contains(&1.0);
         (0..200).filter(|_| missed(interval(&mut sampler))).count()
     }

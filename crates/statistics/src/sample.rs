@@ -63,7 +63,7 @@ pub fn mean_interval(values: &[f64], level: f64) -> Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_math::{Purpose, Sampler};
+    use traylib_math::Sampler;
 
     /// Two-sided quantiles of Student's law from printed tables, one of them far
     /// out where the levels of families lie.
@@ -107,7 +107,7 @@ mod tests {
     /// standard errors of that count are 95.
     #[test]
     fn intervals_miss_as_often_as_they_say() {
-        let mut sampler = Sampler::new(1, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(1, 0);
         let mut values = || -> Vec<f64> { (0..16).map(|_| f64::from(sampler.next_1d())).collect() };
         let missed = (0..4000).filter(|_| !mean_interval(&values(), 0.1).contains(0.5)).count();
         assert!(missed.abs_diff(400) < 95, "{missed}");

@@ -100,7 +100,7 @@ pub fn alarm(many: Option<TailIndex>, few: Option<TailIndex>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_math::{Purpose, Sampler};
+    use traylib_math::Sampler;
 
     /// Largest values e⁴, e³ … over 1: the mean logarithm is 2.5.
     #[test]
@@ -130,7 +130,7 @@ mod tests {
     /// The largest are the largest, in whatever order they come.
     #[test]
     fn what_is_kept_does_not_depend_on_the_order() {
-        let mut sampler = Sampler::new(5, Purpose::Test, 0, 3);
+        let mut sampler = Sampler::numbered(5, 3);
         let mut values: Vec<f64> =
             (0..10_000).map(|_| 1.0 / (1.0 - f64::from(sampler.next_1d()))).collect();
         let index = |values: &[f64]| {

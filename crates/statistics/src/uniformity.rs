@@ -26,7 +26,7 @@ pub fn uniformity(values: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_math::{Purpose, Sampler};
+    use traylib_math::Sampler;
 
     #[test]
     fn evenly_spread_values_are_told_from_others() {
@@ -37,7 +37,7 @@ mod tests {
         let p = uniformity(&squares);
         assert!((2e-6..2e-5).contains(&p), "{p}");
         // Of 1000 distances of ten random values a twentieth is below 0.05.
-        let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(0, 0);
         let mut draw = || {
             let values: Vec<f64> = (0..10).map(|_| f64::from(sampler.next_1d())).collect();
             usize::from(uniformity(&values) < 0.05)

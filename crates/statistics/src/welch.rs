@@ -28,13 +28,13 @@ pub fn welch(a: &Sample, b: &Sample) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_math::{Purpose, Sampler};
+    use traylib_math::Sampler;
 
     /// At level 0.1, a tenth of 4000 trials with unequal variances and counts; five
     /// standard errors of that number are 95.
     #[test]
     fn welch_raises_false_alarms_as_often_as_it_says() {
-        let mut sampler = Sampler::new(2, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(2, 0);
         let mut sample = |count: usize, width: f64| {
             let values: Vec<f64> =
                 (0..count).map(|_| width * (f64::from(sampler.next_1d()) - 0.5)).collect();

@@ -24,12 +24,12 @@ pub fn follows(claim: impl Into<String>, probabilities: &[f64], counts: &[u64]) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_math::{Purpose, Sampler};
+    use traylib_math::Sampler;
 
     /// Counts of `samples` points of ten cells, where `warp` is applied to
     /// uniform numbers.
     fn counts(samples: u32, warp: impl Fn(f64) -> f64) -> Vec<u64> {
-        let mut sampler = Sampler::new(31, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(31, 0);
         let mut counts = vec![0; 10];
         for _ in 0..samples {
             counts[(warp(f64::from(sampler.next_1d())) * 10.0) as usize] += 1;

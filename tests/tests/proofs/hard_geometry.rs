@@ -12,7 +12,7 @@ use traylib_known::hard::{
 };
 use traylib_known::polygonal::standing;
 use traylib_known::{each_pass, pass_means, samples_in_a_pass};
-use traylib_math::{Heuristic, Purpose, Sampler, warp};
+use traylib_math::{Heuristic, Sampler, warp};
 use traylib_statistics::normal::OUTSIDE_1E_3;
 use traylib_statistics::tail::{KEPT, Largest};
 use traylib_statistics::{Sample, sidak, welch};
@@ -215,7 +215,7 @@ fn sliver(sampler: &mut Sampler, centre: Vec3, scale: f32) -> Option<Triangle> {
 /// Rays that leave slivers and meet them again, or the same triangle with its
 /// corners in another order.
 fn self_hits(name: &str, centre: Vec3, scale: f32, count: u64) -> Finding {
-    let mut sampler = Sampler::new(350, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(350, 0);
     let (mut hits, mut left) = (0, 0);
     for _ in 0..count {
         let Some(triangle) = sliver(&mut sampler, centre, scale) else { continue };

@@ -14,7 +14,7 @@ mod numbers;
 mod scattering;
 
 use traylib_geometry::Vec3;
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 /// Samples of one test in `cargo test`.
 const FAST: u64 = 100_000;
@@ -27,7 +27,7 @@ fn sampler(claim: &str) -> Sampler {
     let index = claim.bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
     });
-    Sampler::new(3, Purpose::Test, 0, index)
+    Sampler::numbered(3, index)
 }
 
 /// The unit vector at this angle from the third axis.

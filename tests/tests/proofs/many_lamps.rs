@@ -14,7 +14,7 @@ use traylib_geometry::Vec3;
 use traylib_integrators::{Bdpt, DirectLight, Integrator, Limits, Settings, Techniques};
 use traylib_known::each_pass;
 use traylib_known::stage::{Stage, black, disk_facing_down, lambert, rectangle, spot};
-use traylib_math::{Heuristic, Purpose, Sampler, Vec2};
+use traylib_math::{Heuristic, Sampler, Vec2};
 use traylib_scene::Scene;
 use traylib_statistics::normal::two_sided_quantile;
 use traylib_statistics::{Interval, Moments};
@@ -140,7 +140,7 @@ fn noise_does_not_grow_with_the_number_of_lamps() {
 #[test]
 fn lamps_come_as_often_as_their_probabilities_say() {
     let scene = office([40, 25]);
-    let mut sampler = Sampler::new(4, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(4, 0);
     let findings: Vec<Finding> = (0..8)
         .map(|place| {
             let x1 = (sampler.next_2d() * ROOM * Vec2::new(40.0, 25.0)).extend(0.0);

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use traylib_integrators::{Method, SceneFacts};
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 use traylib_statistics::slope::{Level, Slope, fit};
 use traylib_statistics::tail::{FEWER, KEPT, Largest, TailIndex, alarm};
 use traylib_tests::ledger::{Finding, settle};
@@ -20,7 +20,7 @@ const DRAWS: u32 = 400_000;
 
 /// Uniform on (0, 1].
 fn uniform(index: u64, mut take: impl FnMut(f64)) {
-    let mut sampler = Sampler::new(5, Purpose::Test, 0, index);
+    let mut sampler = Sampler::numbered(5, index);
     for _ in 0..DRAWS / 2 {
         let u = sampler.next_2d();
         take(1.0 - f64::from(u.x));
@@ -59,7 +59,7 @@ fn hill_knows_power_laws() {
 /// How many of 60 samples of a law, 20,000 values each, raise the alarm.
 fn alarms(law: impl Fn(f64) -> f64) -> usize {
     let raised = |run| {
-        let mut sampler = Sampler::new(8, Purpose::Test, 2, run);
+        let mut sampler = Sampler::new(8, [Sampler::TESTS, 2, run]);
         let mut largest = Largest::default();
         (0..20_000).for_each(|_| largest.add(law(1.0 - f64::from(sampler.next_2d().x))));
         alarm(largest.tail_index(KEPT), largest.tail_index(FEWER))
@@ -93,7 +93,7 @@ fn the_alarm_tells_an_endless_tail_from_a_long_one() {
 #[test]
 fn the_corner_has_the_index_one_and_a_half() {
     let mut corner = Largest::default();
-    let mut sampler = Sampler::new(6, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(6, 0);
     for _ in 0..DRAWS {
         let (a, b) = (sampler.next_2d(), sampler.next_2d());
         let distance =
@@ -111,7 +111,7 @@ fn the_corner_has_the_index_one_and_a_half() {
 /// runs of their means after 16 to 256 passes.
 fn slope(law: impl Fn(f64) -> f64, of_run: impl Fn(u64) -> f64) -> Slope {
     let mut samplers: Vec<Sampler> =
-        (0..16 * 64).map(|i| Sampler::new(7, Purpose::Test, 1, i)).collect();
+        (0..16 * 64).map(|i| Sampler::new(7, [Sampler::TESTS, 1, i])).collect();
     let mut sums = vec![0.0; samplers.len()];
     let mut levels = Vec::new();
     for pass in 1..=256_u32 {

@@ -123,6 +123,7 @@ pub(super) const LAYERS: &[Layer] = &[
             "traylib-io",
             "traylib-integrators",
             "anyhow",
+            "diffy",
             "serde_json",
             "syn",
         ],

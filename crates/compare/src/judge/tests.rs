@@ -3,7 +3,7 @@
 use super::*;
 use crate::results::Verdict;
 use crate::run::Look;
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 const PIXELS: usize = 400;
 
@@ -15,7 +15,7 @@ fn normal(sampler: &mut Sampler) -> f64 {
 /// Sixteen runs of a second and a hundred passes: each pixel off by `lost`, and by
 /// noise of this deviation.
 fn entry(name: &str, lost: f64, deviation: f64, reference: &Reference) -> Entry {
-    let mut sampler = Sampler::new(3, Purpose::Test, 0, name.len() as u64);
+    let mut sampler = Sampler::numbered(3, name.len() as u64);
     let mut picture = || {
         let mut pixel = || 1.0 + lost + deviation * normal(&mut sampler);
         let values = (0..PIXELS).map(|_| [pixel(), pixel(), pixel()]).collect();
@@ -220,7 +220,7 @@ fn doubt(given: &Picture, names: [&str; 2]) -> (Option<String>, Verdict) {
 }
 
 fn noise(deviation: f64) -> Picture {
-    let mut sampler = Sampler::new(7, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(7, 0);
     let mut pixel = || [0; 3].map(|_| 1.0 + deviation * normal(&mut sampler));
     Grid::from_values(PIXELS, 1, (0..PIXELS).map(|_| pixel()).collect()).unwrap()
 }

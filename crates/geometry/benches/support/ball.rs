@@ -3,7 +3,7 @@
 use super::surfaces::Surfaces;
 use std::f32::consts::{PI, TAU};
 use traylib_geometry::{Error, Mesh, Ray, Vec3};
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 /// A point inside of [`lumpy_ball`] that sees all of its surface.
 pub(crate) const INSIDE: Vec3 = Vec3::new(0.3, 0.2, 0.1);
@@ -24,7 +24,7 @@ pub(crate) fn lumpy_ball() -> Result<Mesh, Error> {
 
 /// Rays from inside of `mesh` to corners of it and to points of its edges.
 pub(crate) fn rays_at_seams(mesh: &Mesh, count: usize) -> Vec<Ray> {
-    let mut sampler = Sampler::new(7, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(7, 0);
     let triangles = mesh.triangles();
     let mut at_one = |_| {
         let triangle = triangles[(sampler.next_1d() * triangles.len() as f32) as usize];

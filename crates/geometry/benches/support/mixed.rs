@@ -1,7 +1,7 @@
 //! Shapes of several kinds in the unit cube, and rays there.
 
 use traylib_geometry::{Cone, Facing, Primitive, Quad, Ray, SidedPrimitive, Sides, Sphere, Vec3};
-use traylib_math::{Purpose, Sampler, warp};
+use traylib_math::{Sampler, warp};
 
 /// Five walls, a lamp, two blocks' tops and six balls.
 pub(crate) fn box_with_balls() -> Vec<SidedPrimitive> {
@@ -48,15 +48,15 @@ fn places() -> impl Iterator<Item = Vec3> {
 
 /// Rays from inside the unit cube in all directions, as bounces are.
 pub(crate) fn bounces(count: usize) -> Vec<Ray> {
-    let mut origins = Sampler::new(1, Purpose::Test, 0, 0);
-    let mut directions = Sampler::new(2, Purpose::Test, 0, 0);
+    let mut origins = Sampler::numbered(1, 0);
+    let mut directions = Sampler::numbered(2, 0);
     let mut ray = || Ray::new(point(&mut origins), warp::uniform_sphere(directions.next_2d()));
     (0..count).map(|_| ray()).collect()
 }
 
 /// Segments between points in the unit cube, as shadow rays are.
 pub(crate) fn segments(count: usize) -> Vec<Ray> {
-    let mut points = Sampler::new(1, Purpose::Test, 0, 0);
+    let mut points = Sampler::numbered(1, 0);
     (0..count).map(|_| Ray::segment(point(&mut points), point(&mut points))).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use super::room::{EYE, LAMP, Room, TARGET};
 use traylib_geometry::{Mesh, Ray, Vec3};
-use traylib_math::{Purpose, Sampler, warp};
+use traylib_math::{Sampler, warp};
 
 /// One kind of ray each, as many as the camera's picture has pixels or a few less.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ impl RaySets {
     /// Rays in `room` for a square picture of `side` pixels; paths go on where
     /// `nearest` says that they hit.
     pub(crate) fn new(room: &Room, side: u32, nearest: impl Fn(&Ray) -> Option<Found>) -> Self {
-        let mut sampler = Sampler::new(3, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(3, 0);
         let primary = primary(side);
         let mut scatter = |ray: &Ray| {
             let (t, triangle) = nearest(ray)?;

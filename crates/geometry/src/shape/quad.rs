@@ -3,7 +3,6 @@
 use super::{ShapeHit, Sides, all_finite, sound_area};
 use crate::precise::{DVec3, difference, unit};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
-use traylib_math::{Defect, planted};
 
 /// A parallelogram: `corner + u · edge_u + v · edge_v` with u, v in [0, 1]. The
 /// front normal is along `edge_u × edge_v`.
@@ -110,9 +109,6 @@ impl Quad {
 /// from the origin that is much; no more than 2⁻¹⁶ is added, or lamps would be met
 /// where no point of them is drawn.
 fn margin(largest_coordinate: f32, edge: Vec3) -> f32 {
-    if planted(Defect::EdgesExact) {
-        return 0.0;
-    }
     let length = edge.abs().max_element();
     (0.5 * f32::EPSILON * (2.0 + largest_coordinate / length)).min(1.0 / (1 << 16) as f32)
 }

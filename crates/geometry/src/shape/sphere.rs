@@ -5,7 +5,7 @@ use crate::precise::{DVec3, difference};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use std::f32::consts::TAU;
 use std::f64::consts::PI;
-use traylib_math::{AreaPdf, Defect, Frame, SolidAnglePdf, planted, solid_angle_per_area, warp};
+use traylib_math::{AreaPdf, Frame, SolidAnglePdf, solid_angle_per_area, warp};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,8 +73,6 @@ impl Sphere {
         // The cross product is the distance between centre and line, times |d|.
         let beside = from_centre.cross(direction).length_squared();
         let room = radius_squared * square - beside;
-        let leaves_single = planted(Defect::ProductLeavesSingle);
-        let room = if leaves_single { f64::from(room as f32) } else { room };
         // NaN has no root either.
         if room.is_nan() || room < 0.0 {
             return None;

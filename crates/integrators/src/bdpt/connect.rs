@@ -12,7 +12,7 @@ use crate::direct::sample_light;
 use crate::splat::aim_at_camera;
 use crate::tracer::Tracer;
 use crate::{ChunkOutput, Limits};
-use traylib_math::{Defect, Rgb, Sampler, planted, solid_angle_per_area};
+use traylib_math::{Rgb, Sampler, solid_angle_per_area};
 use traylib_scene::Walk;
 
 /// Joins subpaths and adds what they carry.
@@ -46,8 +46,7 @@ impl<'a> Joiner<'a> {
         }
         for last in 0..path.vertices.len() {
             // x₀, `last + 1` vertices more, and the camera.
-            let ends = if planted(Defect::SplatsTooLong) { 1 } else { 2 };
-            if self.limits().allow(last as u32 + ends) {
+            if self.limits().allow(last as u32 + 2) {
                 self.splat(tracer, path.start, &path.vertices[..=last], out);
             }
         }
@@ -233,8 +232,6 @@ impl<'a> Joiner<'a> {
             // The mean over all light paths of the pass.
             let value =
                 y.throughput * splat.value * transmittance * (1.0 / self.light_paths as f32);
-            let twice = planted(Defect::LightPathsDividedTwice);
-            let value = if twice { value / self.light_paths as f32 } else { value };
             let path = start.path(light, &[], Joint::Splat { pdf_back, camera_pdf });
             self.add(splat.pixel(tracer.scene), &Found { path, value, weight }, out);
         }

@@ -65,11 +65,10 @@ impl<'a> ConnectionRoulette<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_math::Purpose;
 
     #[test]
     fn what_is_tried_makes_up_for_what_is_not() {
-        let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(0, 0);
         let mut roulette = ConnectionRoulette::beside(Rgb::WHITE, 1, &mut sampler);
         for part in [0.1, 0.5, 2.0] {
             let light = Rgb::splat(part * THRESHOLD);
@@ -88,7 +87,7 @@ mod tests {
     /// those that are not.
     #[test]
     fn some_of_many_pairs_stand_for_all() {
-        let mut sampler = Sampler::new(1, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(1, 0);
         for pairs in [10, 4096, 5000, 1_000_000] {
             let mut roulette = ConnectionRoulette::beside(Rgb::BLACK, pairs, &mut sampler);
             let (mut looked_at, mut sum) = (0.0, 0.0);
@@ -108,7 +107,7 @@ mod tests {
 
     #[test]
     fn a_path_that_found_nothing_tries_everything() {
-        let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+        let mut sampler = Sampler::numbered(0, 0);
         let mut roulette = ConnectionRoulette::beside(Rgb::BLACK, 1, &mut sampler);
         assert_eq!(roulette.survives(Rgb::splat(1e-30)), Some(1.0));
     }

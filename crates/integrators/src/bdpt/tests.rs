@@ -6,9 +6,10 @@ mod room;
 
 use super::*;
 use crate::Control;
+use crate::numbers::Purpose;
 use replay::FullPath;
 pub(crate) use room::room;
-use traylib_math::{Purpose, Rgb, Sampler};
+use traylib_math::Rgb;
 
 const HEURISTICS: [Heuristic; 2] = [Heuristic::Balance, Heuristic::Power];
 
@@ -81,9 +82,9 @@ fn random_paths(scene: &Scene, walker: &Walker, index: u64) -> Vec<FullPath> {
     let control = Control::default();
     let mut tracer = Tracer::new(scene, &control);
     let (mut light, mut camera) = (Vec::new(), Vec::new());
-    let mut sampler = Sampler::new(1, Purpose::Light, 0, index);
+    let mut sampler = Purpose::Light.sampler(1, 0, index as u32);
     let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light);
-    let mut sampler = Sampler::new(1, Purpose::Camera, 0, index);
+    let mut sampler = Purpose::Camera.sampler(1, 0, index as u32);
     walker.camera_subpath(&mut tracer, index as u32 % 1024, &mut sampler, &mut camera);
     let mut paths = Vec::new();
     for t in 1..=camera.len() {

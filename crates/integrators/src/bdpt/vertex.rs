@@ -14,11 +14,9 @@
 //! They are Georgiev's dVCM and dVC before the heuristic raises the first: here it does
 //! where a weight is formed, so that both heuristics share one walk.
 
+use crate::numbers::VertexNumbers;
 use traylib_materials::{BsdfSample, Scattering};
-use traylib_math::{
-    AreaPdf, Defect, Heuristic, Rgb, SolidAnglePdf, Vec3, VertexNumbers, planted,
-    solid_angle_per_area,
-};
+use traylib_math::{AreaPdf, Heuristic, Rgb, SolidAnglePdf, Vec3, solid_angle_per_area};
 use traylib_scene::SurfacePoint;
 
 /// A vertex of a subpath, on a surface.
@@ -127,7 +125,6 @@ impl Vertex {
         heuristic: Heuristic,
     ) -> SubpathState {
         let BsdfSample { wi, pdf, pdf_reverse, is_delta, .. } = *sample;
-        let is_delta = is_delta || (self.after_delta && planted(Defect::DeltaFlagStays));
         // Known only now: how a walk from the other end would have gone on.
         self.pdf_back = pdf_reverse;
         // An ideal reflection cannot be connected to: nothing is added.

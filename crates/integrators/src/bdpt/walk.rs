@@ -6,6 +6,7 @@ use super::{Bdpt, Techniques};
 use crate::Limits;
 use crate::chunk::pixel_corner;
 use crate::emission::{Emitted, emit};
+use crate::numbers::VertexNumbers;
 use crate::step::next_step;
 use crate::tracer::{SurfaceHit, Tracer};
 use traylib_math::{Heuristic, Sampler};
@@ -81,7 +82,7 @@ impl Walker {
         let camera = *tracer.scene.camera();
         let ray = camera.ray(pixel_corner(tracer.scene, pixel) + sampler.next_2d());
         // x_{k−1}, the first surface.
-        let numbers = sampler.next_vertex();
+        let numbers = VertexNumbers::next(sampler);
         let Some(SurfaceHit { point, transmittance }) =
             tracer.camera_ray(&ray, numbers.pass_through)
         else {
@@ -132,7 +133,7 @@ impl Walker {
             let state = last.scatter(&sample, self.techniques.connections, self.heuristic);
             let throughput = last.throughput * step.weight;
             // The vertex that it leads to.
-            let numbers = sampler.next_vertex();
+            let numbers = VertexNumbers::next(sampler);
             let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
             let (wo, throughput) = (-sample.wi, throughput * hit.transmittance);
             vertices.push(state.extend_to(hit.point, wo, throughput, numbers, self.heuristic));

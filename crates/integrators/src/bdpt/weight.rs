@@ -8,7 +8,7 @@
 
 use super::Techniques;
 use super::vertex::{End, Vertex};
-use traylib_math::{Defect, Heuristic, SolidAnglePdf, planted};
+use traylib_math::{Heuristic, SolidAnglePdf};
 use traylib_scene::LightDensities;
 
 /// s = 0: the camera path's last vertex is the lamp's point x₀. Not for a lamp
@@ -65,7 +65,7 @@ pub(crate) fn connection(
 
 /// How many light paths might have found a vertex that the camera sees.
 pub(crate) fn splats_in_weights(light_paths: u32) -> f64 {
-    if planted(Defect::LightPathsIgnoredInWeights) { 1.0 } else { f64::from(light_paths) }
+    f64::from(light_paths)
 }
 
 /// t = 1: the light path's last vertex was joined to the camera, which would

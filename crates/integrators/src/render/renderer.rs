@@ -4,7 +4,6 @@ use super::Rendering;
 use crate::{Chunk, ChunkOutput, Control, Integrator, Pass, RenderChunk, Statistics};
 use rayon::prelude::*;
 use std::ops::Range;
-use traylib_math::{Defect, planted};
 use traylib_scene::{Film, PassImage, Scene};
 
 /// Pixels in a chunk. Part of the result: sums are formed chunk by chunk.
@@ -141,12 +140,7 @@ impl PassSums {
         Self { image, notes: Vec::new(), statistics: Statistics::default() }
     }
 
-    fn add(&mut self, mut outputs: Vec<ChunkOutput>) {
-        if planted(Defect::SplatsAsAtomics) {
-            let some = std::time::UNIX_EPOCH.elapsed().map_or(0, |time| time.subsec_nanos());
-            let places = some as usize % outputs.len();
-            outputs.rotate_left(places);
-        }
+    fn add(&mut self, outputs: Vec<ChunkOutput>) {
         for mut output in outputs {
             // Light for any pixel: a chunk's own, or splats.
             for (pixel, radiance) in output.light {

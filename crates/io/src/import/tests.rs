@@ -3,7 +3,7 @@ use crate::report::{Report, SourceText};
 use crate::ron_scene::{decode, syntax};
 use crate::source::Location;
 use std::sync::Arc;
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 /// Imports a text as if it were a built-in scene file, and shows what is wrong.
 fn outcome(text: String) -> Result<(), String> {
@@ -29,7 +29,7 @@ fn changed_texts_give_a_scene_or_a_report() {
         include_str!("../../../../scenes/cornell.ron"),
         include_str!("../../../../scenes/hangar.ron"),
     ];
-    let mut sampler = Sampler::new(4, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(4, 0);
     let mut failures = 0;
     for text in texts {
         assert_eq!(outcome(text.to_string()), Ok(()));

@@ -1,6 +1,6 @@
 //! Damage of many kinds.
 
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 /// Numbers and words that ask for much or mean nothing, for text.
 const WORDS: [&str; 12] = [
@@ -29,7 +29,7 @@ pub(crate) struct Mutations<'a> {
 
 impl<'a> Mutations<'a> {
     pub(crate) fn new(sound: &'a [u8], seed: u64) -> Self {
-        Self { sound, sampler: Sampler::new(seed, Purpose::Test, 0, 0) }
+        Self { sound, sampler: Sampler::numbered(seed, 0) }
     }
 
     fn below(&mut self, count: usize) -> usize {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::Error;
-use traylib_math::{Purpose, Rgb, Sampler, warp};
+use traylib_math::{Rgb, Sampler, warp};
 
 const EXPONENTS: [f32; 7] = [0.0, 1.0, 5.0, 20.0, 1e3, 1e5, 1e6];
 
@@ -60,9 +60,9 @@ fn examples_after(last: Option<&SurfaceModel>) -> Vec<SurfaceModel> {
 
 /// Mean of `f` over `n` samples of the model, zero where it gives none.
 fn mean(model: &SurfaceModel, wo: Vec3, n: u64, f: impl Fn(&BsdfSample) -> f32) -> f64 {
-    let mut sampler = Sampler::new(11, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(11, 0);
     let sum: f64 = (0..n)
-        .filter_map(|_| model.sample(Vec3::Z, wo, sampler.next_vertex().bsdf))
+        .filter_map(|_| model.sample(Vec3::Z, wo, sampler.next_3d()))
         .map(|sample| f64::from(f(&sample)))
         .sum();
     sum / n as f64
@@ -70,12 +70,12 @@ fn mean(model: &SurfaceModel, wo: Vec3, n: u64, f: impl Fn(&BsdfSample) -> f32) 
 
 #[test]
 fn weight_is_value_over_density() {
-    let mut sampler = Sampler::new(1, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(1, 0);
     for model in models() {
         for degrees in [0.0, 30.0, 60.0, 80.0, 89.0, 89.99] {
             let wo = direction(degrees, 0.3);
             for _ in 0..200 {
-                let Some(sample) = model.sample(Vec3::Z, wo, sampler.next_vertex().bsdf) else {
+                let Some(sample) = model.sample(Vec3::Z, wo, sampler.next_3d()) else {
                     continue;
                 };
                 if sample.is_delta {
@@ -97,12 +97,12 @@ fn weight_is_value_over_density() {
 
 #[test]
 fn exchanging_directions_changes_nothing() {
-    let mut sampler = Sampler::new(2, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(2, 0);
     let normal = Vec3::new(0.2, -0.5, 0.7).normalize();
     for model in models() {
         for _ in 0..500 {
             let a = warp::cosine_hemisphere(normal, sampler.next_2d());
-            let b = match model.sample(normal, a, sampler.next_vertex().bsdf) {
+            let b = match model.sample(normal, a, sampler.next_3d()) {
                 Some(sample) if !sample.is_delta => sample.wi,
                 _ => warp::cosine_hemisphere(normal, sampler.next_2d()),
             };
@@ -183,10 +183,9 @@ fn lobe_samples_are_uniform_in_lobe_coordinates() {
     let frame = traylib_math::Frame::around(axis);
     for n in [20.0, 1e3, 1e5, 1e6] {
         let mut counts = [[0_u32; 16]; 16];
-        let mut sampler = Sampler::new(5, Purpose::Test, 0, n as u64);
+        let mut sampler = Sampler::numbered(5, n as u64);
         for _ in 0..SAMPLES {
-            let Some(sample) = max_phong(1.0, n).sample(Vec3::Z, wo, sampler.next_vertex().bsdf)
-            else {
+            let Some(sample) = max_phong(1.0, n).sample(Vec3::Z, wo, sampler.next_3d()) else {
                 continue;
             };
             let away = sample.wi - axis;

@@ -1,5 +1,5 @@
 use super::*;
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 fn settings() -> CameraSettings {
     CameraSettings {
@@ -15,7 +15,7 @@ fn settings() -> CameraSettings {
 #[test]
 fn a_projected_point_is_where_its_ray_went() {
     let camera = Camera::new(settings()).unwrap();
-    let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(0, 0);
     for _ in 0..10_000 {
         let film_point = sampler.next_2d() * Vec2::new(31.0, 20.0);
         let ray = camera.ray(film_point);
@@ -98,7 +98,7 @@ fn decimals(sampler: &mut Sampler) -> DVec3 {
 /// decimal fractions which are multiples of one another.
 #[test]
 fn up_along_a_slanted_view_is_refused() {
-    let mut sampler = Sampler::new(1, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(1, 0);
     let mut tried = 0;
     while tried < 20_000 {
         let (position, view, k) =
@@ -119,7 +119,7 @@ fn up_along_a_slanted_view_is_refused() {
 /// To a few roundings, also where `up` is hardly off the view.
 #[test]
 fn pictures_have_right_angles() {
-    let mut sampler = Sampler::new(2, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(2, 0);
     for _ in 0..20_000 {
         let [position, view, aside] = [(); 3].map(|()| decimals(&mut sampler).as_vec3());
         let off = 1e-5_f32.powf(sampler.next_1d());

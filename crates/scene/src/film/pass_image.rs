@@ -1,7 +1,7 @@
 //! One pass over the picture.
 
 use std::collections::BTreeMap;
-use traylib_math::{Defect, Grid, Rgb, planted};
+use traylib_math::{Grid, Rgb};
 
 /// One pass over the whole picture: an estimate of the radiance of each pixel,
 /// from its own camera sample and from whatever light paths splatted into it.
@@ -39,8 +39,5 @@ fn add(image: &mut Grid<[f64; 3]>, pixel: u32, radiance: Rgb) {
     let sum = &mut image.values_mut()[pixel as usize];
     for (sum, band) in sum.iter_mut().zip(radiance.to_array()) {
         *sum += f64::from(band);
-        if planted(Defect::SplatsAsAtomics) {
-            *sum = f64::from(*sum as f32);
-        }
     }
 }

@@ -2,8 +2,7 @@
 
 use super::cone::Cone;
 use crate::{Light, PointLight};
-use traylib_geometry::{Aabb, Primitive};
-use traylib_math::{Defect, planted};
+use traylib_geometry::Aabb;
 
 /// Where lamps are, where they shine, and how strong they are together.
 #[derive(Clone, Copy, Debug)]
@@ -19,11 +18,7 @@ impl Cluster {
     pub(super) fn of(light: &Light, intensity: f64) -> Self {
         let (bounds, cone) = match light {
             Light::Area { primitive, .. } => {
-                let mut normals = primitive.normals();
-                if planted(Defect::TubeTakenForFlat) && matches!(primitive, Primitive::Cone(_)) {
-                    normals.half_angle = 0.0;
-                }
-                (primitive.bounds(), Cone::around_normals(normals))
+                (primitive.bounds(), Cone::around_normals(primitive.normals()))
             }
             Light::Point(PointLight { position, cone, .. }) => {
                 let cone = cone.map_or(Cone::SPHERE, |c| Cone::filled(c.axis, c.cos_dark));

@@ -9,13 +9,13 @@ use super::*;
 use crate::{Emission, LightPoint, PointLight, SpotCone};
 use lamps::{lamp, lamps};
 use traylib_geometry::{Disk, Facing, Primitive, Sphere};
-use traylib_math::{Purpose, Rgb, Sampler, Vec2};
+use traylib_math::{Rgb, Sampler, Vec2};
 
 /// Each level rounds a chance, made of a sum and a quotient, and a product.
 const ROUNDING: f64 = 64.0 * 3.0 * f32::EPSILON as f64 / 2.0;
 
 fn sampler(index: u64) -> Sampler {
-    Sampler::new(21, Purpose::Test, 0, index)
+    Sampler::numbered(21, index)
 }
 
 /// A point of the cube |x|, |y|, |z| ≤ `half`.

@@ -3,7 +3,7 @@
 use super::Scene;
 use crate::seat::Seat;
 use crate::{Emission, LightId, LightPoint};
-use traylib_math::{AreaPdf, Defect, Vec2, Vec3, planted};
+use traylib_math::{AreaPdf, Vec2, Vec3};
 
 impl Scene {
     /// A point of a lamp to light `from` with, and its density; one for a point
@@ -38,9 +38,6 @@ impl Scene {
     /// [`Primitive::sample_area`](traylib_geometry::Primitive::sample_area) makes of
     /// `u`. What has texture coordinates is sampled by area in every technique.
     fn coverage_of_sample(&self, index: u32, u: Vec2) -> f32 {
-        if planted(Defect::LampOpacityForgotten) {
-            return 1.0;
-        }
         let surface = self.stage.tree.shapes().get(index);
         let at = surface.sample_coordinates(u);
         self.stage.materials[surface.material()].opacity(|| surface.site_of_textures(at))

@@ -4,7 +4,7 @@ use super::*;
 use crate::{CameraSettings, Object, ObjectShape, SceneBuilder};
 use traylib_geometry::{Facing, Mesh, Primitive, Quad, Sides, Sphere};
 use traylib_materials::{Lambert, SurfaceModel};
-use traylib_math::{Purpose, Sampler, warp};
+use traylib_math::{Sampler, warp};
 
 const LEANING: Vec3 = Vec3::new(-0.8, 0.0, 0.6);
 
@@ -42,7 +42,7 @@ fn three_lamps() -> Scene {
 #[test]
 fn densities_are_those_of_the_draws() {
     let scene = three_lamps();
-    let mut sampler = Sampler::new(0, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(0, 0);
     let power: f32 = scene.lights().iter().map(|light| light.power().g).sum();
     let mut drawn = [0; 3];
     for _ in 0..20_000 {

@@ -1,6 +1,6 @@
 //! Chance.
 
-use traylib_math::{Purpose, Sampler, Vec3};
+use traylib_math::{Sampler, Vec3};
 
 /// A stream of random numbers with the questions that are asked of it.
 #[derive(Clone, Debug)]
@@ -9,12 +9,12 @@ pub struct Dice(Sampler);
 impl Dice {
     /// The stream of this scene in this run.
     pub fn new(seed: u64, number: u64) -> Self {
-        Self(Sampler::new(seed, Purpose::Test, 1, number))
+        Self(Sampler::new(seed, [Sampler::TESTS, 1, number]))
     }
 
     /// A stream for this use of that scene.
     pub fn for_use(seed: u64, number: u64, purpose: u64) -> Self {
-        Self(Sampler::new(seed, Purpose::Test, 2 + purpose, number))
+        Self(Sampler::new(seed, [Sampler::TESTS, 2 + purpose, number]))
     }
 
     /// Uniform on [0, 1).

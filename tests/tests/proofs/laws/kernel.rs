@@ -4,6 +4,7 @@
 use super::sampler;
 use glam::DVec3;
 use traylib_geometry::{SurfaceSite, Vec3};
+use traylib_integrators::toolkit::VertexNumbers;
 use traylib_known::frame::frame;
 use traylib_known::stage::{lambert, max_phong, phong};
 use traylib_materials::SurfaceModel;
@@ -107,7 +108,7 @@ fn the_kernel_is_the_same_from_both_ends() {
 #[test]
 fn walks_weigh_samples_by_the_kernel() {
     let error = |point: &SurfacePoint, wo: Vec3, sampler: &mut Sampler| {
-        let sample = point.sample(wo, sampler.next_vertex().bsdf)?;
+        let sample = point.sample(wo, VertexNumbers::next(sampler).bsdf)?;
         let scattered = point.evaluate(wo, sample.wi);
         let density = f64::from(scattered.f.g) / f64::from(scattered.pdf.0);
         let of = |walk| f64::from(point.walk_weight(walk, wo, &sample).g);
@@ -142,7 +143,9 @@ fn steep_bumps_give_sound_numbers() {
             let aside = side.any_orthonormal_vector();
             point.shading_normal = (aside + 1e-6 * side).normalize();
         }
-        let Some(sample) = point.sample(wo, sampler.next_vertex().bsdf) else { continue };
+        let Some(sample) = point.sample(wo, VertexNumbers::next(&mut sampler).bsdf) else {
+            continue;
+        };
         seen += 1;
         let weights =
             [Walk::FromCamera, Walk::FromLight].map(|walk| point.walk_weight(walk, wo, &sample));

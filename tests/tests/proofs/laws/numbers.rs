@@ -5,10 +5,11 @@ use super::{FAST, LONG, sampler};
 use glam::DVec3;
 use std::f64::consts::TAU;
 use traylib_geometry::{Vec2, Vec3};
+use traylib_integrators::toolkit::VertexNumbers;
 use traylib_known::frame::frame;
 use traylib_known::grid::{At, Counts, even};
 use traylib_known::stage::{Stage, black, camera, disk_facing_down};
-use traylib_math::{DiscreteDistribution, Purpose, Sampler, VertexNumbers, warp};
+use traylib_math::{DiscreteDistribution, Sampler, warp};
 use traylib_tests::laws::chi_square::follows;
 use traylib_tests::ledger::{Finding, settle};
 
@@ -98,10 +99,10 @@ fn stream_laws(samples: u64) {
     let mut onward = vec![Counts::new(0); 16];
     for path in 0..samples {
         let vertices = |path| {
-            let mut sampler = Sampler::new(8, Purpose::Test, 1, path);
+            let mut sampler = Sampler::new(8, [Sampler::TESTS, 1, path]);
             // The camera's film point comes first.
             sampler.next_2d();
-            [sampler.next_vertex(), sampler.next_vertex()].map(|numbers| eight(&numbers))
+            [(); 2].map(|()| eight(&VertexNumbers::next(&mut sampler)))
         };
         let [first, second] = vertices(2 * path);
         let [neighbour, _] = vertices(2 * path + 1);

@@ -3,6 +3,7 @@
 use super::{FAST, LONG, sampler, tilted};
 use glam::DVec3;
 use traylib_geometry::Vec3;
+use traylib_integrators::toolkit::VertexNumbers;
 use traylib_known::frame::frame;
 use traylib_known::grid::{Counts, even};
 use traylib_known::lobe::Lobe;
@@ -72,7 +73,7 @@ fn lobe_findings(glossy: &Glossy, degrees: f32, samples: u64) -> Vec<Finding> {
     let mut sampler = sampler(&name);
     let mut counts = Counts::new(2);
     for _ in 0..samples {
-        let sample = glossy.model.sample(Vec3::Z, wo, sampler.next_vertex().bsdf);
+        let sample = glossy.model.sample(Vec3::Z, wo, VertexNumbers::next(&mut sampler).bsdf);
         match sample.map(|sample| lobe.coordinates(sample.wi)) {
             Some(Some(at)) => counts.add(at),
             Some(None) => counts.add_other(0),
@@ -119,7 +120,7 @@ fn diffuse_findings(name: &str, model: &SurfaceModel, delta: f64, samples: u64) 
     let mut sampler = sampler(name);
     let mut counts = Counts::new(2);
     for _ in 0..samples {
-        match model.sample(normal, wo, sampler.next_vertex().bsdf) {
+        match model.sample(normal, wo, VertexNumbers::next(&mut sampler).bsdf) {
             Some(sample) if sample.is_delta => counts.add_other(0),
             Some(sample) => {
                 let [x, y] = [u, v].map(|axis| axis.dot(DVec3::from(sample.wi)));
@@ -173,7 +174,9 @@ fn weight_findings(name: &str, model: &SurfaceModel, samples: u64) -> Vec<Findin
     let (mut worst, mut different, mut drawn) = (0.0_f64, 0, 0);
     for i in 0..samples {
         let wo = tilted(ANGLES[i as usize % ANGLES.len()]);
-        let Some(sample) = model.sample(Vec3::Z, wo, sampler.next_vertex().bsdf) else { continue };
+        let Some(sample) = model.sample(Vec3::Z, wo, VertexNumbers::next(&mut sampler).bsdf) else {
+            continue;
+        };
         if sample.is_delta {
             continue;
         }
@@ -225,7 +228,7 @@ fn albedo_finding(glossy: &Glossy, degrees: f32, samples: u64) -> Finding {
     let mut sampler = sampler(&claim);
     let batch = |_| {
         let weight = |sampler: &mut Sampler| {
-            let sample = glossy.model.sample(Vec3::Z, wo, sampler.next_vertex().bsdf);
+            let sample = glossy.model.sample(Vec3::Z, wo, VertexNumbers::next(sampler).bsdf);
             sample.map_or(0.0, |sample| f64::from(sample.weight.g))
         };
         let count = samples / BATCHES;
@@ -263,7 +266,7 @@ fn reciprocity_finding(name: &str, model: &SurfaceModel, pairs: u64) -> Finding 
     for i in 0..pairs {
         let a = warp::cosine_hemisphere(Vec3::Z, sampler.next_2d());
         let any = warp::cosine_hemisphere(Vec3::Z, sampler.next_2d());
-        let drawn = model.sample(Vec3::Z, a, sampler.next_vertex().bsdf);
+        let drawn = model.sample(Vec3::Z, a, VertexNumbers::next(&mut sampler).bsdf);
         let b = drawn.filter(|_| i % 2 == 0).map_or(any, |sample| sample.wi);
         let [ab, ba] = [(a, b), (b, a)].map(|(wo, wi)| model.evaluate(Vec3::Z, wo, wi).f);
         for (ab, ba) in ab.to_array().into_iter().zip(ba.to_array()) {

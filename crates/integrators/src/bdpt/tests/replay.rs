@@ -4,10 +4,9 @@ use super::super::vertex::{End, SubpathState, Vertex};
 use super::super::walk::{LightStart, Walker};
 use super::super::{Bdpt, weight};
 use crate::emission::Emitted;
+use crate::numbers::VertexNumbers;
 use traylib_materials::BsdfSample;
-use traylib_math::{
-    Purpose, Rgb, Sampler, SolidAnglePdf, Vec3, VertexNumbers, solid_angle_per_area,
-};
+use traylib_math::{Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
 use traylib_scene::{LightId, LightPoint, Scene, SurfacePoint};
 
 /// x₀ … x_k; surfaces holds x₁ … x_{k−1}.
@@ -219,7 +218,7 @@ fn event(point: &SurfacePoint, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSample
 
 /// No walk here draws anything.
 fn numbers() -> VertexNumbers {
-    Sampler::new(0, Purpose::Test, 0, 0).next_vertex()
+    VertexNumbers::next(&mut Sampler::numbered(0, 0))
 }
 
 /// The point for a walk that came to it from `wo`, perhaps from its other side.

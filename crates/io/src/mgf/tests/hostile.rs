@@ -1,7 +1,7 @@
 //! Damaged files end in a document or an error, soon.
 
 use super::*;
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 const SHAPES: &str = include_str!("../../../tests/data/shapes.mgf");
 
@@ -56,7 +56,7 @@ fn every_beginning_is_survived() {
 #[test]
 fn changed_bytes_are_survived() {
     let folder = folder();
-    let mut sampler = Sampler::new(5, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(5, 0);
     for text in SAMPLES {
         let mut refused = 0;
         for _ in 0..2000 {

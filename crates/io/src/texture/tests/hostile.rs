@@ -1,7 +1,7 @@
 //! Damage of any kind ends in a texture or an error, never in a panic.
 
 use super::*;
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 const LIMITS: TextureLimits = TextureLimits { pixels: 1 << 12, file_bytes: 1 << 20 };
 
@@ -56,7 +56,7 @@ fn damage_is_told_in_plain_words() {
 
 #[test]
 fn random_bytes_in_a_file() {
-    let mut sampler = Sampler::new(5, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(5, 0);
     for (format, bytes) in made::all(9, 7) {
         let mut read = 0;
         for _ in 0..1000 {
@@ -81,7 +81,7 @@ fn pick(sampler: &mut Sampler, below: usize) -> usize {
 /// As much as there is, where nothing says what it is but the name.
 #[test]
 fn random_bytes_alone() {
-    let mut sampler = Sampler::new(6, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(6, 0);
     let starts: [&[u8]; 6] =
         [b"", b"GIF89a", b"#?RGBE\n\n-Y 3 +X 9\n", b"\xff\xd8\xff", &[10, 5, 1, 8], &[0, 0, 10]];
     for start in starts {

@@ -3,7 +3,7 @@
 use super::scene::full;
 use super::writer::{SQUARE, chunk, faces, file, group, material, node, object, still, vertices};
 use super::*;
-use traylib_math::{Purpose, Sampler};
+use traylib_math::Sampler;
 
 /// All that is done with a file: damage may make the result empty or an error,
 /// never a panic.
@@ -40,7 +40,7 @@ fn a_cut_file_keeps_what_is_there() {
 
 #[test]
 fn changed_bytes_are_survived() {
-    let mut sampler = Sampler::new(3, Purpose::Test, 0, 0);
+    let mut sampler = Sampler::numbered(3, 0);
     for bytes in [CUBE, ENEMY, &full()] {
         for _ in 0..3000 {
             let mut changed = bytes.to_vec();

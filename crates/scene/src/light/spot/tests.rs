@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::{Light, PointLight};
-use traylib_math::{Purpose, Rgb, Sampler};
+use traylib_math::{Rgb, Sampler};
 
 /// Angles from the axis in degrees: full up to the first, dark from the second.
 const CONES: [[f32; 2]; 8] = [
@@ -32,7 +32,7 @@ fn power_is_what_is_emitted() {
     const SAMPLES: u32 = 200_000;
     for (i, angles) in CONES.into_iter().enumerate() {
         let light = lamp(angles);
-        let mut sampler = Sampler::new(2, Purpose::Test, 0, i as u64);
+        let mut sampler = Sampler::numbered(2, i as u64);
         let (mut sum, mut squares) = (0.0, 0.0);
         for _ in 0..SAMPLES {
             let emission = light.sample_emission(Vec2::ZERO, sampler.next_2d());
