@@ -49,7 +49,7 @@ impl Fault {
     /// A fault from the text of its file.
     pub(super) fn parse(name: &str, text: &str) -> Result<Self> {
         check_name(name)?;
-        let start = text.find("--- ").context("no patch")?;
+        let start = text.find("--- a/").context("no patch")?;
         let (wrong, patch) = text.split_at(start);
         let fault = Self { name: name.into(), wrong: wrong.trim().into(), patch: patch.into() };
         ensure!(!fault.wrong.is_empty(), "does not say what is wrong before its patch");
