@@ -52,7 +52,8 @@ pub(super) fn files(root: &Path) -> Result<BTreeSet<String>> {
             let entry = entry?;
             let name = entry.file_name();
             let name = name.to_str().with_context(|| format!("{} is no text", name.display()))?;
-            let is_folder = entry.file_type()?.is_dir();
+            // What a link to a folder leads to is copied like any folder.
+            let is_folder = fs::metadata(entry.path())?.is_dir();
             if name == ".git" || (is_folder && name == "target") {
                 continue;
             }
