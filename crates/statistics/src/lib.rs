@@ -9,10 +9,10 @@
 //! |---|---|
 //! | where the mean of a law lies | [`mean_interval`], [`bootstrap`] for few and skewed values |
 //! | where its variance lies | [`Moments`] |
-//! | whether two means are the same | [`welch`] |
-//! | whether counts follow a law | [`chi_square`], [`binomial`], [`uniformity`] |
+//! | whether two means are the same | [`welch()`] |
+//! | whether counts follow a law | [`chi_square`], [`binomial`], [`uniformity()`] |
 //! | at which level each of many tests is held | [`sidak`], [`holm`] |
-//! | whether a law has a variance at all | [`tail`], [`PowerSums`], [`Energy`], [`shortfall`] |
+//! | whether a law has a variance at all | [`tail`], [`PowerSums`], [`Energy`], [`shortfall()`] |
 //! | how fast an error falls | [`slope`] |
 //! | how far a picture is from another | [`PictureError`] |
 //!
