@@ -31,6 +31,11 @@ impl MaxPhong {
         Ok(Self { specular, exponent })
     }
 
+    /// The exponent n.
+    pub(crate) fn exponent(&self) -> f32 {
+        self.exponent
+    }
+
     #[inline]
     pub(crate) fn evaluate(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {
         let (cos_o, cos_i) = (normal.dot(wo), normal.dot(wi));

@@ -36,6 +36,11 @@ impl Mirror {
         !self.diffuse.is_black()
     }
 
+    /// The chance that the diffuse part is sampled.
+    pub(crate) fn smooth_chance(&self) -> f32 {
+        1.0 - self.delta_chance
+    }
+
     /// Whether anything goes into the mirror direction.
     pub(crate) fn has_delta_part(&self) -> bool {
         self.delta_chance > 0.0
@@ -44,7 +49,7 @@ impl Mirror {
     #[inline]
     pub(crate) fn evaluate(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {
         let Scattering { f, pdf, pdf_reverse } = self.diffuse.evaluate(normal, wo, wi);
-        let chance = 1.0 - self.delta_chance;
+        let chance = self.smooth_chance();
         Scattering {
             f,
             pdf: SolidAnglePdf(chance * pdf.0),
@@ -54,7 +59,7 @@ impl Mirror {
 
     #[inline]
     pub(crate) fn sample(&self, normal: Vec3, wo: Vec3, u: [f32; 3]) -> Option<BsdfSample> {
-        let chance = 1.0 - self.delta_chance;
+        let chance = self.smooth_chance();
         if u[0] >= self.delta_chance {
             let sample = self.diffuse.sample(normal, wo, u)?;
             return Some(BsdfSample {

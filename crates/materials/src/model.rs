@@ -88,6 +88,40 @@ impl SurfaceModel {
         }
     }
 
+    /// The exponent of the lobe around the mirror direction, infinite where that is an ideal
+    /// reflection or refraction; `None` of a surface that has none.
+    pub fn mirror_exponent(&self) -> Option<f32> {
+        match self {
+            Self::Phong(m) => m.lobe_exponent(),
+            Self::MaxPhong(m) => Some(m.exponent()),
+            Self::Mirror(m) => m.has_delta_part().then_some(f32::INFINITY),
+            Self::Dielectric(_) => Some(f32::INFINITY),
+            Self::Lambert(_) | Self::Sheet(_) => None,
+        }
+    }
+
+    /// Whether some of the light is scattered into all directions.
+    pub fn has_diffuse_part(&self) -> bool {
+        match self {
+            Self::Lambert(m) => !m.is_black(),
+            Self::Phong(m) => !m.diffuse().is_black(),
+            Self::Mirror(m) => m.has_smooth_part(),
+            Self::Sheet(_) => true,
+            Self::MaxPhong(_) | Self::Dielectric(_) => false,
+        }
+    }
+
+    /// The chance that [`sample`](Self::sample) draws no ideal reflection or refraction: what
+    /// the densities of [`evaluate`](Self::evaluate) sum up to, but for what dips below the
+    /// surface.
+    pub fn smooth_chance(&self) -> f32 {
+        match self {
+            Self::Mirror(m) => m.smooth_chance(),
+            Self::Dielectric(_) => 0.0,
+            Self::Lambert(_) | Self::Phong(_) | Self::MaxPhong(_) | Self::Sheet(_) => 1.0,
+        }
+    }
+
     /// Whether [`evaluate`](Self::evaluate) can be anything but zero for `wi`
     /// below the surface.
     pub fn transmits(&self) -> bool {

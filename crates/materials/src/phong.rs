@@ -61,6 +61,11 @@ impl Phong {
         self.specular
     }
 
+    /// The exponent of the specular part, if there is one.
+    pub(crate) fn lobe_exponent(&self) -> Option<f32> {
+        (!self.specular.is_black()).then_some(self.exponent)
+    }
+
     /// No more than this is reflected, from whatever direction.
     pub(crate) fn albedo_bound(&self) -> Rgb {
         self.diffuse + self.specular

@@ -2,6 +2,7 @@
 
 use crate::LightId;
 use crate::coincidence;
+use crate::images::MirroredLamps;
 use crate::light::check_emission;
 use crate::light_tree::LightTree;
 use crate::scene::Stage;
@@ -152,6 +153,7 @@ impl SceneBuilder {
         let (tree, lifted_lamps) = coincidence::lift_lamps(tree, &mut lights)?;
         let seats = seats(&lights, &self.materials, tree.shapes());
         let light_tree = LightTree::new(&lights);
+        let mirrored_lamps = MirroredLamps::new(tree.shapes(), &self.materials, &lights);
         let see_through = self.materials.iter().any(Material::is_see_through);
         let stage = Stage {
             tree,
@@ -162,6 +164,7 @@ impl SceneBuilder {
             lifted_lamps,
             light_by_power,
             light_tree,
+            mirrored_lamps,
         };
         Ok(Scene::new(Arc::new(stage), self.camera))
     }

@@ -3,6 +3,7 @@
 mod sample;
 
 use crate::coincidence::Coincidences;
+use crate::images::{ImageDirections, MirroredLamps};
 use crate::light_tree::LightTree;
 use crate::seat::{self, Seat};
 use crate::surfaces::{Surface, Surfaces};
@@ -35,6 +36,7 @@ pub(crate) struct Stage {
     pub(crate) lifted_lamps: usize,
     pub(crate) light_by_power: DiscreteDistribution,
     pub(crate) light_tree: LightTree,
+    pub(crate) mirrored_lamps: MirroredLamps,
 }
 
 /// A lamp that was drawn.
@@ -256,6 +258,19 @@ impl Scene {
     /// The lamp of this name.
     pub fn light(&self, id: LightId) -> &Light {
         &self.stage.lights[id.0 as usize]
+    }
+
+    /// Where a rough surface at this point sees images of lamps in mirrors, if it may see any.
+    #[inline]
+    pub fn image_directions(&self, point: &SurfacePoint) -> Option<ImageDirections> {
+        self.stage.mirrored_lamps.seen_from(point)
+    }
+
+    /// Whether lamps are a small part of all surfaces, so that a walk that waits to hit one,
+    /// or its image in a mirror, waits long.
+    #[inline]
+    pub fn lamps_are_small(&self) -> bool {
+        self.stage.mirrored_lamps.lamps_are_small
     }
 
     /// The point as one of a lamp, if it emits toward the side it is seen from.

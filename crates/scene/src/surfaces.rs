@@ -167,6 +167,14 @@ impl Surface<'_> {
         }
     }
 
+    /// Whether it has interpolated normals.
+    pub(crate) fn is_smooth(&self) -> bool {
+        match &self.part.form {
+            Form::Primitive(_) => false,
+            Form::Mesh(mesh) => mesh.shading_normal(self.index, 0.5, 0.25).is_some(),
+        }
+    }
+
     /// The interpolated normal of a mesh that has some.
     #[inline]
     pub(crate) fn smooth_normal(&self, hit: &Hit) -> Option<Vec3> {

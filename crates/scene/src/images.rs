@@ -1,0 +1,231 @@
+//! Where the images of lamps stand in mirrors, for whoever looks for light from a rough
+//! surface.
+//!
+//! Light that comes over a mirror onto a rough surface is a caustic. Where that surface
+//! is itself seen by way of a mirror, no two neighbouring vertices between lamp and eye
+//! are rough, so nothing can be connected, and a walk from the camera has to hit the lamp's
+//! image by chance. But the image is where geometry says: [`ImageDirections`] are cones
+//! around it, seen from one point, to be mixed into the directions that a surface draws.
+//! They need be neither exact nor complete: whatever they miss the surface's own sampling
+//! finds, and weights see to the rest.
+
+mod ball;
+mod flat;
+mod lamp;
+mod mirror;
+
+use crate::surface_point::SHARP;
+use crate::surfaces::{Surface, Surfaces};
+use crate::{Light, SurfacePoint};
+use lamp::Lamp;
+use mirror::Mirror;
+use std::f32::consts::TAU;
+use traylib_geometry::Primitive;
+use traylib_materials::{Material, SurfaceModel};
+use traylib_math::{SolidAnglePdf, Vec2, Vec3, warp};
+
+/// So many pairs of lamp and mirror are looked at from a point: those that send most light.
+const MOST_PAIRS: usize = 16;
+/// A pair that sends less than this part of what the greatest does is not looked at.
+const FAINTEST: f32 = 1e-6;
+/// Of so many mirrors and lamps pairs are made: the largest, the strongest.
+const MOST_OF_A_KIND: usize = 64;
+/// Lamps are small if they are no more than this part of all surfaces. The surface's own
+/// sampling finds an image about as often as the lamp is large, so that images pay where it
+/// is small: where light paths do not help, 26 to 76 times at 0.02 to 0.17 %, nothing from
+/// 1 % on (docs/hard-light.md).
+const SMALL: f64 = 1.0 / 200.0;
+/// So many cones a point has: the first pairs that show an image there.
+const MOST_CONES: usize = 4;
+/// What is wider than this, in 1 − cos of the half-angle, the surface's own sampling finds
+/// often enough: a third of a steradian.
+const WIDEST: f32 = 0.05;
+/// No cone is narrower than rounding of a unit vector allows: 1 − cos of its half-angle.
+const NARROWEST: f32 = 1e-10;
+
+/// The mirrors of a scene, each with a lamp that may show in it; the brightest first.
+#[derive(Debug, Default)]
+pub(crate) struct MirroredLamps {
+    pairs: Vec<Pair>,
+    /// Whether no more than [`SMALL`] of all surfaces shines.
+    pub(crate) lamps_are_small: bool,
+}
+
+/// A mirror and a lamp.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    mirror: Mirror,
+    lamp: Lamp,
+    /// About how much of the lamp's power falls on the mirror, over that of the greatest pair.
+    power: f32,
+}
+
+/// Cones of directions from one point, each around the image of a lamp in a mirror.
+///
+/// A function of where the point is and which way its surface faces alone, so that walks
+/// from both ends of a path agree on it.
+#[derive(Clone, Copy, Debug)]
+pub struct ImageDirections {
+    /// At least one.
+    count: usize,
+    part: f32,
+    cones: [ImageCone; MOST_CONES],
+}
+
+/// All directions with 1 − cos of their angle to the axis up to a bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct ImageCone {
+    axis: Vec3,
+    one_minus_cos: f32,
+}
+
+impl MirroredLamps {
+    /// Those of a scene, as far as they are worth looking for.
+    pub(crate) fn new(surfaces: &Surfaces, materials: &[Material], lights: &[Light]) -> Self {
+        let mirrors = mirrors(surfaces, materials);
+        let lamps = lamps(lights);
+        let pair = |mirror: &Mirror, lamp: &Lamp| {
+            let power = lamp.power * mirror.part_of_sky(lamp.centre);
+            mirror.may_show(lamp).then_some(Pair { mirror: *mirror, lamp: *lamp, power })
+        };
+        let mut pairs: Vec<Pair> = mirrors
+            .iter()
+            .flat_map(|mirror| lamps.iter().filter_map(move |lamp| pair(mirror, lamp)))
+            .collect();
+        keep_greatest(&mut pairs, MOST_PAIRS, |pair| pair.power);
+        // In units of the greatest, so that no sum of them leaves the range of numbers.
+        let greatest = pairs.first().map_or(1.0, |pair| pair.power);
+        for pair in &mut pairs {
+            pair.power /= greatest;
+        }
+        pairs.retain(|pair| pair.power >= FAINTEST);
+        Self { pairs, lamps_are_small: lamps_are_small(surfaces, lights) }
+    }
+
+    /// The images that the surface at `point` may see.
+    #[inline]
+    pub(crate) fn seen_from(&self, point: &SurfacePoint) -> Option<ImageDirections> {
+        if self.pairs.is_empty() { None } else { self.look(point) }
+    }
+
+    fn look(&self, point: &SurfacePoint) -> Option<ImageDirections> {
+        let cones = [ImageCone::EMPTY; MOST_CONES];
+        let mut images = ImageDirections { count: 0, part: 0.0, cones };
+        let (mut narrow, mut shown) = (0.0, 0.0);
+        let (from, normal) = (point.site.position, point.normal);
+        for Pair { mirror, lamp, power } in &self.pairs {
+            if images.count < MOST_CONES
+                && mirror.rises_above(from, normal)
+                && let Some(cone) = mirror.image(lamp, from)
+                && cone.rises_above(normal)
+            {
+                shown += power;
+                if cone.one_minus_cos <= WIDEST {
+                    narrow += power;
+                    images.cones[images.count] = cone;
+                    images.count += 1;
+                }
+            }
+        }
+        images.part = narrow / shown;
+        (images.count > 0).then_some(images)
+    }
+}
+
+/// Whether the lamps are small beside all that there is.
+fn lamps_are_small(surfaces: &Surfaces, lights: &[Light]) -> bool {
+    let area = |primitive: Primitive| f64::from(primitive.area());
+    let shining: f64 = lights
+        .iter()
+        .map(|light| match light {
+            Light::Area { primitive, .. } => area(*primitive),
+            Light::Point(_) => 0.0,
+        })
+        .sum();
+    let all: f64 = surfaces.all().filter_map(|surface| surface.primitive()).map(area).sum();
+    shining <= SMALL * all
+}
+
+/// The largest mirrors of a scene. Smooth normals bend a mirror that is flat, so that its
+/// images are not where the plane has them.
+fn mirrors(surfaces: &Surfaces, materials: &[Material]) -> Vec<Mirror> {
+    let mirror = |surface: Surface<'_>| {
+        let model = &materials[surface.material()].model;
+        let exponent = model.mirror_exponent()?;
+        // Glass reflects too little to be aimed at.
+        let is_glass = matches!(model, SurfaceModel::Dielectric(_));
+        if exponent < SHARP || is_glass || surface.is_smooth() {
+            return None;
+        }
+        Mirror::new(&surface.primitive()?, surface.sides(), exponent)
+    };
+    let mut mirrors: Vec<Mirror> = surfaces.all().filter_map(mirror).collect();
+    keep_greatest(&mut mirrors, MOST_OF_A_KIND, |mirror| mirror.area);
+    mirrors
+}
+
+/// The strongest lamps of a scene.
+fn lamps(lights: &[Light]) -> Vec<Lamp> {
+    let mut lamps: Vec<Lamp> = lights.iter().filter_map(Lamp::of).collect();
+    keep_greatest(&mut lamps, MOST_OF_A_KIND, |lamp| lamp.power);
+    lamps
+}
+
+/// Sorts by a key, the greatest first and equal ones as they were, and keeps so many.
+fn keep_greatest<T>(list: &mut Vec<T>, most: usize, key: impl Fn(&T) -> f32) {
+    list.sort_by(|one, other| key(other).total_cmp(&key(one)));
+    list.truncate(most);
+}
+
+impl ImageDirections {
+    /// Of the power that falls on mirrors, as far as lamps show in them here, the part that the
+    /// cones hold, in (0, 1]; the rest is in images too wide to be aimed at.
+    #[inline]
+    pub fn part(&self) -> f32 {
+        self.part
+    }
+
+    /// A unit direction uniform in one of the cones, each as likely as the others; `u` is
+    /// uniform on [0, 1).
+    pub fn sample(&self, u: [f32; 3]) -> Vec3 {
+        let index = ((u[0] * self.count as f32) as usize).min(self.count - 1);
+        let ImageCone { axis, one_minus_cos } = self.cones[index];
+        warp::uniform_cone(axis, one_minus_cos, Vec2::new(u[1], u[2]))
+    }
+
+    /// The density of [`sample`](Self::sample) at a unit direction.
+    #[inline]
+    pub fn pdf(&self, direction: Vec3) -> SolidAnglePdf {
+        let cones = &self.cones[..self.count];
+        let sum: f32 = cones.iter().map(|cone| cone.pdf(direction)).sum();
+        SolidAnglePdf(sum / self.count as f32)
+    }
+}
+
+impl ImageCone {
+    const EMPTY: Self = Self { axis: Vec3::Z, one_minus_cos: 1.0 };
+
+    /// The cone around a unit vector with this 1 − cos of its half-angle.
+    #[inline]
+    fn around(axis: Vec3, one_minus_cos: f32) -> Self {
+        Self { axis, one_minus_cos: one_minus_cos.clamp(NARROWEST, 1.0) }
+    }
+
+    /// Whether it is a cone at all, where lengths leave the range of numbers, and any of it is
+    /// above the surface with this normal.
+    fn rises_above(&self, normal: Vec3) -> bool {
+        if !self.axis.is_normalized() {
+            return false;
+        }
+        let sine = (self.one_minus_cos * (2.0 - self.one_minus_cos)).sqrt();
+        normal.dot(self.axis) > -sine
+    }
+
+    fn pdf(&self, direction: Vec3) -> f32 {
+        let inside = 0.5 * (direction - self.axis).length_squared() <= self.one_minus_cos;
+        if inside { 1.0 / (TAU * self.one_minus_cos) } else { 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,100 @@
+//! The image in a ball: small, and near behind its surface.
+
+use super::ImageCone;
+use super::lamp::Lamp;
+use traylib_geometry::Sphere;
+use traylib_math::{Vec2, Vec3};
+
+/// The image's half-angle is computed for its middle: a little more holds the rest.
+const AMPLE: f32 = 1.05;
+
+/// A ball that mirrors to its outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct BallMirror {
+    centre: Vec3,
+    radius: f32,
+}
+
+impl BallMirror {
+    pub(super) fn new(sphere: &Sphere) -> Self {
+        Self { centre: sphere.centre(), radius: sphere.radius() }
+    }
+
+    pub(super) fn centre(&self) -> Vec3 {
+        self.centre
+    }
+
+    /// Whether a lamp's light may fall on it.
+    pub(super) fn may_show(&self, lamp: &Lamp) -> bool {
+        lamp.may_light(self.centre, self.radius)
+    }
+
+    /// Whether any of the ball is above a surface with this normal.
+    #[inline]
+    pub(super) fn rises_above(&self, from: Vec3, normal: Vec3) -> bool {
+        normal.dot(self.centre - from) > -self.radius
+    }
+
+    /// The cone around a lamp's image as `from` sees it, if any of it may show.
+    pub(super) fn image(&self, lamp: &Lamp, blur: f32, from: Vec3) -> Option<ImageCone> {
+        let normal = self.mirroring_normal(from, lamp.centre)?;
+        let seen_at = self.centre + self.radius * normal;
+        let (to_eye, to_lamp) = (from - seen_at, lamp.centre - seen_at);
+        // On the side of both, up to the lamp's extent, and in the lamp's light.
+        if normal.dot(to_eye) <= 0.0
+            || normal.dot(to_lamp) <= -lamp.radius
+            || !lamp.shines_to(-to_lamp)
+        {
+            return None;
+        }
+        let (eye_distance, lamp_distance) = (to_eye.length(), to_lamp.length());
+        let cosine = normal.dot(to_eye) / eye_distance;
+        // How far the image stands behind the surface, in the plane where that is
+        // farther: across the plane of incidence (Coddington's equations).
+        let depth = 1.0 / (1.0 / lamp_distance + 2.0 * cosine / self.radius);
+        let half_angle =
+            AMPLE * (lamp.radius / lamp_distance + blur) * depth / (eye_distance + depth);
+        // ½h² is 1 − cos h or a little more.
+        Some(ImageCone::around(-to_eye / eye_distance, 0.5 * half_angle * half_angle))
+    }
+
+    /// The unit normal where the ball mirrors one point into the other, both outside.
+    ///
+    /// In the plane of both and the centre, a from the centre at angle 0 and b at φ,
+    /// the normal at angle θ has equal angles to both where
+    /// ab·sin(2θ−φ) = r·(a·sin θ − b·sin(φ−θ)): two steps of Newton's method.
+    fn mirroring_normal(&self, one: Vec3, other: Vec3) -> Option<Vec3> {
+        let r = self.radius;
+        let (to_one, to_other) = (one - self.centre, other - self.centre);
+        let (a, b) = (to_one.length(), to_other.length());
+        if a <= r || b <= r {
+            return None;
+        }
+        let (x, toward) = (to_one / a, to_other / b);
+        let cos_phi = x.dot(toward);
+        let side = toward - cos_phi * x;
+        let sin_phi = side.length();
+        let y = side.try_normalize().unwrap_or_else(|| x.any_orthonormal_vector());
+        // The bisector leans to whoever is nearer.
+        let (near, far) = (a - r, b - r);
+        let mut m = Vec2::new(far + near * cos_phi, near * sin_phi).try_normalize()?;
+        for _ in 0..2 {
+            m = newton(m, [a, b], r, [sin_phi, cos_phi])?;
+        }
+        Some(m.x * x + m.y * y)
+    }
+}
+
+/// The next guess after the unit vector (cos θ, sin θ).
+fn newton(m: Vec2, [a, b]: [f32; 2], r: f32, [sin_phi, cos_phi]: [f32; 2]) -> Option<Vec2> {
+    let (cos, sin) = (m.x, m.y);
+    let (sin_2, cos_2) = (2.0 * sin * cos, cos * cos - sin * sin);
+    // Of 2θ − φ and of φ − θ.
+    let twice = [sin_2 * cos_phi - cos_2 * sin_phi, cos_2 * cos_phi + sin_2 * sin_phi];
+    let rest = [sin_phi * cos - cos_phi * sin, cos_phi * cos + sin_phi * sin];
+    let value = a * b * twice[0] - r * (a * sin - b * rest[0]);
+    let slope = 2.0 * a * b * twice[1] - r * (a * cos + b * rest[1]);
+    let step = (value / slope).clamp(-0.5, 0.5);
+    // A turn by −step, to first order, made a unit vector again.
+    Vec2::new(cos + sin * step, sin - cos * step).try_normalize()
+}

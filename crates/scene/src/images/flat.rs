@@ -1,0 +1,134 @@
+//! The image in a flat mirror stands as far behind it as the lamp before it.
+
+use super::ImageCone;
+use super::lamp::Lamp;
+use traylib_geometry::{Disk, Quad, Sides, Triangle};
+use traylib_math::Vec3;
+
+/// A flat piece that mirrors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FlatMirror {
+    /// A corner, or the centre of a disk.
+    anchor: Vec3,
+    normal: Vec3,
+    front_only: bool,
+    outline: Outline,
+}
+
+/// Where in its plane it ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Outline {
+    /// Coordinates of an offset o from the anchor are o·`to_u` and o·`to_v`, both from 0
+    /// to 1 in a parallelogram with these edges.
+    Quad { edges: [Vec3; 2], to_u: Vec3, to_v: Vec3 },
+    /// The same, and their sum is at most 1.
+    Triangle { edges: [Vec3; 2], to_u: Vec3, to_v: Vec3 },
+    /// Around the anchor.
+    Disk { radius: f32 },
+}
+
+impl FlatMirror {
+    pub(super) fn quad(quad: &Quad, sides: Sides) -> Option<Self> {
+        let edges = quad.edges();
+        let [to_u, to_v] = duals(edges)?;
+        let outline = Outline::Quad { edges, to_u, to_v };
+        Some(Self::new(quad.corner(), quad.normal(), sides, outline))
+    }
+
+    pub(super) fn triangle(triangle: &Triangle, sides: Sides) -> Option<Self> {
+        let [a, b, c] = triangle.corners();
+        let edges = [b - a, c - a];
+        let [to_u, to_v] = duals(edges)?;
+        let outline = Outline::Triangle { edges, to_u, to_v };
+        Some(Self::new(a, triangle.normal(), sides, outline))
+    }
+
+    pub(super) fn disk(disk: &Disk, sides: Sides) -> Self {
+        let outline = Outline::Disk { radius: disk.radius() };
+        Self::new(disk.centre(), disk.normal(), sides, outline)
+    }
+
+    fn new(anchor: Vec3, normal: Vec3, sides: Sides, outline: Outline) -> Self {
+        Self { anchor, normal, front_only: sides == Sides::Front, outline }
+    }
+
+    /// A point in its middle.
+    pub(super) fn middle(&self) -> Vec3 {
+        match self.outline {
+            Outline::Quad { edges: [u, v], .. } => self.anchor + 0.5 * (u + v),
+            Outline::Triangle { edges: [u, v], .. } => self.anchor + (u + v) / 3.0,
+            Outline::Disk { .. } => self.anchor,
+        }
+    }
+
+    /// Whether a lamp's light may fall on a side that mirrors.
+    pub(super) fn may_show(&self, lamp: &Lamp) -> bool {
+        let height = self.normal.dot(lamp.centre - self.anchor);
+        (!self.front_only || height > -lamp.radius)
+            && lamp.may_light(self.middle(), self.outline.reach())
+    }
+
+    /// The cone around a lamp's image as `from` sees it, if any of it may show.
+    pub(super) fn image(&self, lamp: &Lamp, blur: f32, from: Vec3) -> Option<ImageCone> {
+        // Both before the mirror, on one side of it.
+        let height = self.normal.dot(from - self.anchor);
+        let lamp_height = self.normal.dot(lamp.centre - self.anchor);
+        if height * lamp_height <= 0.0 || (self.front_only && height < 0.0) {
+            return None;
+        }
+        // The image, and where in the mirror it is seen.
+        let image = lamp.centre - 2.0 * lamp_height * self.normal;
+        let offset = image - from;
+        let distance = offset.length();
+        let to_mirror = height / (height + lamp_height);
+        let seen_at = from + to_mirror * offset;
+        // A blurred lamp is one that is larger by what the lobe makes of the way to it.
+        let blur_radius = blur * (1.0 - to_mirror) * distance;
+        let radius = lamp.radius + blur_radius;
+        if !self.outline.reaches(seen_at - self.anchor, to_mirror * radius)
+            || !lamp.shines_to(seen_at - lamp.centre)
+        {
+            return None;
+        }
+        // 1 − cos without cancellation; nobody needs to aim at what is all around.
+        let sine_squared = (radius / distance).powi(2);
+        let one_minus_cos = sine_squared / (1.0 + (1.0 - sine_squared).sqrt());
+        (sine_squared < 1.0).then(|| ImageCone::around(offset / distance, one_minus_cos))
+    }
+}
+
+impl Outline {
+    /// No point is farther from the middle.
+    fn reach(&self) -> f32 {
+        match self {
+            Self::Quad { edges: [u, v], .. } => 0.5 * (u.length() + v.length()),
+            Self::Triangle { edges: [u, v], .. } => u.length().max(v.length()),
+            Self::Disk { radius } => *radius,
+        }
+    }
+
+    /// Whether an offset from the anchor, in the plane, is inside or at most this far out.
+    fn reaches(&self, offset: Vec3, margin: f32) -> bool {
+        let inside = |to: Vec3, over: f32| {
+            let (at, slack) = (offset.dot(to), margin * to.length());
+            -slack <= at && at <= over + slack
+        };
+        match *self {
+            Self::Quad { to_u, to_v, .. } => inside(to_u, 1.0) && inside(to_v, 1.0),
+            Self::Triangle { to_u, to_v, .. } => {
+                inside(to_u, f32::INFINITY)
+                    && inside(to_v, f32::INFINITY)
+                    && inside(to_u + to_v, 1.0)
+            }
+            Self::Disk { radius } => offset.length() <= radius + margin,
+        }
+    }
+}
+
+/// The vectors whose dot products with an offset in the plane of two edges give its
+/// coordinates along them; `None` where the edges are too thin for that.
+fn duals([u, v]: [Vec3; 2]) -> Option<[Vec3; 2]> {
+    let normal = u.cross(v);
+    let duals = [v.cross(normal), normal.cross(u)].map(|dual| dual / normal.length_squared());
+    duals.iter().all(|dual| dual.is_finite()).then_some(duals)
+}

@@ -1,0 +1,89 @@
+//! A lamp as a mirror shows it: a ball around it.
+
+use crate::{Light, PointLight};
+use traylib_geometry::{Facing, Primitive};
+use traylib_math::Vec3;
+
+/// What of a lamp its images depend on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lamp {
+    /// The middle of a ball that holds it.
+    pub(super) centre: Vec3,
+    /// The radius of that ball; zero of a point.
+    pub(super) radius: f32,
+    /// The front normal of a flat lamp, which shines to that side alone.
+    pub(super) normal: Option<Vec3>,
+    /// Luminance of its power in W.
+    pub(super) power: f32,
+}
+
+impl Lamp {
+    /// Of any lamp but one that is seen from within, which fills every mirror.
+    pub(super) fn of(light: &Light) -> Option<Self> {
+        let power = light.power().luminance();
+        let [centre, reach] = match light {
+            Light::Area { primitive, .. } => around(primitive)?,
+            Light::Point(PointLight { position, .. }) => [*position, Vec3::ZERO],
+        };
+        let normal = match light {
+            Light::Area { primitive, .. } => flat_normal(primitive),
+            Light::Point(_) => None,
+        };
+        Some(Self { centre, radius: reach.length(), normal, power })
+    }
+
+    /// Whether it has no extent.
+    pub(super) fn is_point(&self) -> bool {
+        self.radius == 0.0
+    }
+
+    /// Whether light of it may fall on a ball.
+    pub(super) fn may_light(&self, centre: Vec3, radius: f32) -> bool {
+        self.normal.is_none_or(|normal| normal.dot(centre - self.centre) > -radius)
+    }
+
+    /// Whether light may leave it in this direction, of any length.
+    pub(super) fn shines_to(&self, direction: Vec3) -> bool {
+        self.normal.is_none_or(|normal| normal.dot(direction) > 0.0)
+    }
+}
+
+/// The centre of a ball around a shape and one of its radii.
+fn around(primitive: &Primitive) -> Option<[Vec3; 2]> {
+    match primitive {
+        Primitive::Triangle(triangle) => {
+            let corners = triangle.corners();
+            let centre = corners.iter().map(|&corner| corner / 3.0).sum::<Vec3>();
+            let spokes = corners.map(|corner| corner - centre);
+            Some([centre, longest(&spokes)])
+        }
+        Primitive::Quad(quad) => {
+            let [u, v] = quad.edges();
+            let spokes = [0.5 * (u + v), 0.5 * (u - v)];
+            Some([quad.corner() + spokes[0], longest(&spokes)])
+        }
+        Primitive::Sphere(sphere) if sphere.facing() == Facing::Inward => None,
+        Primitive::Sphere(sphere) => Some([sphere.centre(), sphere.radius() * Vec3::X]),
+        Primitive::Disk(disk) => Some([disk.centre(), disk.radius() * Vec3::X]),
+        Primitive::Cone(cone) => {
+            let bounds = cone.bounds();
+            Some([bounds.centre(), 0.5 * bounds.extent()])
+        }
+    }
+}
+
+fn longest(spokes: &[Vec3]) -> Vec3 {
+    let longer = |one: Vec3, other: &Vec3| {
+        if other.length_squared() > one.length_squared() { *other } else { one }
+    };
+    spokes.iter().fold(Vec3::ZERO, longer)
+}
+
+fn flat_normal(primitive: &Primitive) -> Option<Vec3> {
+    match primitive {
+        Primitive::Triangle(triangle) => Some(triangle.normal()),
+        Primitive::Quad(quad) => Some(quad.normal()),
+        Primitive::Disk(disk) => Some(disk.normal()),
+        Primitive::Sphere(_) | Primitive::Cone(_) => None,
+    }
+}

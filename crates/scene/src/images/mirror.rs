@@ -1,0 +1,84 @@
+//! What mirrors: a ball or a flat piece, perfectly or with a narrow lobe.
+
+use super::ImageCone;
+use super::ball::BallMirror;
+use super::flat::FlatMirror;
+use super::lamp::Lamp;
+use traylib_geometry::{Facing, Primitive, Sides};
+use traylib_math::Vec3;
+
+/// A lobe of exponent n is taken to be this over √n wide, in radians: 99.8 % of cosⁿ.
+const LOBE_WIDTH: f32 = 3.5;
+
+/// A surface that shows images of lamps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Mirror {
+    form: Form,
+    /// How wide a point is smeared, in radians; zero by an ideal mirror.
+    blur: f32,
+    /// Area in m².
+    pub(super) area: f32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Form {
+    Ball(BallMirror),
+    Flat(FlatMirror),
+}
+
+impl Mirror {
+    /// A shape with these sides whose lobe has this exponent, infinite for an ideal
+    /// mirror. `None` of what shows no image that could be aimed at: the inside of a ball
+    /// and what bends one way only.
+    pub(super) fn new(primitive: &Primitive, sides: Sides, exponent: f32) -> Option<Self> {
+        let form = match primitive {
+            Primitive::Triangle(triangle) => Form::Flat(FlatMirror::triangle(triangle, sides)?),
+            Primitive::Quad(quad) => Form::Flat(FlatMirror::quad(quad, sides)?),
+            Primitive::Disk(disk) => Form::Flat(FlatMirror::disk(disk, sides)),
+            Primitive::Sphere(sphere) => {
+                let from_outside = sides == Sides::Both || sphere.facing() == Facing::Outward;
+                Form::Ball(from_outside.then(|| BallMirror::new(sphere))?)
+            }
+            Primitive::Cone(_) => return None,
+        };
+        Some(Self { form, blur: LOBE_WIDTH / exponent.sqrt(), area: primitive.area() })
+    }
+
+    /// About which part of what a lamp here sends arrives at the mirror.
+    pub(super) fn part_of_sky(&self, from: Vec3) -> f32 {
+        let middle = match &self.form {
+            Form::Ball(ball) => ball.centre(),
+            Form::Flat(flat) => flat.middle(),
+        };
+        let distance_squared = (from - middle).length_squared();
+        self.area / (self.area + distance_squared)
+    }
+
+    /// Whether some point may see this lamp in it.
+    pub(super) fn may_show(&self, lamp: &Lamp) -> bool {
+        // An ideal mirror shows a point as a point, which no direction meets.
+        let has_extent = self.blur > 0.0 || !lamp.is_point();
+        has_extent
+            && match &self.form {
+                Form::Ball(ball) => ball.may_show(lamp),
+                Form::Flat(flat) => flat.may_show(lamp),
+            }
+    }
+
+    /// Whether a surface with this normal may see any of it; what is flat does not say no.
+    #[inline]
+    pub(super) fn rises_above(&self, from: Vec3, normal: Vec3) -> bool {
+        match &self.form {
+            Form::Ball(ball) => ball.rises_above(from, normal),
+            Form::Flat(_) => true,
+        }
+    }
+
+    /// Where a point sees the image of a lamp, if it does.
+    pub(super) fn image(&self, lamp: &Lamp, from: Vec3) -> Option<ImageCone> {
+        match &self.form {
+            Form::Ball(ball) => ball.image(lamp, self.blur, from),
+            Form::Flat(flat) => flat.image(lamp, self.blur, from),
+        }
+    }
+}
