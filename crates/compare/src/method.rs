@@ -5,7 +5,11 @@ use traylib_math::Heuristic;
 
 /// Settings of the two best methods that may pay.
 const SETTINGS: [Method; 3] = [
-    Method::DirectLight(DirectLight { limits: Limits::NONE, combine: Some(Heuristic::Balance) }),
+    Method::DirectLight(DirectLight {
+        limits: Limits::NONE,
+        combine: Some(Heuristic::Balance),
+        no_images: false,
+    }),
     Method::Bdpt(BdptSettings { heuristic: Heuristic::Balance, ..BdptSettings::DEFAULT }),
     Method::Bdpt(BdptSettings { no_connections: true, ..BdptSettings::DEFAULT }),
 ];

@@ -14,6 +14,7 @@ mod connection_roulette;
 mod direct_sum;
 mod report;
 mod settings;
+mod subpath;
 mod subset;
 mod techniques;
 mod vertex;
@@ -29,6 +30,7 @@ use crate::tracer::Tracer;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use connect::Joiner;
 use std::ops::Range;
+use subpath::Subpath;
 use traylib_math::Heuristic;
 use traylib_scene::Scene;
 use vertex::Vertex;
@@ -48,7 +50,7 @@ pub enum Weighting {
 }
 
 /// Bidirectional path tracing with any subset of its techniques.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Bdpt {
     /// How long paths get.
     pub limits: Limits,
@@ -58,8 +60,17 @@ pub struct Bdpt {
     pub weighting: Weighting,
     /// Which techniques take part.
     pub techniques: Techniques,
+    /// Whether walks from the camera aim at images of lamps in mirrors: see
+    /// [`TowardLight`](crate::toolkit::TowardLight).
+    pub aims_at_images: bool,
     /// What to record beside the picture.
     pub report: Report,
+}
+
+impl Default for Bdpt {
+    fn default() -> Self {
+        BdptSettings::DEFAULT.integrator(Report::default())
+    }
 }
 
 /// A light path: where it started, and the vertices after that.
@@ -71,7 +82,7 @@ struct LightPath<'a> {
 
 /// The light paths of a chunk, their vertices in one list.
 struct LightPaths {
-    vertices: Vec<Vertex>,
+    walks: Subpath,
     /// Start and vertices of each path; `None` for one that left the scene at
     /// once.
     paths: Vec<Option<(LightStart, Range<usize>)>>,
@@ -82,7 +93,9 @@ impl LightPaths {
     /// grows would cost bdpt two instructions in a hundred.
     fn with_room(paths: usize) -> Self {
         const USUAL: usize = 6;
-        Self { vertices: Vec::with_capacity(USUAL * paths), paths: Vec::with_capacity(paths) }
+        let vertices = Vec::with_capacity(USUAL * paths);
+        let walks = Subpath { vertices, ..Subpath::default() };
+        Self { walks, paths: Vec::with_capacity(paths) }
     }
 
     /// The path that a camera path is joined with, by its place in the chunk.
@@ -90,7 +103,7 @@ impl LightPaths {
         // With fewer light paths than pixels, one is joined more than once.
         let index = camera_path.checked_rem(self.paths.len())?;
         let (start, range) = self.paths[index].as_ref()?;
-        Some(LightPath { start, vertices: &self.vertices[range.clone()] })
+        Some(LightPath { start, vertices: &self.walks.vertices[range.clone()] })
     }
 }
 
@@ -119,17 +132,17 @@ impl Integrator for Bdpt {
         // Light walks first: each is splatted, and kept for the camera paths.
         let mut light = LightPaths::with_room(chunk.light_paths.len());
         for path in chunk.light_paths.clone() {
-            let first = light.vertices.len();
+            let first = light.walks.vertices.len();
             let mut sampler = chunk.light_sampler(path);
-            let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light.vertices);
-            light.paths.push(start.map(|start| (start, first..light.vertices.len())));
+            let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light.walks);
+            light.paths.push(start.map(|start| (start, first..light.walks.vertices.len())));
             if let Some(path) = light.partner(light.paths.len() - 1) {
                 joiner.splat_all(&mut tracer, path, out);
             }
         }
 
         // Then a camera walk a pixel, joined with its partner among the light walks.
-        let mut camera = Vec::new();
+        let mut camera = Subpath::default();
         for (i, pixel) in chunk.pixels.clone().enumerate() {
             camera.clear();
             let mut sampler = chunk.camera_sampler(pixel);

@@ -1,8 +1,9 @@
 //! Light sampling: one point on one lamp for a vertex of a camera path.
 
 use crate::numbers::VertexNumbers;
+use crate::path_scattering::PathScattering;
+use crate::toward_light::TowardLight;
 use crate::tracer::Tracer;
-use traylib_materials::Scattering;
 use traylib_math::{Rgb, Vec2, Vec3, solid_angle_per_area};
 use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
@@ -20,7 +21,7 @@ pub struct LightSample {
     /// Of the two points, in m².
     pub distance_squared: f32,
     /// What the vertex makes of this direction.
-    pub scattering: Scattering,
+    pub scattering: PathScattering,
     /// Radiance toward `wo` that this sample estimates.
     pub radiance: Rgb,
 }
@@ -81,7 +82,7 @@ fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<Li
         return None;
     }
     // What the surface makes of it.
-    let scattering = point.evaluate(wo, wi);
+    let scattering = PathScattering::by_surface(point, Walk::FromCamera, wo, wi);
     let cosine = point.cosine(Walk::FromCamera, wo, wi);
     let radiance =
         scattering.f * x0.emitted * (cosine * solid_angle_per_area(falloff, distance_squared));
@@ -97,19 +98,24 @@ fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<Li
 }
 
 impl LightSample {
+    /// Takes account of how the vertex's own walk goes on, with which the sample has to share.
+    pub fn mix(&mut self, toward_light: TowardLight<'_>, point: &SurfacePoint) {
+        self.scattering.mix(toward_light, point, self.wi);
+    }
+
     /// The part of the light that arrives at the vertex, if any.
     pub fn visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint) -> Option<Rgb> {
         tracer.sees(&self.x0.segment_from(&point.site))
     }
 
-    /// Density with which the vertex's own sampling would have found the lamp's
-    /// point, per m²; zero for a point light.
+    /// Density with which the vertex's own walk would have found the lamp's point, per m²;
+    /// zero for a point light.
     pub fn hit_pdf(&self) -> f32 {
         if self.x0.is_point {
             return 0.0;
         }
         let conversion = solid_angle_per_area(self.x0.cosine(-self.wi), self.distance_squared);
-        self.scattering.pdf.to_area(conversion).0
+        self.scattering.toward_light.to_area(conversion).0
     }
 
     /// The densities of the lamp's point for the vertex at `x1`, which it was drawn

@@ -2,7 +2,8 @@
 
 use crate::direct::{LightSample, sample_light};
 use crate::numbers::VertexNumbers;
-use crate::step::next_step;
+use crate::step::next_step_toward_light;
+use crate::toward_light::{TowardLight, images_for};
 use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_geometry::Ray;
@@ -21,6 +22,8 @@ pub struct DirectLight {
     pub limits: Limits,
     /// Combine light sampling with hits by this heuristic.
     pub combine: Option<Heuristic>,
+    /// Do not aim at images of lamps in mirrors, not even of small ones.
+    pub no_images: bool,
 }
 
 /// How the walk came to where it is.
@@ -50,6 +53,8 @@ impl DirectLight {
         let mut radiance = Rgb::BLACK;
         let mut throughput = Rgb::WHITE;
         let mut arrival = Arrival::Alone;
+        // Images of large lamps are hit without aiming.
+        let aims = !self.no_images && scene.lamps_are_small();
         for edges in 1.. {
             // The next vertex, and what the edge to it lets through.
             let numbers = VertexNumbers::next(sampler);
@@ -62,16 +67,22 @@ impl DirectLight {
             if !self.limits.allow(edges + 1) {
                 break;
             }
+            // How the walk looks for light from here.
+            let images = if aims { images_for(scene, &point) } else { None };
+            let toward_light = TowardLight::of(images.as_ref());
             // A point of a lamp that is aimed at: s = 1.
-            if let Some(light) = sample_light(scene, &point, wo, &numbers)
+            if let Some(mut light) = sample_light(scene, &point, wo, &numbers)
                 && let Some(transmittance) = light.visible(tracer, &point)
             {
+                light.mix(toward_light, &point);
                 let weight = self.light_weight(scene, &point, &light);
                 radiance += throughput * light.radiance * transmittance * weight;
             }
-            // On by the surface's own sampling, if roulette lets it.
+            // On in that way, if roulette lets it.
             let roulette = self.limits.roulette;
-            let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);
+            let (walk, edge) = (Walk::FromCamera, edges + 1);
+            let step =
+                next_step_toward_light(walk, toward_light, &point, wo, &numbers, roulette, edge);
             let Some(step) = step else { break };
             throughput *= step.weight;
             // Where the next hit could have been aimed at from, and with what density.

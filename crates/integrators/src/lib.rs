@@ -75,10 +75,12 @@ mod method;
 mod numbers;
 mod particle;
 mod pass;
+mod path_scattering;
 mod puremc;
 mod render;
 mod splat;
 mod step;
+mod toward_light;
 mod trace;
 mod tracer;
 
@@ -113,8 +115,10 @@ pub mod toolkit {
     pub use crate::direct::{LightSample, sample_light, sample_point_lights};
     pub use crate::emission::{Emitted, emit};
     pub use crate::numbers::VertexNumbers;
+    pub use crate::path_scattering::PathScattering;
     pub use crate::splat::{Splat, aim_at_camera};
-    pub use crate::step::{Step, next_step};
+    pub use crate::step::{Step, next_step, next_step_toward_light};
+    pub use crate::toward_light::{TowardLight, images_for};
     pub use crate::tracer::{SurfaceHit, Tracer};
 }
 

@@ -46,10 +46,13 @@ impl Method {
     pub const PURE_MC: Self = Self::PureMc(PureMc { limits: Limits::NONE });
     /// `directlight`, strict as in the paper.
     pub const DIRECT_LIGHT: Self =
-        Self::DirectLight(DirectLight { limits: Limits::NONE, combine: None });
+        Self::DirectLight(DirectLight { limits: Limits::NONE, combine: None, no_images: false });
     /// `directlight --combine`, weighted by the power heuristic.
-    pub const COMBINED: Self =
-        Self::DirectLight(DirectLight { limits: Limits::NONE, combine: Some(Heuristic::Power) });
+    pub const COMBINED: Self = Self::DirectLight(DirectLight {
+        limits: Limits::NONE,
+        combine: Some(Heuristic::Power),
+        no_images: false,
+    });
     /// `particle`.
     pub const PARTICLE: Self = Self::Particle(Particle { limits: Limits::NONE });
     /// `bdpt`, weighted by the power heuristic.
@@ -132,13 +135,13 @@ impl Method {
     /// The options that it takes, in the order of help texts and spellings.
     pub fn options(self) -> &'static [MethodOption] {
         use MethodOption::{
-            Combine, DirectSum, Heuristic, Jitter, MaxDepth, NoConnections, Roulette,
+            Combine, DirectSum, Heuristic, Jitter, MaxDepth, NoConnections, NoImages, Roulette,
         };
         match self {
             Self::Trace(_) => &[Jitter],
             Self::PureMc(_) | Self::Particle(_) => &[MaxDepth, Roulette],
-            Self::DirectLight(_) => &[MaxDepth, Roulette, Combine, Heuristic],
-            Self::Bdpt(_) => &[MaxDepth, Roulette, Heuristic, DirectSum, NoConnections],
+            Self::DirectLight(_) => &[MaxDepth, Roulette, Combine, Heuristic, NoImages],
+            Self::Bdpt(_) => &[MaxDepth, Roulette, Heuristic, DirectSum, NoConnections, NoImages],
         }
     }
 
@@ -229,11 +232,13 @@ impl Method {
                 let combined =
                     own.combine.map(|by| [MethodSetting::Combine, MethodSetting::Heuristic(by)]);
                 settings.extend(combined.into_iter().flatten());
+                settings.extend(own.no_images.then_some(MethodSetting::NoImages));
             }
             Self::Bdpt(own) => {
                 settings.push(MethodSetting::Heuristic(own.heuristic));
                 settings.extend(own.direct_sum.then_some(MethodSetting::DirectSum));
                 settings.extend(own.no_connections.then_some(MethodSetting::NoConnections));
+                settings.extend(own.no_images.then_some(MethodSetting::NoImages));
             }
         }
         settings
@@ -257,7 +262,8 @@ impl Method {
                 if combine.is_none() && heuristic.is_some() {
                     return Err(MethodError::NothingWeighted);
                 }
-                Self::DirectLight(DirectLight { limits, combine })
+                let no_images = has(MethodSetting::NoImages);
+                Self::DirectLight(DirectLight { limits, combine, no_images })
             }
             Self::Particle(_) => Self::Particle(Particle { limits }),
             Self::Bdpt(_) => Self::Bdpt(BdptSettings {
@@ -265,6 +271,7 @@ impl Method {
                 heuristic: heuristic.unwrap_or_default(),
                 direct_sum: has(MethodSetting::DirectSum),
                 no_connections: has(MethodSetting::NoConnections),
+                no_images: has(MethodSetting::NoImages),
             }),
         })
     }
@@ -281,7 +288,8 @@ fn limits(given: &[MethodSetting]) -> Result<Limits, MethodError> {
             | MethodSetting::Combine
             | MethodSetting::Heuristic(_)
             | MethodSetting::DirectSum
-            | MethodSetting::NoConnections => {}
+            | MethodSetting::NoConnections
+            | MethodSetting::NoImages => {}
         }
     }
     if limits.roulette == Roulette::OFF && limits.max_depth.is_none() {

@@ -1,6 +1,6 @@
 //! Joining a vertex of a light path to the camera (t = 1).
 
-use traylib_materials::Scattering;
+use crate::path_scattering::PathScattering;
 use traylib_math::{Rgb, Vec3, solid_angle_per_area};
 use traylib_scene::{Projection, Scene, SurfacePoint, Walk};
 
@@ -11,7 +11,7 @@ pub struct Splat {
     /// Where on the film, and how the camera sees it.
     pub projection: Projection,
     /// What the vertex makes of the direction to the camera.
-    pub scattering: Scattering,
+    pub scattering: PathScattering,
     /// What the throughput of one of one light path is multiplied with to give
     /// the radiance of the pixel: f·cos·We.
     pub value: Rgb,
@@ -26,12 +26,13 @@ pub fn aim_at_camera(scene: &Scene, point: &SurfacePoint, wo: Vec3) -> Option<Sp
     // Where on the film, if it is in view.
     let projection = scene.camera().project(point.site.position)?;
     // f toward the camera.
-    let scattering = point.evaluate(wo, projection.to_camera);
+    let to_camera = projection.to_camera;
+    let scattering = PathScattering::by_surface(point, Walk::FromLight, wo, to_camera);
     if scattering.f.is_black() {
         return None;
     }
     // The vertex's own cosine stands in the kernel; the camera's is in We.
-    let cosine = point.cosine(Walk::FromLight, wo, projection.to_camera);
+    let cosine = point.cosine(Walk::FromLight, wo, to_camera);
     let value = scattering.f * (cosine * projection.pdf.0 / projection.distance_squared);
     Some(Splat { projection, scattering, value })
 }

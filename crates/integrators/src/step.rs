@@ -2,6 +2,7 @@
 
 use crate::limits::Roulette;
 use crate::numbers::VertexNumbers;
+use crate::toward_light::TowardLight;
 use traylib_geometry::Ray;
 use traylib_materials::BsdfSample;
 use traylib_math::{Rgb, Vec3};
@@ -14,7 +15,7 @@ pub struct Step {
     pub ray: Ray,
     /// What the throughput is multiplied with, roulette included.
     pub weight: Rgb,
-    /// The direction as the surface sampled it, with its densities.
+    /// The direction as it was sampled, with its densities; its own weight is that of the surface.
     pub sample: BsdfSample,
 }
 
@@ -30,13 +31,33 @@ pub fn next_step(
     roulette: Roulette,
     edge: u32,
 ) -> Option<Step> {
-    // A direction of the surface's own, with f·cos/p.
-    let sample = point.sample(wo, numbers.bsdf)?;
-    let weight = point.walk_weight(walk, wo, &sample);
-    // The chance to go on is paid for by the weight.
-    let chance = roulette.survive(edge, weight, numbers.roulette)?;
+    let by_surface = TowardLight::BY_SURFACE;
+    next_step_toward_light(walk, by_surface, point, wo, numbers, roulette, edge)
+}
+
+/// The same for a walk that may look for light in its own way; one from a light goes on by
+/// the surface alone.
+pub fn next_step_toward_light(
+    walk: Walk,
+    toward_light: TowardLight<'_>,
+    point: &SurfacePoint,
+    wo: Vec3,
+    numbers: &VertexNumbers,
+    roulette: Roulette,
+    edge: u32,
+) -> Option<Step> {
+    // A direction, with the surface's own f·cos/p.
+    let own = toward_light.sample(point, wo, numbers.bsdf)?;
+    let own_weight = point.walk_weight(walk, wo, &own);
+    // The chance to go on is paid for by the weight. It goes by the surface's own: by the
+    // mixture's it would end just those walks that were sent toward an image.
+    let chance = roulette.survive(edge, own_weight, numbers.roulette)?;
+    // The same light by the density of the mixture.
+    let pdf = if own.is_delta { own.pdf } else { toward_light.pdf(point, own.pdf, own.wi) };
+    let weight = own_weight * (own.pdf.0 / pdf.0);
     // Radiance is compressed by refraction, power is not; roulette is for power.
-    let eta_scale = if walk == Walk::FromCamera { sample.eta_scale } else { 1.0 };
-    let ray = Ray::new(point.site.ray_origin(sample.wi), sample.wi);
+    let eta_scale = if walk == Walk::FromCamera { own.eta_scale } else { 1.0 };
+    let ray = Ray::new(point.site.ray_origin(own.wi), own.wi);
+    let sample = BsdfSample { pdf, ..own };
     Some(Step { ray, weight: weight * (eta_scale / chance), sample })
 }

@@ -82,7 +82,7 @@ fn methods() -> [(&'static str, Box<dyn Integrator>); 2] {
     let techniques =
         Techniques { hits: false, connections: false, splats: false, ..Techniques::ALL };
     [
-        ("directlight --combine", Box::new(DirectLight { limits, combine })),
+        ("directlight --combine", Box::new(DirectLight { limits, combine, no_images: false })),
         ("bdpt, s = 1", Box::new(Bdpt { limits, techniques, ..Bdpt::default() })),
     ]
 }

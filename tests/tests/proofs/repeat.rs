@@ -3,7 +3,8 @@
 
 use std::ops::ControlFlow;
 use traylib_integrators::{
-    Bdpt, Control, Integrator, Limits, Method, Progress, Roulette, Settings, Statistics, render,
+    Bdpt, Control, DirectLight, Integrator, Limits, Method, Progress, Roulette, Settings,
+    Statistics, render,
 };
 use traylib_known::each_pass;
 use traylib_math::{Grid, Heuristic};
@@ -80,9 +81,13 @@ fn bdpt_with_the_techniques_of_another_method_is_that_method() {
     let scene = still_life(1.0);
     let heuristic = Heuristic::Power;
     let settings = Settings { spp: 16, seed: 5, threads: 1 };
-    for method in [methods::PURE_MC, methods::COMBINED, methods::PARTICLE] {
+    // Each aims at images from vertices of its own choice.
+    let combine = Some(heuristic);
+    let combined =
+        Method::DirectLight(DirectLight { combine, no_images: true, ..DirectLight::default() });
+    for method in [methods::PURE_MC, combined, methods::PARTICLE] {
         let (techniques, other) = (method.techniques(), method.build());
-        let bdpt = Bdpt { techniques, heuristic, ..Bdpt::default() };
+        let bdpt = Bdpt { techniques, heuristic, aims_at_images: false, ..Bdpt::default() };
         let [bdpt, other] = [&bdpt as &dyn Integrator, other.as_ref()]
             .map(|integrator| picture(&scene, integrator, settings));
         for (i, (a, b)) in bdpt.values().iter().zip(other.values()).enumerate() {

@@ -5,11 +5,14 @@
 
 use super::connection_roulette::ConnectionRoulette;
 use super::direct_sum::{JoinedPath, Joint};
+use super::subpath::Subpath;
 use super::vertex::{End, Vertex};
 use super::walk::LightStart;
 use super::{Bdpt, LightPath, Weighting, weight};
 use crate::direct::sample_light;
+use crate::path_scattering::PathScattering;
 use crate::splat::aim_at_camera;
+use crate::toward_light::{TowardLight, images_for};
 use crate::tracer::Tracer;
 use crate::{ChunkOutput, Limits};
 use traylib_math::{Rgb, Sampler, solid_angle_per_area};
@@ -58,11 +61,12 @@ impl<'a> Joiner<'a> {
         &self,
         tracer: &mut Tracer<'_>,
         pixel: u32,
-        camera: &[Vertex],
+        path: &Subpath,
         light: Option<LightPath<'_>>,
         sampler: &mut Sampler,
         out: &mut ChunkOutput,
     ) {
+        let camera = &path.vertices[..];
         // What the camera path finds by itself: hits and light samples.
         let mut found = Rgb::BLACK;
         for last in 0..camera.len() {
@@ -70,7 +74,9 @@ impl<'a> Joiner<'a> {
             found += self.hit(tracer, pixel, camera, out).unwrap_or_default();
             // The camera path itself has `last + 1` edges.
             if self.limits().allow(last as u32 + 2) {
-                found += self.light_sample(tracer, pixel, camera, out).unwrap_or_default();
+                let toward_light = path.toward_light(&camera[last]);
+                found +=
+                    self.light_sample(tracer, pixel, camera, toward_light, out).unwrap_or_default();
             }
         }
         let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { return };
@@ -80,11 +86,13 @@ impl<'a> Joiner<'a> {
             ConnectionRoulette::beside(found, camera.len() * light_vertices, sampler);
         let mut left_out = roulette.pairs_left_out();
         for t in 1..=camera.len() {
+            let toward_light = path.toward_light(&camera[t - 1]);
             let mut s = 1 + left_out;
             while s <= light_vertices {
                 if self.limits().allow((s + t + 1) as u32) {
                     let light = (light.start, &light.vertices[..s]);
-                    self.connection(tracer, pixel, light, &camera[..t], &mut roulette, out);
+                    let camera = (&camera[..t], toward_light);
+                    self.connection(tracer, pixel, light, camera, &mut roulette, out);
                 }
                 s += 1 + roulette.pairs_left_out();
             }
@@ -134,12 +142,14 @@ impl<'a> Joiner<'a> {
         tracer: &mut Tracer<'_>,
         pixel: u32,
         camera: &[Vertex],
+        toward_light: TowardLight<'_>,
         out: &mut ChunkOutput,
     ) -> Option<Rgb> {
         let x1 = camera.last()?;
         let scene = tracer.scene;
         // Can light pass, and how much?
-        let light = sample_light(scene, &x1.point, x1.wo, &x1.numbers)?;
+        let mut light = sample_light(scene, &x1.point, x1.wo, &x1.numbers)?;
+        light.mix(toward_light, &x1.point);
         // Points are always aimed at: nothing else finds them.
         let is_point = light.x0.is_point;
         if !self.bdpt.techniques.samples_light(is_point) {
@@ -169,7 +179,7 @@ impl<'a> Joiner<'a> {
         tracer: &mut Tracer<'_>,
         pixel: u32,
         (start, light): (&LightStart, &[Vertex]),
-        camera: &[Vertex],
+        (camera, toward_light): (&[Vertex], TowardLight<'_>),
         roulette: &mut ConnectionRoulette<'_>,
         out: &mut ChunkOutput,
     ) {
@@ -186,18 +196,23 @@ impl<'a> Joiner<'a> {
         }
         // How much: f at both ends, both cosines, one over the square of the distance.
         let direction = offset / distance_squared.sqrt();
-        let from_light = y.point.evaluate(y.wo, direction);
-        let from_camera = z.point.evaluate(z.wo, -direction);
-        let f = from_light.f * from_camera.f;
+        let mut at_y = PathScattering::by_surface(&y.point, Walk::FromLight, y.wo, direction);
+        let mut at_z = PathScattering::by_surface(&z.point, Walk::FromCamera, z.wo, -direction);
+        let f = at_y.f * at_z.f;
         if f.is_black() {
             return;
         }
-        // With what weight?
+        // With what weight, now that both ends know what is on their other side?
+        if self.bdpt.aims_at_images && z.is_sharp {
+            let images = images_for(tracer.scene, &y.point);
+            at_y.mix(TowardLight::of(images.as_ref()), &y.point, y.wo);
+        }
+        at_z.mix(toward_light, &z.point, -direction);
         let end = |vertex: &Vertex, scattering| {
             let cosine = vertex.point.normal.dot(direction).abs();
             End { scattering, conversion: solid_angle_per_area(cosine, distance_squared) }
         };
-        let (light_end, camera_end) = (end(y, from_light), end(z, from_camera));
+        let (light_end, camera_end) = (end(y, at_y), end(z, at_z));
         let weight = weight::connection((y, &light_end), (z, &camera_end), self.bdpt.heuristic);
         // With shading normals the two ends carry different cosines: see `SurfacePoint::cosine`.
         let cosines = y.point.cosine(Walk::FromLight, y.wo, direction)
@@ -224,7 +239,7 @@ impl<'a> Joiner<'a> {
         // Does the camera see it, and with what weight?
         let Some(splat) = aim_at_camera(tracer.scene, &y.point, y.wo) else { return };
         let camera_pdf = splat.camera_pdf(&y.point);
-        let pdf_back = splat.scattering.pdf_reverse;
+        let pdf_back = splat.scattering.toward_light;
         let heuristic = self.bdpt.heuristic;
         let weight = weight::splat(y, camera_pdf, pdf_back, self.light_paths, heuristic);
         // Does anything stand between?

@@ -99,9 +99,9 @@ impl JoinedPath<'_> {
         let none = SolidAnglePdf(0.0);
         match self.joint {
             Joint::Hit => (none, self.densities.direction),
-            Joint::LightSample { end, .. } => (none, end.scattering.pdf_reverse),
+            Joint::LightSample { end, .. } => (none, end.scattering.toward_camera),
             Joint::Connection { light, camera } => {
-                (light.scattering.pdf_reverse, camera.scattering.pdf_reverse)
+                (light.scattering.toward_light, camera.scattering.toward_camera)
             }
             Joint::Splat { pdf_back, .. } => (pdf_back, none),
         }
@@ -117,8 +117,8 @@ impl JoinedPath<'_> {
                 path.forward[1] = product(self.densities.direction, end.conversion);
             }
             Joint::Connection { light, camera } => {
-                path.backward[s - 1] = product(camera.scattering.pdf, light.conversion);
-                path.forward[s] = product(light.scattering.pdf, camera.conversion);
+                path.backward[s - 1] = product(camera.scattering.toward_light, light.conversion);
+                path.forward[s] = product(light.scattering.toward_camera, camera.conversion);
             }
             Joint::Splat { camera_pdf, .. } => path.backward[s - 1] = f64::from(camera_pdf),
         }

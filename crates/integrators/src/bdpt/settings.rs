@@ -15,6 +15,8 @@ pub struct BdptSettings {
     pub direct_sum: bool,
     /// Whether the techniques with s ≥ 2 and t ≥ 2 are left out.
     pub no_connections: bool,
+    /// Whether walks from the camera aim at no images of lamps in mirrors.
+    pub no_images: bool,
 }
 
 impl BdptSettings {
@@ -24,6 +26,7 @@ impl BdptSettings {
         heuristic: Heuristic::Power,
         direct_sum: false,
         no_connections: false,
+        no_images: false,
     };
 
     /// The techniques that take part.
@@ -35,6 +38,7 @@ impl BdptSettings {
     pub fn integrator(self, report: Report) -> Bdpt {
         let weighting = if self.direct_sum { Weighting::DirectSum } else { Weighting::Recursive };
         let (limits, heuristic, techniques) = (self.limits, self.heuristic, self.techniques());
-        Bdpt { limits, heuristic, weighting, techniques, report }
+        let aims_at_images = !self.no_images;
+        Bdpt { limits, heuristic, weighting, techniques, aims_at_images, report }
     }
 }

@@ -59,7 +59,7 @@ fn weights_of_all_techniques_sum_to_one() {
         let bdpt = Bdpt { heuristic, ..Bdpt::default() };
         let light_paths = 777;
         let walker = Walker::new(&bdpt, light_paths);
-        let (mut paths, mut with_mirrors, mut from_points) = (0, 0, 0);
+        let (mut paths, mut with_mirrors, mut from_points, mut with_images) = (0, 0, 0, 0);
         for index in 0.. {
             if paths >= 50_000 {
                 break;
@@ -70,9 +70,11 @@ fn weights_of_all_techniques_sum_to_one() {
                 paths += 1;
                 with_mirrors += usize::from(path.has_mirror());
                 from_points += usize::from(path.starts_at_point());
+                with_images += usize::from(path.has_images(&scene));
             }
         }
         assert!(with_mirrors > 5_000 && from_points > 5_000, "{with_mirrors} {from_points}");
+        assert!(with_images > 5_000, "{with_images}");
     }
 }
 
@@ -81,11 +83,12 @@ fn weights_of_all_techniques_sum_to_one() {
 fn random_paths(scene: &Scene, walker: &Walker, index: u64) -> Vec<FullPath> {
     let control = Control::default();
     let mut tracer = Tracer::new(scene, &control);
-    let (mut light, mut camera) = (Vec::new(), Vec::new());
+    let (mut light, mut camera) = (Subpath::default(), Subpath::default());
     let mut sampler = Purpose::Light.sampler(1, 0, index as u32);
     let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light);
     let mut sampler = Purpose::Camera.sampler(1, 0, index as u32);
     walker.camera_subpath(&mut tracer, index as u32 % 1024, &mut sampler, &mut camera);
+    let (light, camera) = (light.vertices, camera.vertices);
     let mut paths = Vec::new();
     for t in 1..=camera.len() {
         paths.extend(FullPath::hit(scene, &camera[..t]));

@@ -15,7 +15,8 @@
 //! where a weight is formed, so that both heuristics share one walk.
 
 use crate::numbers::VertexNumbers;
-use traylib_materials::{BsdfSample, Scattering};
+use crate::path_scattering::PathScattering;
+use traylib_materials::BsdfSample;
 use traylib_math::{AreaPdf, Heuristic, Rgb, SolidAnglePdf, Vec3, solid_angle_per_area};
 use traylib_scene::SurfacePoint;
 
@@ -41,6 +42,10 @@ pub(crate) struct Vertex {
     /// Whether the vertex before reflected ideally, so that no connection could
     /// have made this edge.
     pub(crate) after_delta: bool,
+    /// Whether the surface is sharp: see [`SurfacePoint::is_sharp`].
+    pub(crate) is_sharp: bool,
+    /// Which of the images of its path a walk from the camera aims at from here.
+    pub(crate) images: Option<u32>,
     pub(crate) d_vcm: f64,
     pub(crate) d_vc: f64,
 }
@@ -91,6 +96,8 @@ impl SubpathState {
             pdf_back: SolidAnglePdf(0.0),
             connectable: point.model.has_smooth_part(),
             after_delta: self.is_delta,
+            is_sharp: point.is_sharp(),
+            images: None,
             d_vcm: self.d_vcm_factor / f64::from(pdf.0),
             d_vc: heuristic.raise(back_over_forth) * self.d_vc_factor,
         }
@@ -115,23 +122,24 @@ impl Vertex {
     }
 
     /// Notes how the walk goes on by this sample, and updates the partial weights for the
-    /// next vertex (Georgiev, equations 34 to 36, without vertex merging).
-    /// `connections` is whether connecting at the next edge takes part at all.
+    /// next vertex (Georgiev, equations 34 to 36, without vertex merging). A walk from the
+    /// other end would have gone back with density `pdf_back`; `connections` is whether connecting at the next edge takes part at all.
     #[inline]
     pub(crate) fn scatter(
         &mut self,
         sample: &BsdfSample,
+        pdf_back: SolidAnglePdf,
         connections: bool,
         heuristic: Heuristic,
     ) -> SubpathState {
-        let BsdfSample { wi, pdf, pdf_reverse, is_delta, .. } = *sample;
+        let BsdfSample { wi, pdf, is_delta, .. } = *sample;
         // Known only now: how a walk from the other end would have gone on.
-        self.pdf_back = pdf_reverse;
+        self.pdf_back = pdf_back;
         // An ideal reflection cannot be connected to: nothing is added.
         let d_vc_factor = if is_delta {
             self.d_vc
         } else {
-            heuristic.raise(self.d_vcm) + heuristic.raise(f64::from(pdf_reverse.0)) * self.d_vc
+            heuristic.raise(self.d_vcm) + heuristic.raise(f64::from(pdf_back.0)) * self.d_vc
         };
         SubpathState {
             position: self.point.site.position,
@@ -148,8 +156,8 @@ impl Vertex {
 /// What a vertex makes of a connecting edge.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct End {
-    /// BRDF and densities from `wo` to the other end.
-    pub(crate) scattering: Scattering,
+    /// BSDF and densities for the way from `wo` to the other end.
+    pub(crate) scattering: PathScattering,
     /// Steradians per area of *this* vertex, seen from the other end.
     pub(crate) conversion: f32,
 }

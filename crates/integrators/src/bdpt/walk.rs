@@ -1,5 +1,6 @@
 //! The two walks.
 
+use super::subpath::Subpath;
 use super::vertex::{SubpathState, Vertex};
 use super::weight::splats_in_weights;
 use super::{Bdpt, Techniques};
@@ -7,10 +8,12 @@ use crate::Limits;
 use crate::chunk::pixel_corner;
 use crate::emission::{Emitted, emit};
 use crate::numbers::VertexNumbers;
-use crate::step::next_step;
+use crate::step::next_step_toward_light;
+use crate::toward_light::{TowardLight, images_for};
 use crate::tracer::{SurfaceHit, Tracer};
-use traylib_math::{Heuristic, Sampler};
-use traylib_scene::{LightDensities, LightPoint, Walk};
+use traylib_materials::BsdfSample;
+use traylib_math::{Heuristic, Sampler, SolidAnglePdf};
+use traylib_scene::{LightDensities, LightPoint, Scene, SurfacePoint, Walk};
 
 /// Where a light subpath started: x₀.
 #[derive(Clone, Copy, Debug)]
@@ -25,12 +28,13 @@ pub(crate) struct Walker {
     heuristic: Heuristic,
     techniques: Techniques,
     light_paths: u32,
+    aims_at_images: bool,
 }
 
 impl Walker {
     pub(crate) fn new(bdpt: &Bdpt, light_paths: u32) -> Self {
-        let Bdpt { limits, heuristic, techniques, .. } = *bdpt;
-        Self { limits, heuristic, techniques, light_paths }
+        let Bdpt { limits, heuristic, techniques, aims_at_images, .. } = *bdpt;
+        Self { limits, heuristic, techniques, light_paths, aims_at_images }
     }
 
     /// The vertices of a light subpath after x₀; nothing if it left the scene at
@@ -39,15 +43,15 @@ impl Walker {
         &self,
         tracer: &mut Tracer<'_>,
         sampler: &mut Sampler,
-        vertices: &mut Vec<Vertex>,
+        path: &mut Subpath,
     ) -> Option<LightStart> {
         // x₀, the direction from it, and x₁.
         let emitted = emit(tracer, sampler)?;
         let state = self.light_state(&emitted);
         let Emitted { x0, direction, x1, numbers, throughput, densities } = emitted;
-        vertices.push(state.extend_to(x1, -direction, throughput, numbers, self.heuristic));
+        path.vertices.push(state.extend_to(x1, -direction, throughput, numbers, self.heuristic));
         // One more edge must fit behind each vertex, to join it to the camera.
-        self.walk_on(Walk::FromLight, 1, tracer, sampler, vertices);
+        self.walk_on(Walk::FromLight, 1, tracer, sampler, path);
         // x₀ itself is a vertex of every technique that begins there.
         Some(LightStart { x0, densities })
     }
@@ -76,7 +80,7 @@ impl Walker {
         tracer: &mut Tracer<'_>,
         pixel: u32,
         sampler: &mut Sampler,
-        vertices: &mut Vec<Vertex>,
+        path: &mut Subpath,
     ) {
         // A point of the film, drawn uniformly in the pixel.
         let camera = *tracer.scene.camera();
@@ -98,14 +102,14 @@ impl Walker {
             d_vcm_factor: splats,
             d_vc_factor: 0.0,
         };
-        vertices.push(state.extend_to(
+        path.vertices.push(state.extend_to(
             point,
             -ray.direction,
             transmittance,
             numbers,
             self.heuristic,
         ));
-        self.walk_on(Walk::FromCamera, 0, tracer, sampler, vertices);
+        self.walk_on(Walk::FromCamera, 0, tracer, sampler, path);
     }
 
     /// Extends a subpath whose first edge is walked. `joining` edges must still
@@ -116,27 +120,58 @@ impl Walker {
         joining: u32,
         tracer: &mut Tracer<'_>,
         sampler: &mut Sampler,
-        vertices: &mut Vec<Vertex>,
+        path: &mut Subpath,
     ) {
         let roulette = self.limits.roulette;
         for edge in 2.. {
-            let Some(last) = vertices.last_mut() else { return };
+            let Some(last) = path.vertices.last() else { return };
             // There must be room for this edge and for those that join it.
             if !self.limits.allow(edge + joining) {
                 return;
             }
-            // A direction from the last vertex.
-            let step = next_step(walk, &last.point, last.wo, &last.numbers, roulette, edge);
+            // A direction from the last vertex, and the vertex that it leads to.
+            let Vertex { point, wo, numbers, .. } = last;
+            let way = path.toward_light(last);
+            let step = next_step_toward_light(walk, way, point, *wo, numbers, roulette, edge);
             let Some(step) = step else { return };
-            let sample = step.sample;
-            // Its partial weights, for whoever connects further on.
-            let state = last.scatter(&sample, self.techniques.connections, self.heuristic);
-            let throughput = last.throughput * step.weight;
-            // The vertex that it leads to.
             let numbers = VertexNumbers::next(sampler);
             let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
-            let (wo, throughput) = (-sample.wi, throughput * hit.transmittance);
-            vertices.push(state.extend_to(hit.point, wo, throughput, numbers, self.heuristic));
+            let Some(last) = path.vertices.last_mut() else { return };
+            // Its partial weights, for whoever connects further on.
+            let pdf_back = self.pdf_back(walk, tracer.scene, last, &step.sample, &hit.point);
+            let connections = self.techniques.connections;
+            let state = last.scatter(&step.sample, pdf_back, connections, self.heuristic);
+            let (wo, throughput) = (-step.sample.wi, last.throughput * step.weight);
+            let throughput = throughput * hit.transmittance;
+            let aims = self.aims_at_images && walk == Walk::FromCamera && last.is_sharp;
+            let next = state.extend_to(hit.point, wo, throughput, numbers, self.heuristic);
+            path.vertices.push(next);
+            // What the camera sees by way of something sharp aims at images.
+            if aims {
+                path.aim(tracer.scene);
+            }
+        }
+    }
+
+    /// Density with which the walk from the other end would have gone back to the vertex before
+    /// `last`, from which this one went on to `next`.
+    #[inline]
+    fn pdf_back(
+        &self,
+        walk: Walk,
+        scene: &Scene,
+        last: &Vertex,
+        sample: &BsdfSample,
+        next: &SurfacePoint,
+    ) -> SolidAnglePdf {
+        let own = sample.pdf_reverse;
+        // Only now it is known whether a walk from the camera would have aimed at images.
+        let aims = self.aims_at_images && walk == Walk::FromLight;
+        if aims && !sample.is_delta && next.is_sharp() {
+            let images = images_for(scene, &last.point);
+            TowardLight::of(images.as_ref()).pdf(&last.point, own, last.wo)
+        } else {
+            own
         }
     }
 }

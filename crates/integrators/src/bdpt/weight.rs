@@ -45,7 +45,7 @@ pub(crate) fn light_sample(
     // Against light walks that reach x₁, and all behind it: equation 45.
     let arrival = f64::from(densities.direction.0) * f64::from(end.conversion);
     let walked = f64::from(densities.emission) * arrival / toward;
-    let back = end.scattering.pdf_reverse;
+    let back = end.scattering.toward_camera;
     1.0 / (1.0 + heuristic.raise(hit) + x1.competition(walked, back, heuristic))
 }
 
@@ -55,12 +55,15 @@ pub(crate) fn connection(
     camera: (&Vertex, &End),
     heuristic: Heuristic,
 ) -> f64 {
-    // Equations 40 and 41, which are one formula read from either end.
-    let side = |(vertex, end): (&Vertex, &End), other: &End| {
-        let arrival = f64::from(other.scattering.pdf.0) * f64::from(end.conversion);
-        vertex.competition(arrival, end.scattering.pdf_reverse, heuristic)
-    };
-    1.0 / (1.0 + side(light, camera.1) + side(camera, light.1))
+    // Equations 40 and 41, which are one formula read from either end: had the other walk
+    // come over the edge, and gone back as this one came.
+    let ((y, y_end), (z, z_end)) = (light, camera);
+    let over = |pdf: SolidAnglePdf, end: &End| f64::from(pdf.0) * f64::from(end.conversion);
+    let to_y = over(z_end.scattering.toward_light, y_end);
+    let to_z = over(y_end.scattering.toward_camera, z_end);
+    let light_side = y.competition(to_y, y_end.scattering.toward_light, heuristic);
+    let camera_side = z.competition(to_z, z_end.scattering.toward_camera, heuristic);
+    1.0 / (1.0 + light_side + camera_side)
 }
 
 /// How many light paths might have found a vertex that the camera sees.

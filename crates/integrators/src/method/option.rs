@@ -21,6 +21,8 @@ pub enum MethodOption {
     DirectSum,
     /// `--no-connections`.
     NoConnections,
+    /// `--no-images`.
+    NoImages,
 }
 
 /// What may stand after an option.
@@ -51,6 +53,8 @@ pub enum MethodSetting {
     DirectSum,
     /// The techniques with s and t from 2 on take no part.
     NoConnections,
+    /// Walks do not aim at images of lamps in mirrors.
+    NoImages,
 }
 
 impl MethodOption {
@@ -64,6 +68,7 @@ impl MethodOption {
             Self::Heuristic => "heuristic",
             Self::DirectSum => "direct-sum",
             Self::NoConnections => "no-connections",
+            Self::NoImages => "no-images",
         }
     }
 
@@ -79,9 +84,11 @@ impl MethodOption {
                     ("power", "In proportion to their squares"),
                 ],
             ),
-            Self::Jitter | Self::Combine | Self::DirectSum | Self::NoConnections => {
-                OptionValues::None
-            }
+            Self::Jitter
+            | Self::Combine
+            | Self::DirectSum
+            | Self::NoConnections
+            | Self::NoImages => OptionValues::None,
         }
     }
 
@@ -94,7 +101,8 @@ impl MethodOption {
             | Self::MaxDepth
             | Self::Combine
             | Self::DirectSum
-            | Self::NoConnections => None,
+            | Self::NoConnections
+            | Self::NoImages => None,
         }
     }
 
@@ -124,6 +132,10 @@ impl MethodOption {
                 "Leave out the techniques that connect two walks (s and t from 2 on), which \
                  saves shadow rays; the others share their light"
             }
+            Self::NoImages => {
+                "Do not aim at images of lamps in mirrors: the same light with more noise, for \
+                 comparison"
+            }
         }
     }
 
@@ -138,6 +150,7 @@ impl MethodOption {
             Self::Combine => alone(MethodSetting::Combine),
             Self::DirectSum => alone(MethodSetting::DirectSum),
             Self::NoConnections => alone(MethodSetting::NoConnections),
+            Self::NoImages => alone(MethodSetting::NoImages),
             Self::MaxDepth => {
                 let edges = value.parse().ok().filter(|edges| *edges > 0);
                 edges.map(MethodSetting::MaxDepth).ok_or("wanted: a number of edges from 1 on")
@@ -173,6 +186,7 @@ impl MethodSetting {
             Self::Heuristic(_) => MethodOption::Heuristic,
             Self::DirectSum => MethodOption::DirectSum,
             Self::NoConnections => MethodOption::NoConnections,
+            Self::NoImages => MethodOption::NoImages,
         }
     }
 
@@ -184,7 +198,11 @@ impl MethodSetting {
             Self::Roulette(Roulette { from_edge }) => from_edge.to_string(),
             Self::Heuristic(Heuristic::Balance) => "balance".into(),
             Self::Heuristic(Heuristic::Power) => "power".into(),
-            Self::Jitter | Self::Combine | Self::DirectSum | Self::NoConnections => String::new(),
+            Self::Jitter
+            | Self::Combine
+            | Self::DirectSum
+            | Self::NoConnections
+            | Self::NoImages => String::new(),
         }
     }
 }
@@ -207,6 +225,7 @@ pub(super) fn heuristic(given: &[MethodSetting]) -> Option<Heuristic> {
         | MethodSetting::Roulette(_)
         | MethodSetting::Combine
         | MethodSetting::DirectSum
-        | MethodSetting::NoConnections => None,
+        | MethodSetting::NoConnections
+        | MethodSetting::NoImages => None,
     })
 }

@@ -17,7 +17,8 @@ fn many() -> Vec<Method> {
         MethodOption::Jitter
         | MethodOption::Combine
         | MethodOption::DirectSum
-        | MethodOption::NoConnections => vec![""],
+        | MethodOption::NoConnections
+        | MethodOption::NoImages => vec![""],
     };
     let mut all = Vec::new();
     for plain in Method::ALL {

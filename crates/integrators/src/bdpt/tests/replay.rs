@@ -5,9 +5,11 @@ use super::super::walk::{LightStart, Walker};
 use super::super::{Bdpt, weight};
 use crate::emission::Emitted;
 use crate::numbers::VertexNumbers;
+use crate::path_scattering::PathScattering;
+use crate::toward_light::{TowardLight, images_for};
 use traylib_materials::BsdfSample;
 use traylib_math::{Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
-use traylib_scene::{LightId, LightPoint, Scene, SurfacePoint};
+use traylib_scene::{ImageDirections, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
 /// x₀ … x_k; surfaces holds x₁ … x_{k−1}.
 #[derive(Clone, Debug)]
@@ -86,7 +88,7 @@ impl FullPath {
         let n = self.surfaces.len();
         let free = |i: usize| !self.is_delta[i];
         let mut weights = Vec::new();
-        if let Some(x0) = self.lamp_vertex(&camera, bdpt) {
+        if let Some(x0) = self.lamp_vertex(scene, &camera, bdpt) {
             let densities = self.densities(scene);
             weights.push(weight::hit(&x0, &densities, bdpt.techniques, heuristic));
         }
@@ -97,7 +99,8 @@ impl FullPath {
             // Connects surfaces s − 1 and s.
             if free(s - 1) && free(s) {
                 let (y, z) = (&light[s - 1], &camera[n - 1 - s]);
-                let (y_end, z_end) = (end(y, z), end(z, y));
+                let y_end = end(y, Walk::FromLight, z, self.images(scene, s - 1));
+                let z_end = end(z, Walk::FromCamera, y, self.images(scene, s));
                 weights.push(weight::connection((y, &y_end), (z, &z_end), heuristic));
             }
         }
@@ -135,16 +138,35 @@ impl FullPath {
             throughput: Rgb::WHITE,
             densities: self.densities(scene),
         };
-        let events = self.surfaces.iter().copied().zip(self.is_delta.iter().copied());
-        walk(walker.light_state(&emitted), direction, &events.collect::<Vec<_>>(), bdpt)
+        let state = walker.light_state(&emitted);
+        walk(Walk::FromLight, state, direction, &self.events(scene), bdpt)
+    }
+
+    /// What a walk from the camera would aim at from surface i.
+    fn images(&self, scene: &Scene, i: usize) -> Option<ImageDirections> {
+        let eye_side = self.surfaces.get(i + 1)?;
+        if eye_side.is_sharp() { images_for(scene, &self.surfaces[i]) } else { None }
+    }
+
+    /// Whether it would aim at any from some surface.
+    pub(super) fn has_images(&self, scene: &Scene) -> bool {
+        (0..self.surfaces.len()).any(|i| self.images(scene, i).is_some())
+    }
+
+    fn events(&self, scene: &Scene) -> Vec<Event> {
+        let event = |i| Event {
+            point: self.surfaces[i],
+            is_delta: self.is_delta[i],
+            images: self.images(scene, i),
+        };
+        (0..self.surfaces.len()).map(event).collect()
     }
 
     fn camera_vertices(&self, scene: &Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex> {
-        let mut events: Vec<_> =
-            self.surfaces.iter().copied().zip(self.is_delta.iter().copied()).collect();
+        let mut events = self.events(scene);
         events.reverse();
         let camera = scene.camera();
-        let direction = (events[0].0.site.position - camera.position()).normalize();
+        let direction = (events[0].point.site.position - camera.position()).normalize();
         let state = SubpathState {
             position: camera.position(),
             cosine: 0.0,
@@ -153,18 +175,18 @@ impl FullPath {
             d_vcm_factor: f64::from(light_paths),
             d_vc_factor: 0.0,
         };
-        walk(state, direction, &events, bdpt)
+        walk(Walk::FromCamera, state, direction, &events, bdpt)
     }
 
     /// x₀ as the camera subpath would have reached it.
-    fn lamp_vertex(&self, camera: &[Vertex], bdpt: &Bdpt) -> Option<Vertex> {
+    fn lamp_vertex(&self, scene: &Scene, camera: &[Vertex], bdpt: &Bdpt) -> Option<Vertex> {
         if self.x0.is_point {
             return None;
         }
         let mut x1 = *camera.last()?;
         let wi = -self.first_direction();
-        let sample = event(&x1.point, x1.wo, wi, self.is_delta[0]);
-        let state = x1.scatter(&sample, true, bdpt.heuristic);
+        let event = self.events(scene)[0];
+        let state = x1.go_on(Walk::FromCamera, wi, &event, bdpt);
         let lamp = self.lamp.unwrap_or(SurfacePoint {
             site: self.x0.site,
             normal: self.x0.site.normal,
@@ -177,11 +199,13 @@ impl FullPath {
     fn light_sample(&self, scene: &Scene, x1: &Vertex, bdpt: &Bdpt) -> f64 {
         let direction = self.first_direction();
         let offset = x1.point.site.position - self.x0.site.position;
-        let scattering = x1.point.evaluate(x1.wo, -direction);
+        let images = self.images(scene, 0);
+        let scattering = x1.scattering(Walk::FromCamera, -direction, images);
         let conversion =
             solid_angle_per_area(x1.point.normal.dot(direction).abs(), offset.length_squared());
         let at_lamp = solid_angle_per_area(self.x0.cosine(direction), offset.length_squared());
-        let hit_pdf = if self.x0.is_point { 0.0 } else { scattering.pdf.to_area(at_lamp).0 };
+        let hit_pdf =
+            if self.x0.is_point { 0.0 } else { scattering.toward_light.to_area(at_lamp).0 };
         let end = End { scattering, conversion };
         let densities = self.densities(scene);
         weight::light_sample(x1, &end, &densities, hit_pdf, bdpt.techniques, bdpt.heuristic)
@@ -197,23 +221,49 @@ fn owns(scene: &Scene, id: LightId, x0: &LightPoint) -> bool {
 }
 
 /// A vertex's end of an edge to another.
-fn end(vertex: &Vertex, other: &Vertex) -> End {
+fn end(vertex: &Vertex, walk: Walk, other: &Vertex, images: Option<ImageDirections>) -> End {
     let offset = other.point.site.position - vertex.point.site.position;
     let w = offset.normalize();
     let cosine = vertex.point.normal.dot(w).abs();
     End {
-        scattering: vertex.point.evaluate(vertex.wo, w),
+        scattering: vertex.scattering(walk, w, images),
         conversion: solid_angle_per_area(cosine, offset.length_squared()),
     }
 }
 
-/// What sampling would have said of a direction.
-fn event(point: &SurfacePoint, wo: Vec3, wi: Vec3, is_delta: bool) -> BsdfSample {
-    let scattering = point.evaluate(wo, wi);
-    let chance = SolidAnglePdf(0.5);
-    let (pdf, pdf_reverse) =
-        if is_delta { (chance, chance) } else { (scattering.pdf, scattering.pdf_reverse) };
-    BsdfSample { wi, weight: Rgb::WHITE, pdf, pdf_reverse, is_delta, eta_scale: 1.0 }
+/// A surface of a path, and how walks go on from there.
+#[derive(Clone, Copy)]
+struct Event {
+    point: SurfacePoint,
+    is_delta: bool,
+    images: Option<ImageDirections>,
+}
+
+impl Vertex {
+    fn scattering(&self, walk: Walk, wi: Vec3, images: Option<ImageDirections>) -> PathScattering {
+        let light_side = match walk {
+            Walk::FromCamera => wi,
+            Walk::FromLight => self.wo,
+        };
+        let mut scattering = PathScattering::by_surface(&self.point, walk, self.wo, wi);
+        scattering.mix(TowardLight::of(images.as_ref()), &self.point, light_side);
+        scattering
+    }
+
+    /// Goes on into a direction as if sampling had given it.
+    fn go_on(&mut self, walk: Walk, wi: Vec3, event: &Event, bdpt: &Bdpt) -> SubpathState {
+        let Event { is_delta, images, .. } = *event;
+        let scattering = self.scattering(walk, wi, images);
+        let chance = SolidAnglePdf(0.5);
+        let (pdf, pdf_reverse) = match walk {
+            _ if is_delta => (chance, chance),
+            Walk::FromCamera => (scattering.toward_light, scattering.toward_camera),
+            Walk::FromLight => (scattering.toward_camera, scattering.toward_light),
+        };
+        let weight = Rgb::WHITE;
+        let sample = BsdfSample { wi, weight, pdf, pdf_reverse, is_delta, eta_scale: 1.0 };
+        self.scatter(&sample, pdf_reverse, true, bdpt.heuristic)
+    }
 }
 
 /// No walk here draws anything.
@@ -232,25 +282,25 @@ fn seen_from(mut point: SurfacePoint, wo: Vec3) -> SurfacePoint {
 }
 
 fn walk(
+    walk: Walk,
     mut state: SubpathState,
     first_direction: Vec3,
-    events: &[(SurfacePoint, bool)],
+    events: &[Event],
     bdpt: &Bdpt,
 ) -> Vec<Vertex> {
     let mut direction = first_direction;
     let mut vertices = Vec::new();
-    for (i, &(point, is_delta)) in events.iter().enumerate() {
+    for (i, event) in events.iter().enumerate() {
         let mut vertex = state.extend_to(
-            seen_from(point, -direction),
+            seen_from(event.point, -direction),
             -direction,
             Rgb::WHITE,
             numbers(),
             bdpt.heuristic,
         );
-        if let Some((next, _)) = events.get(i + 1) {
-            direction = (next.site.position - point.site.position).normalize();
-            let sample = event(&vertex.point, vertex.wo, direction, is_delta);
-            state = vertex.scatter(&sample, true, bdpt.heuristic);
+        if let Some(next) = events.get(i + 1) {
+            direction = (next.point.site.position - event.point.site.position).normalize();
+            state = vertex.go_on(walk, direction, event, bdpt);
         }
         vertices.push(vertex);
     }
