@@ -78,9 +78,41 @@ fn weights_of_all_techniques_sum_to_one() {
     }
 }
 
-/// All paths that one light and one camera subpath make by connection or hit,
-/// whether or not something stands between.
-fn random_paths(scene: &Scene, walker: &Walker, index: u64) -> Vec<FullPath> {
+/// What walks carry along is what the densities of their path say, which are computed here for
+/// the whole path again: which neighbour of a vertex decides what it aims at, from both ends.
+#[test]
+fn walks_carry_the_weights_of_their_paths() {
+    let scene = room();
+    let bdpt = Bdpt::default();
+    let light_paths = 777;
+    let walker = Walker::new(&bdpt, light_paths);
+    let (mut compared, mut different, mut with_images) = (0, 0, 0);
+    for index in 0..4000 {
+        let Some((start, light, camera)) = random_walks(&scene, &walker, index) else { continue };
+        let path = FullPath::connected(&scene, &start, &light, &camera);
+        let Some(path) = path else { continue };
+        let again = path.light_vertices(&scene, &walker, &bdpt);
+        let back = path.camera_vertices(&scene, &bdpt, light_paths);
+        for (walked, again) in light.iter().zip(&again).chain(camera.iter().zip(&back)) {
+            // Directions are formed again from rounded positions: near corners they differ, and
+            // may be on the other side of the edge of a cone.
+            let close = |a: f64, b: f64| (a - b).abs() <= 1e-2 * a.max(b);
+            let alike = close(walked.d_vcm, again.d_vcm) && close(walked.d_vc, again.d_vc);
+            different += usize::from(!alike);
+            compared += 1;
+        }
+        with_images += usize::from(path.has_images(&scene));
+    }
+    assert!(compared > 5_000 && with_images > 200, "{compared} {with_images}");
+    assert!(1000 * different <= compared, "{different} of {compared}");
+}
+
+/// A light and a camera subpath, if both met anything.
+fn random_walks(
+    scene: &Scene,
+    walker: &Walker,
+    index: u64,
+) -> Option<(LightStart, Vec<Vertex>, Vec<Vertex>)> {
     let control = Control::default();
     let mut tracer = Tracer::new(scene, &control);
     let (mut light, mut camera) = (Subpath::default(), Subpath::default());
@@ -88,14 +120,20 @@ fn random_paths(scene: &Scene, walker: &Walker, index: u64) -> Vec<FullPath> {
     let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light);
     let mut sampler = Purpose::Camera.sampler(1, 0, index as u32);
     walker.camera_subpath(&mut tracer, index as u32 % 1024, &mut sampler, &mut camera);
-    let (light, camera) = (light.vertices, camera.vertices);
+    Some((start?, light.vertices, camera.vertices))
+}
+
+/// All paths that one light and one camera subpath make by connection or hit,
+/// whether or not something stands between.
+fn random_paths(scene: &Scene, walker: &Walker, index: u64) -> Vec<FullPath> {
+    let Some((start, light, camera)) = random_walks(scene, walker, index) else {
+        return Vec::new();
+    };
     let mut paths = Vec::new();
     for t in 1..=camera.len() {
         paths.extend(FullPath::hit(scene, &camera[..t]));
         for s in 1..=light.len() {
-            if let Some(start) = &start {
-                paths.extend(FullPath::connected(scene, start, &light[..s], &camera[..t]));
-            }
+            paths.extend(FullPath::connected(scene, &start, &light[..s], &camera[..t]));
         }
     }
     paths

@@ -128,7 +128,12 @@ impl FullPath {
         scene.light_densities(self.id, &self.x0, x1, self.first_direction())
     }
 
-    fn light_vertices(&self, scene: &Scene, walker: &Walker, bdpt: &Bdpt) -> Vec<Vertex> {
+    pub(super) fn light_vertices(
+        &self,
+        scene: &Scene,
+        walker: &Walker,
+        bdpt: &Bdpt,
+    ) -> Vec<Vertex> {
         let direction = self.first_direction();
         let emitted = Emitted {
             x0: self.x0,
@@ -162,7 +167,12 @@ impl FullPath {
         (0..self.surfaces.len()).map(event).collect()
     }
 
-    fn camera_vertices(&self, scene: &Scene, bdpt: &Bdpt, light_paths: u32) -> Vec<Vertex> {
+    pub(super) fn camera_vertices(
+        &self,
+        scene: &Scene,
+        bdpt: &Bdpt,
+        light_paths: u32,
+    ) -> Vec<Vertex> {
         let mut events = self.events(scene);
         events.reverse();
         let camera = scene.camera();
