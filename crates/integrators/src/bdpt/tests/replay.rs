@@ -265,10 +265,10 @@ impl Vertex {
         let Event { is_delta, images, .. } = *event;
         let scattering = self.scattering(walk, wi, images);
         let chance = SolidAnglePdf(0.5);
-        let (pdf, pdf_reverse) = match walk {
-            _ if is_delta => (chance, chance),
-            Walk::FromCamera => (scattering.toward_light, scattering.toward_camera),
-            Walk::FromLight => (scattering.toward_camera, scattering.toward_light),
+        let (pdf, pdf_reverse) = match (is_delta, walk) {
+            (true, Walk::FromCamera | Walk::FromLight) => (chance, chance),
+            (false, Walk::FromCamera) => (scattering.toward_light, scattering.toward_camera),
+            (false, Walk::FromLight) => (scattering.toward_camera, scattering.toward_light),
         };
         let weight = Rgb::WHITE;
         let sample = BsdfSample { wi, weight, pdf, pdf_reverse, is_delta, eta_scale: 1.0 };
