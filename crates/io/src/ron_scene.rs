@@ -2,7 +2,7 @@
 //!
 //! The types *are* the grammar; `docs/scene-format.md` explains it by example.
 //! Nothing is checked here beyond the form: materials are not looked up, numbers
-//! may make no sense. That is the importer's part, which asks [`locate`] where in
+//! may make no sense. That is the importer's part, which asks [`locate`](crate::locate) where in
 //! the text a value stands.
 
 mod context;
