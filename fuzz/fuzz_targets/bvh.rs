@@ -4,7 +4,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use traylib_geometry::{
-    Bvh, Contents, Error, Hit, Mesh, Options, Precision, Quality, Ray, Sides, Triangle, Vec3,
+    Bvh, Error, Hit, LeafKind, Mesh, Options, Precision, Quality, Ray, Sides, Triangle, Vec3,
 };
 
 const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Balanced, Quality::Best];
@@ -89,7 +89,7 @@ fn bits(hit: Option<Hit>) -> Bits {
 }
 
 /// One by one, all, and many at a time: the answers of a tree agree. The nearest hits.
-fn answers<C: Contents>(bvh: &Bvh<C>, rays: &[Ray]) -> Vec<Bits> {
+fn answers<C: LeafKind>(bvh: &Bvh<C>, rays: &[Ray]) -> Vec<Bits> {
     let (mut nearest, mut any) = (vec![None; rays.len()], vec![false; rays.len()]);
     bvh.nearest_each(rays, &mut nearest);
     bvh.any_hit_each(rays, &mut any);
