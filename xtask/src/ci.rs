@@ -5,7 +5,6 @@ mod apart;
 
 use crate::{layers, package, workspace};
 use anyhow::{Context, Result, ensure};
-use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
@@ -47,8 +46,8 @@ fn document() -> Result<()> {
 
 /// The README's first command, made small: a picture must lie there afterwards.
 fn picture() -> Result<()> {
-    let folder = Scratch::new()?;
-    let file = folder.0.join("bdpt.png");
+    let folder = tempfile::tempdir()?;
+    let file = folder.path().join("bdpt.png");
     let path = file.to_str().context("the folder for temporary files has no UTF-8 name")?;
     bdpt(&["--spp", "1", "--resolution", "64x48", "--outfile", path])?;
     let size = std::fs::metadata(&file).context("bdpt left no picture")?.len();
@@ -58,8 +57,9 @@ fn picture() -> Result<()> {
 
 /// The README's third command, and what it made, in a browser where there is one.
 fn compare() -> Result<()> {
-    let folder = Scratch::new()?;
-    let path = folder.0.to_str().context("the folder for temporary files has no UTF-8 name")?;
+    let folder = tempfile::tempdir()?;
+    let path =
+        folder.path().to_str().context("the folder for temporary files has no UTF-8 name")?;
     let program = ["run", "--package", "traylib-compare"];
     let arguments = ["--bin", "compare-integrators", "--", "--quick", "--out", path];
     cargo(&[&program[..], &arguments].concat())?;
@@ -84,29 +84,6 @@ fn finish(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// A folder of this process, gone with the value.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new() -> Result<Self> {
-        let name = format!("traylib-ci-{}", std::process::id());
-        let folder = std::env::temp_dir().join(name);
-        std::fs::create_dir_all(&folder).with_context(|| cannot_create(&folder))?;
-        Ok(Self(folder))
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        // Left behind it is only untidy.
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
-
-fn cannot_create(folder: &Path) -> String {
-    format!("cannot create {}", folder.display())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -122,14 +99,5 @@ mod tests {
     fn a_program_that_fails_is_an_error() {
         assert!(cargo(&["--version"]).is_ok());
         assert!(cargo(&["no-such-command-of-cargo"]).is_err());
-    }
-
-    #[test]
-    fn a_scratch_folder_goes_with_its_value() {
-        let folder = Scratch::new().unwrap();
-        let path = folder.0.clone();
-        assert!(path.is_dir());
-        drop(folder);
-        assert!(!path.exists());
     }
 }

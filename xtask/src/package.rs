@@ -2,6 +2,7 @@
 
 use crate::workspace::cargo;
 use anyhow::{Result, ensure};
+use std::process::Command;
 
 /// From the lowest floor up.
 const LIBRARIES: [&str; 6] = [
@@ -16,16 +17,20 @@ const LIBRARIES: [&str; 6] = [
 /// Packs them, unpacks them elsewhere and builds them there, each against the
 /// others' packages. Needs no registry.
 pub(crate) fn pack() -> Result<()> {
-    of_libraries(&["package", "--allow-dirty", "--offline"])
+    of_libraries(cargo(&["package", "--allow-dirty", "--offline"]))
 }
 
 /// [`pack`], and all that publishing does in their order but to upload them. Asks the registry.
 pub(crate) fn publish_dry() -> Result<()> {
-    of_libraries(&["publish", "--dry-run", "--allow-dirty"])
+    of_libraries(cargo(&["publish", "--dry-run", "--allow-dirty"]))
 }
 
-fn of_libraries(arguments: &[&str]) -> Result<()> {
-    let mut command = cargo(arguments);
+fn of_libraries(mut command: Command) -> Result<()> {
+    // Cargo keeps the packages in a registry below the target folder, and takes what it once
+    // unpacked from a registry of that path for its content ever after: an earlier version of
+    // a library would be built here. A folder that was never used before has no past.
+    let folder = tempfile::tempdir()?;
+    command.arg("--target-dir").arg(folder.path());
     for package in LIBRARIES {
         command.args(["--package", package]);
     }

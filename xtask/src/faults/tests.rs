@@ -108,8 +108,8 @@ fn a_fault_says_what_is_wrong_and_asks_for_itself_alone() {
 /// What is written from a changed copy is the change.
 #[test]
 fn a_patch_is_saved_from_a_changed_copy() {
-    let folder = std::env::temp_dir().join(format!("traylib-faults-{}", std::process::id()));
-    let (clean, tree) = (folder.join("clean"), folder.join("tree"));
+    let folder = tempfile::tempdir().unwrap();
+    let (clean, tree) = (folder.path().join("clean"), folder.path().join("tree"));
     fs::create_dir_all(clean.join("crates/math/src")).unwrap();
     fs::write(clean.join(support::CRATE), CLEAN).unwrap();
     fs::write(clean.join("other"), "left alone").unwrap();
@@ -120,7 +120,6 @@ fn a_patch_is_saved_from_a_changed_copy() {
     copy::write(&clean, &tree, &changed).unwrap();
     let patch = edit::difference(&clean, &tree).unwrap();
     let added = fs::read_to_string(tree.join(support::MODULE)).unwrap();
-    fs::remove_dir_all(&folder).unwrap();
     assert!(added.ends_with("faults! { Kept }\n"), "{added}");
     assert_eq!(patch, fault.text().split_once("\n\n").unwrap().1.replace("file", support::CRATE));
 }
