@@ -126,6 +126,7 @@ pub(super) const LAYERS: &[Layer] = &[
             "diffy",
             "serde_json",
             "syn",
+            "tempfile",
         ],
     ),
 ];
