@@ -160,7 +160,7 @@ pub use point::SurfaceSite;
 pub use primitive::{Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
 pub use shape::{
-    Cone, Disk, Facing, Quad, Shape, ShapeList, SidedTriangle, Sides, Sphere, Triangle,
+    Cone, Disk, Facing, Quad, Shape, ShapeKind, ShapeList, SidedTriangle, Sides, Sphere, Triangle,
 };
 pub use shape_hit::ShapeHit;
 pub use traylib_math::{Vec2, Vec3, glam};

@@ -3,8 +3,8 @@
 mod touch;
 
 use crate::{
-    Aabb, Cone, Disk, Error, Facing, Hit, Normals, Quad, Ray, Shape, ShapeHit, SidedTriangle,
-    Sides, Sphere, SurfaceSite, Triangle, Vec2, Vec3,
+    Aabb, Cone, Disk, Error, Facing, Hit, Normals, Quad, Ray, Shape, ShapeHit, ShapeKind, Sides,
+    Sphere, SurfaceSite, Triangle, Vec2, Vec3,
 };
 use traylib_math::{AreaPdf, warp};
 
@@ -119,16 +119,14 @@ impl Primitive {
         }
     }
 
-    /// The triangle of these sides that it is, if it is one.
-    pub fn sided_triangle(&self, sides: Sides) -> Option<SidedTriangle> {
-        Some(SidedTriangle { corners: self.corners()?, sides })
-    }
-
-    /// The corners of a triangle.
-    pub(crate) fn corners(&self) -> Option<[Vec3; 3]> {
-        match self {
-            Self::Triangle(triangle) => Some(triangle.corners()),
-            Self::Quad(_) | Self::Sphere(_) | Self::Disk(_) | Self::Cone(_) => None,
+    /// What it is to a tree, with these sides.
+    pub fn kind(&self, sides: Sides) -> ShapeKind {
+        match *self {
+            Self::Triangle(triangle) => ShapeKind::Triangle(triangle.sided(sides)),
+            Self::Quad(quad) => ShapeKind::Quad(quad, sides),
+            Self::Sphere(sphere) => ShapeKind::Sphere(sphere, sides),
+            Self::Disk(disk) => ShapeKind::Disk(disk, sides),
+            Self::Cone(_) => ShapeKind::Other,
         }
     }
 
@@ -253,8 +251,8 @@ impl Shape for Primitive {
         self.intersect(ray, Sides::Both)
     }
 
-    fn triangle(&self) -> Option<SidedTriangle> {
-        self.sided_triangle(Sides::Both)
+    fn kind(&self) -> ShapeKind {
+        self.kind(Sides::Both)
     }
 }
 
@@ -268,8 +266,8 @@ impl Shape for SidedPrimitive {
         self.primitive.intersect(ray, self.sides)
     }
 
-    fn triangle(&self) -> Option<SidedTriangle> {
-        self.primitive.sided_triangle(self.sides)
+    fn kind(&self) -> ShapeKind {
+        self.primitive.kind(self.sides)
     }
 }
 

@@ -3,6 +3,7 @@
 mod cone;
 mod disk;
 mod facing;
+mod kind;
 mod list;
 mod quad;
 mod sphere;
@@ -11,6 +12,7 @@ mod triangle;
 pub use cone::Cone;
 pub use disk::Disk;
 pub use facing::Facing;
+pub use kind::{ShapeKind, SidedTriangle};
 pub use list::ShapeList;
 pub use quad::Quad;
 pub use sphere::Sphere;
@@ -27,21 +29,11 @@ pub trait Shape: Send + Sync {
     /// The first hit with 0 < t < `ray.t_max`.
     fn intersect(&self, ray: &Ray) -> Option<ShapeHit>;
 
-    /// What it is if it is a triangle. A tree then meets it as
-    /// [`Triangle::intersect`] does, several at once, and never asks
-    /// [`intersect`](Self::intersect).
-    fn triangle(&self) -> Option<SidedTriangle> {
-        None
+    /// What it is to a tree, which asks [`intersect`](Self::intersect) of
+    /// [`ShapeKind::Other`] alone.
+    fn kind(&self) -> ShapeKind {
+        ShapeKind::Other
     }
-}
-
-/// A triangle as trees keep it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SidedTriangle {
-    /// Counter-clockwise from the front.
-    pub corners: [Vec3; 3],
-    /// Where rays may meet it.
-    pub sides: Sides,
 }
 
 impl<S: Shape + ?Sized> Shape for Box<S> {
@@ -53,8 +45,8 @@ impl<S: Shape + ?Sized> Shape for Box<S> {
         (**self).intersect(ray)
     }
 
-    fn triangle(&self) -> Option<SidedTriangle> {
-        (**self).triangle()
+    fn kind(&self) -> ShapeKind {
+        (**self).kind()
     }
 }
 
@@ -77,10 +69,9 @@ impl Sides {
     }
 }
 
-/// Shapes met from both sides when no sides are named, each with how it is asked for its
-/// corners if it can be a triangle.
+/// Shapes met from both sides when no sides are named, each with what it is to a tree.
 macro_rules! shape_from_both_sides {
-    ($($name:ty: $corners:expr),*) => {$(
+    ($($name:ty: $kind:expr),*) => {$(
         impl Shape for $name {
             #[inline]
             fn bounds(&self) -> Aabb {
@@ -92,20 +83,20 @@ macro_rules! shape_from_both_sides {
                 self.intersect(ray, Sides::Both)
             }
 
-            fn triangle(&self) -> Option<SidedTriangle> {
-                let corners: fn(&Self) -> Option<[Vec3; 3]> = $corners;
-                corners(self).map(|corners| SidedTriangle { corners, sides: Sides::Both })
+            fn kind(&self) -> ShapeKind {
+                let kind: fn(Self, Sides) -> ShapeKind = $kind;
+                kind(*self, Sides::Both)
             }
         }
     )*};
 }
 
 shape_from_both_sides!(
-    Cone: |_| None,
-    Disk: |_| None,
-    Quad: |_| None,
-    Sphere: |_| None,
-    Triangle: |triangle| Some(triangle.corners())
+    Cone: |_, _| ShapeKind::Other,
+    Disk: ShapeKind::Disk,
+    Quad: ShapeKind::Quad,
+    Sphere: ShapeKind::Sphere,
+    Triangle: |triangle, sides| ShapeKind::Triangle(triangle.sided(sides))
 );
 
 /// Refuses areas that are zero or whose reciprocal is not a number.

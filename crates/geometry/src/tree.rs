@@ -1,7 +1,7 @@
 //! Trees of boxes, eight a node: how they are built and how a ray walks them.
 //!
-//! A tree holds numbers that the caller gave, and the corners of triangles; what
-//! the numbers stand for it does not know.
+//! A tree holds numbers that the caller gave, and the triangles, quads, spheres and disks
+//! among what they stand for; what else they stand for it does not know.
 
 pub(crate) mod batch;
 pub(crate) mod block;
@@ -9,7 +9,7 @@ pub(crate) mod build;
 mod extents;
 mod interleave;
 pub(crate) mod intersector;
-mod kernel;
+pub(crate) mod kernel;
 pub(crate) mod lanes;
 pub(crate) mod mask;
 pub(crate) mod node;
@@ -18,6 +18,7 @@ pub(crate) mod pages;
 pub(crate) mod parallel;
 mod prefetch;
 pub(crate) mod query;
+pub(crate) mod shape_block;
 pub(crate) mod simd;
 mod stack;
 pub(crate) mod visitor;
@@ -25,12 +26,13 @@ mod walk;
 
 pub(crate) use kernel::Kernel;
 
-use crate::shape::SidedTriangle;
+use crate::shape::ShapeKind;
 use crate::{Aabb, Ray};
 use block::Block;
 use build::Quality;
 use extents::QuantisedExtents;
-use node::{Child, Node};
+use node::{BlockKind, Child, LEAF, Node};
+use shape_block::{DiskBlock, QuadBlock, SphereBlock};
 use visitor::Visitor;
 
 /// Blocks, or triangles, that a thread takes at once.
@@ -49,12 +51,17 @@ const LARGE: usize = 16 << 20;
 #[derive(Clone, Debug)]
 pub(crate) struct Tree {
     pub(crate) nodes: Vec<Node>,
-    pub(crate) blocks: Vec<Block>,
-    /// Numbers of what is no triangle, in the order the leaves list them.
+    pub(crate) triangles: Vec<Block>,
+    pub(crate) quads: Vec<QuadBlock>,
+    pub(crate) spheres: Vec<SphereBlock>,
+    pub(crate) disks: Vec<DiskBlock>,
+    /// Numbers of what is in no block, in the order the leaves list them.
     pub(crate) order: Vec<u32>,
     root: Option<Child>,
     /// Of its triangles.
     extents: QuantisedExtents,
+    /// Whether there are any.
+    has_triangles: bool,
     /// Levels of nodes.
     #[cfg(test)]
     pub(crate) depth: usize,
@@ -65,26 +72,37 @@ pub(crate) struct Tree {
 
 impl Tree {
     /// The tree over the `items`, whose bounds are `boxes[item]`, finite and not
-    /// empty. What `triangle` knows is one.
+    /// empty. `kind` says what they are.
     pub(crate) fn new(
         boxes: &[Aabb],
         items: Vec<u32>,
-        triangle: impl Fn(u32) -> Option<SidedTriangle> + Send + Sync,
+        kind: impl Fn(u32) -> ShapeKind + Send + Sync,
         quality: Quality,
     ) -> Self {
         let extents = QuantisedExtents::up_to(greatest_extent(boxes));
-        let built = build::build(boxes, items, |item| triangle(item).is_some(), quality);
-        let blocks = parallel::map(built.blocks.len(), GRAIN, |block| {
-            Block::new(built.blocks[block], extents, &triangle)
-        });
-        let memory =
-            size_of_val(&*built.nodes) + size_of_val(&*blocks) + size_of_val(&*built.shapes);
+        let built = build::build(boxes, items, |number| BlockKind::of(kind(number)), quality);
+        let [triangles, quads, spheres, disks] = &built.blocks;
+        let triangles = blocks(triangles, |numbers| Block::new(numbers, extents, &kind));
+        let quads = blocks(quads, |numbers| QuadBlock::new(numbers, &kind));
+        let spheres = blocks(spheres, |numbers| SphereBlock::new(numbers, &kind));
+        let disks = blocks(disks, |numbers| DiskBlock::new(numbers, &kind));
+        let memory = size_of_val(&*built.nodes)
+            + size_of_val(&*triangles)
+            + size_of_val(&*quads)
+            + size_of_val(&*spheres)
+            + size_of_val(&*disks)
+            + size_of_val(&*built.shapes);
+        let has_triangles = triangles.iter().any(|block| block.words[0] != Block::NONE);
         Self {
             nodes: built.nodes,
-            blocks,
+            triangles,
+            quads,
+            spheres,
+            disks,
             order: built.shapes,
             root: built.root,
             extents,
+            has_triangles,
             #[cfg(test)]
             depth: built.depth,
             kernel: Kernel::best(),
@@ -120,6 +138,14 @@ impl Tree {
     pub(crate) fn is_large(&self) -> bool {
         self.memory > LARGE
     }
+}
+
+/// A block for each list of numbers.
+fn blocks<B: Send>(
+    numbers: &[[u32; LEAF]],
+    block: impl Fn([u32; LEAF]) -> B + Send + Sync,
+) -> Vec<B> {
+    parallel::map(numbers.len(), GRAIN, |i| block(numbers[i]))
 }
 
 /// Of all boxes, along an axis.

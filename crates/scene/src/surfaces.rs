@@ -2,8 +2,8 @@
 
 use crate::LightId;
 use traylib_geometry::{
-    Aabb, Hit, Mesh, Primitive, Ray, ShapeHit, ShapeList, SidedTriangle, Sides, SurfaceSite,
-    Triangle, Vec2, Vec3,
+    Aabb, Hit, Mesh, Primitive, Ray, ShapeHit, ShapeKind, ShapeList, Sides, SurfaceSite, Triangle,
+    Vec2, Vec3,
 };
 use traylib_materials::Site;
 use traylib_math::warp;
@@ -83,8 +83,8 @@ impl Surfaces {
         match (&mut part.form, by) {
             (Form::Primitive(primitive), by) => *primitive = by,
             (Form::Mesh(mesh), by) => {
-                if let Some(triangle) = by.sided_triangle(part.sides) {
-                    mesh.move_triangle((number - part.first) as usize, triangle.corners);
+                if let Primitive::Triangle(triangle) = by {
+                    mesh.move_triangle((number - part.first) as usize, triangle.corners());
                 }
             }
         }
@@ -113,11 +113,11 @@ impl ShapeList for Surfaces {
         }
     }
 
-    fn triangle(&self, index: usize) -> Option<SidedTriangle> {
+    fn kind(&self, index: usize) -> ShapeKind {
         let Surface { part, index } = self.get(index as u32);
         match &part.form {
-            Form::Primitive(primitive) => primitive.sided_triangle(part.sides),
-            Form::Mesh(mesh) => Some(mesh.sided_triangle(index, part.sides)),
+            Form::Primitive(primitive) => primitive.kind(part.sides),
+            Form::Mesh(mesh) => ShapeKind::Triangle(mesh.sided_triangle(index, part.sides)),
         }
     }
 }

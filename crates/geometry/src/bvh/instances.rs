@@ -3,12 +3,14 @@
 use super::Bvh;
 use super::leaf::{Leaf, LeafKind, LeafVisitor};
 use super::widened;
+use crate::shape::ShapeKind;
 use crate::tree::Tree;
 use crate::tree::block::Block;
 use crate::tree::build::Quality;
 use crate::tree::intersector::TriangleIntersector;
 use crate::tree::lanes::triangles::PacketTriangles;
 use crate::tree::query::Query;
+use crate::tree::shape_block::{Line, ShapeBlock};
 use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;
 use crate::{Aabb, Error, Hit, Ray, Vec3};
@@ -86,7 +88,7 @@ impl<C: LeafKind> Bvh<Instances<C>> {
         let filled = instances.iter().enumerate().filter(|(_, i)| is_filled(i));
         let items = filled.map(|(number, _)| number as u32).collect();
         let boxes: Vec<Aabb> = instances.iter().map(|i| widened(&i.bounds)).collect();
-        let tree = Tree::new(&boxes, items, |_| None, Quality::default());
+        let tree = Tree::new(&boxes, items, |_| ShapeKind::Other, Quality::default());
         let bounds = instances.iter().map(|i| i.bounds).fold(Aabb::EMPTY, Aabb::union);
         Ok(Self { tree, primitives: Instances { instances, first }, bounds })
     }
@@ -170,7 +172,7 @@ impl<C: LeafKind> Leaf for Instances<C> {
         self.first.last().copied().unwrap_or(0)
     }
 
-    /// There are no triangles but those within.
+    /// There are no blocks but those within.
     #[inline]
     fn triangles<T: TriangleIntersector, Q: Query>(
         &self,
@@ -191,6 +193,17 @@ impl<C: LeafKind> Leaf for Instances<C> {
         _: &Block,
         _: &PacketTriangles<E>,
     ) {
+    }
+
+    /// As above.
+    #[inline]
+    fn block<E: Simd, Q: Query>(
+        &self,
+        _: &impl ShapeBlock,
+        _: &Line<E>,
+        _: &mut Q,
+    ) -> ControlFlow<()> {
+        ControlFlow::Continue(())
     }
 
     #[inline]

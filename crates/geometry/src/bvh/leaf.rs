@@ -6,6 +6,7 @@ use crate::tree::block::Block;
 use crate::tree::intersector::TriangleIntersector;
 use crate::tree::lanes::triangles::PacketTriangles;
 use crate::tree::query::Query;
+use crate::tree::shape_block::{Line, ShapeBlock};
 use crate::tree::simd::Simd;
 use crate::tree::visitor::{Visitor, Visitors};
 use crate::{Hit, Ray};
@@ -40,7 +41,15 @@ pub(crate) trait Leaf: Send + Sync + Sized {
         triangles: &PacketTriangles<E>,
     );
 
-    /// Offers the hits with shape `number`, which is no triangle.
+    /// Offers the hits with the shapes of a block of another kind.
+    fn block<E: Simd, Q: Query>(
+        &self,
+        block: &impl ShapeBlock,
+        line: &Line<E>,
+        query: &mut Q,
+    ) -> ControlFlow<()>;
+
+    /// Offers the hits with shape `number`, which is in no block.
     fn shape<Q: Query>(&self, number: u32, ray: &Ray, query: &mut Q) -> ControlFlow<()>;
 }
 
@@ -68,7 +77,7 @@ pub(crate) struct LeafVisitor<'a, C, Q> {
 impl<C: Leaf, Q: Query> LeafVisitor<'_, C, Q> {
     /// The ray as far as anything counts.
     #[inline]
-    pub(super) fn ray(&self) -> Ray {
+    pub(super) fn limited_ray(&self) -> Ray {
         Ray { t_max: self.query.limit(), ..*self.ray }
     }
 }
@@ -79,6 +88,11 @@ impl<C: Leaf, Q: Query> Visitor for LeafVisitor<'_, C, Q> {
     #[inline]
     fn limit(&self) -> f32 {
         self.query.limit()
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> &Ray {
+        self.ray
     }
 
     #[inline(always)]
@@ -100,10 +114,15 @@ impl<C: Leaf, Q: Query> Visitor for LeafVisitor<'_, C, Q> {
         rays.each[0].primitives.packet(rays, active, block, triangles);
     }
 
+    #[inline(always)]
+    fn block<B: ShapeBlock, E: Simd>(&mut self, block: &B, line: &Line<E>) -> ControlFlow<()> {
+        self.primitives.block(block, line, &mut self.query)
+    }
+
     #[inline]
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()> {
         for &number in &self.order[places] {
-            let ray = self.ray();
+            let ray = self.limited_ray();
             self.primitives.shape(number, &ray, &mut self.query)?;
         }
         ControlFlow::Continue(())

@@ -9,6 +9,7 @@ use crate::tree::build::Quality;
 use crate::tree::intersector::TriangleIntersector;
 use crate::tree::lanes::triangles::PacketTriangles;
 use crate::tree::query::Query;
+use crate::tree::shape_block::{Line, ShapeBlock};
 use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;
 use crate::{Aabb, Error, Ray};
@@ -30,8 +31,8 @@ impl<L: ShapeList> Bvh<Shapes<L>> {
         check_count(count)?;
         let (boxes, bounds) = sound((0..count).map(|index| shapes.bounds(index)))?;
         let items = (0..count as u32).collect();
-        let triangle = |item: u32| shapes.triangle(item as usize);
-        let tree = Tree::new(&boxes, items, triangle, Quality::default());
+        let kind = |number: u32| shapes.kind(number as usize);
+        let tree = Tree::new(&boxes, items, kind, Quality::default());
         Ok(Self { tree, primitives: Shapes(shapes), bounds })
     }
 
@@ -84,6 +85,17 @@ impl<L: ShapeList> Leaf for Shapes<L> {
         triangles: &PacketTriangles<E>,
     ) {
         watertight::packet(rays, active, block, triangles);
+    }
+
+    #[inline(always)]
+    fn block<E: Simd, Q: Query>(
+        &self,
+        block: &impl ShapeBlock,
+        line: &Line<E>,
+        query: &mut Q,
+    ) -> ControlFlow<()> {
+        let limit = query.limit();
+        block.each_hit(line, limit, |number, hit| offer(Some(hit), number, query))
     }
 
     #[inline]

@@ -3,11 +3,13 @@
 use super::leaf::{Leaf, LeafVisitor, offer};
 use super::{Bvh, Options, Precision, check_count, watertight, widened};
 use crate::f32_filter::Shear;
+use crate::shape::ShapeKind;
 use crate::tree::block::Block;
 use crate::tree::lanes::triangles::PacketTriangles;
 use crate::tree::mask::ones;
 use crate::tree::node::LEAF;
 use crate::tree::query::Query;
+use crate::tree::shape_block::{Line, ShapeBlock};
 use crate::tree::simd::Simd;
 use crate::tree::visitor::Visitors;
 use crate::tree::{GRAIN, Tree, intersector, parallel};
@@ -44,7 +46,8 @@ impl Bvh {
         let boxes = parallel::map(count as usize, GRAIN, |i| bounds(corners(i as u32)));
         let items = parallel::filter(boxes.len(), GRAIN, |i| !boxes[i].is_empty());
         let bounds = around(&boxes);
-        let triangle = |i| Some(SidedTriangle { corners: corners(i), sides: Sides::Both });
+        let triangle =
+            |i| ShapeKind::Triangle(SidedTriangle { corners: corners(i), sides: Sides::Both });
         let tree = Tree::new(&boxes, items, triangle, options.quality);
         Ok(Self { tree, primitives: Triangles { count, precision: options.precision }, bounds })
     }
@@ -95,6 +98,17 @@ impl Leaf for Triangles {
     }
 
     /// There is nothing but triangles.
+    #[inline]
+    fn block<E: Simd, Q: Query>(
+        &self,
+        _: &impl ShapeBlock,
+        _: &Line<E>,
+        _: &mut Q,
+    ) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    /// As above.
     #[inline]
     fn shape<Q: Query>(&self, _: u32, _: &Ray, _: &mut Q) -> ControlFlow<()> {
         ControlFlow::Continue(())

@@ -93,11 +93,17 @@ impl Disk {
             return None;
         }
         let square = (from_centre + exact * direction).length_squared();
+        let [least, most] = self.reach_squared();
+        let inside = least <= square && square <= most;
+        inside.then_some(ShapeHit { t, u: 0.0, v: 0.0 })
+    }
+
+    /// From which to which square of the distance to the centre it is met.
+    #[inline]
+    pub(crate) fn reach_squared(&self) -> [f64; 2] {
         let [inner, outer] = [self.inner_radius, self.radius].map(f64::from);
         // A little wider, so that light does not pass where it meets what it closes.
-        let (inner, outer) = (inner * (1.0 - WIDER), outer * (1.0 + WIDER));
-        let inside = inner * inner <= square && square <= outer * outer;
-        inside.then_some(ShapeHit { t, u: 0.0, v: 0.0 })
+        [inner * (1.0 - WIDER), outer * (1.0 + WIDER)].map(|radius| radius * radius)
     }
 
     /// The site nearest to where the ray is at `t`.

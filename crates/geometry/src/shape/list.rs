@@ -1,6 +1,6 @@
 //! Many shapes with numbers.
 
-use super::{Shape, ShapeHit, SidedTriangle};
+use super::{Shape, ShapeHit, ShapeKind};
 use crate::{Aabb, Ray};
 
 /// Shapes numbered from zero, in whatever form their owner keeps them: a list of
@@ -12,11 +12,11 @@ pub trait ShapeList: Send + Sync {
     /// [`Shape::bounds`] of one of them.
     fn bounds(&self, index: usize) -> Aabb;
 
-    /// [`Shape::intersect`] of one that is no [`triangle`](Self::triangle).
+    /// [`Shape::intersect`] of one that is [`ShapeKind::Other`].
     fn intersect(&self, index: usize, ray: &Ray) -> Option<ShapeHit>;
 
-    /// [`Shape::triangle`] of one of them.
-    fn triangle(&self, index: usize) -> Option<SidedTriangle>;
+    /// [`Shape::kind`] of one of them.
+    fn kind(&self, index: usize) -> ShapeKind;
 }
 
 impl<S: Shape> ShapeList for Vec<S> {
@@ -33,7 +33,7 @@ impl<S: Shape> ShapeList for Vec<S> {
         self[index].intersect(ray)
     }
 
-    fn triangle(&self, index: usize) -> Option<SidedTriangle> {
-        self[index].triangle()
+    fn kind(&self, index: usize) -> ShapeKind {
+        self[index].kind()
     }
 }

@@ -61,6 +61,16 @@ impl Quad {
         corners.grown(corners.min.abs().max(corners.max.abs()) * f32::EPSILON)
     }
 
+    /// The cross product of its edges.
+    pub(crate) fn across(&self) -> DVec3 {
+        self.across
+    }
+
+    /// By how much of each edge it counts as longer at either end.
+    pub(crate) fn margin(&self) -> Vec2 {
+        self.margin
+    }
+
     /// Area in square metres.
     pub fn area(&self) -> f32 {
         self.area

@@ -148,7 +148,7 @@ impl Sphere {
         SurfaceSite::precise(position.as_vec3(), normal, self.radius, bend)
     }
 
-    fn radius_squared(&self) -> f64 {
+    pub(crate) fn radius_squared(&self) -> f64 {
         f64::from(self.radius) * f64::from(self.radius)
     }
 }

@@ -1,6 +1,6 @@
 //! Triangles.
 
-use super::{ShapeHit, Sides, all_finite, sound_area};
+use super::{ShapeHit, SidedTriangle, Sides, all_finite, sound_area};
 use crate::precise::unit;
 use crate::watertight::{self, pick};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
@@ -30,6 +30,11 @@ impl Triangle {
     /// The three corners.
     pub fn corners(&self) -> [Vec3; 3] {
         [self.a, self.b, self.c]
+    }
+
+    /// The same for a tree, with sides.
+    pub(crate) fn sided(&self, sides: Sides) -> SidedTriangle {
+        SidedTriangle { corners: self.corners(), sides }
     }
 
     /// Unit normal of the front.

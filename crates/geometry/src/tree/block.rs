@@ -2,6 +2,7 @@
 
 use super::extents::QuantisedExtents;
 use super::node::LEAF;
+use crate::shape::ShapeKind;
 use crate::shape::SidedTriangle;
 use crate::{Aabb, Sides, Triangle, Vec3};
 
@@ -24,11 +25,13 @@ impl Block {
     pub(crate) fn new(
         numbers: [u32; LEAF],
         extents: QuantisedExtents,
-        triangle: impl Fn(u32) -> Option<SidedTriangle>,
+        kind: impl Fn(u32) -> ShapeKind,
     ) -> Self {
         let mut block = Self { corners: [[[f32::NAN; LEAF]; 3]; 3], words: numbers };
         for (lane, &number) in numbers.iter().enumerate().filter(|&(_, &n)| n != Self::NONE) {
-            let Some(SidedTriangle { corners, sides }) = triangle(number) else { continue };
+            let ShapeKind::Triangle(SidedTriangle { corners, sides }) = kind(number) else {
+                continue;
+            };
             for (rows, corner) in block.corners.iter_mut().zip(corners) {
                 for (axis, row) in rows.iter_mut().enumerate() {
                     row[lane] = corner[axis];

@@ -17,7 +17,7 @@ mod reinsert;
 mod search;
 mod wide;
 
-use super::node::{Child, LEAF, Node};
+use super::node::{BlockKind, Child, LEAF, Node};
 use super::parallel;
 use crate::Aabb;
 use cost::Kind;
@@ -48,10 +48,10 @@ pub enum Quality {
 pub(crate) struct Tree {
     /// Depth first, in the order in which a walk meets them.
     pub(crate) nodes: Vec<Node>,
-    /// The numbers of the triangles of each block, [`u32::MAX`] where there is
-    /// none; depth first. There always is a block.
-    pub(crate) blocks: Vec<[u32; LEAF]>,
-    /// The numbers of all other shapes in leaf order.
+    /// By [`BlockKind`], the numbers of the shapes of each block, [`u32::MAX`] where there
+    /// is none; depth first. There always is a block of triangles.
+    pub(crate) blocks: [Vec<[u32; LEAF]>; 4],
+    /// The numbers of all shapes that are in no block, in leaf order.
     pub(crate) shapes: Vec<u32>,
     /// A node or a leaf; `None` where there is nothing.
     pub(crate) root: Option<Child>,
@@ -67,17 +67,19 @@ pub(crate) struct Tree {
 pub(crate) fn build(
     boxes: &[Aabb],
     items: Vec<u32>,
-    is_triangle: impl Fn(u32) -> bool + Sync,
+    block_kind: impl Fn(u32) -> Option<BlockKind> + Sync,
     quality: Quality,
 ) -> Tree {
     if items.is_empty() {
-        let blocks = vec![[u32::MAX; LEAF]];
+        let blocks = [vec![[u32::MAX; LEAF]], Vec::new(), Vec::new(), Vec::new()];
         return Tree { nodes: Vec::new(), blocks, shapes: Vec::new(), root: None, depth: 0 };
     }
     let order = morton::order(boxes, &items);
     drop(items);
     // Asked for in any order later, when whatever they depend on is far away.
-    let kinds = parallel::map(boxes.len(), GRAIN, |item| Kind::of(is_triangle(item as u32)));
+    let kinds = parallel::map(boxes.len(), GRAIN, |item| {
+        block_kind(item as u32).map_or(Kind::Others, Kind::Block)
+    });
     let item = |node: u32| {
         let item = order[node as usize];
         (item, kinds[item as usize])

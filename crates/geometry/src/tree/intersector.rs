@@ -9,11 +9,12 @@ mod x86;
 
 pub(crate) use scalar::Scalar;
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Avx2, Sse41};
+pub(crate) use x86::{Avx2, Sse41, TriangleRay};
 
 use super::block::Block;
 use super::mask::ones;
 use super::node::{Child, LEAF, Node, WIDTH};
+use super::simd::Simd;
 use super::stack::Stack;
 use crate::ShapeHit;
 use crate::f32_filter::Flat;
@@ -28,6 +29,11 @@ pub(super) const FARTHER: f32 = 1.0 + 64.0 * f32::EPSILON;
 
 /// A ray prepared for tests of many boxes, and triangles, at once.
 pub(crate) trait ChildIntersector: TriangleIntersector {
+    type Simd: Simd;
+
+    /// The instruction set, for shapes of other kinds.
+    fn simd(&self) -> Self::Simd;
+
     /// Puts the boxes that the ray meets before `limit` on the stack by these names, in
     /// the order of its octant; unless `in_order` is asked, perhaps in another.
     ///
@@ -109,6 +115,24 @@ fn meet_in_turn(block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits<L
         }
     }
     hits
+}
+
+/// In the place of what meets triangles, for trees that have none: to prepare a ray takes as
+/// long as to open a node.
+#[derive(Clone, Copy)]
+pub(crate) struct NoTriangles;
+
+impl TriangleIntersector for NoTriangles {
+    #[inline(always)]
+    fn candidates(&self, _: &Block, _: f32) -> u32 {
+        0
+    }
+
+    #[inline(always)]
+    fn pass(&self, _: &Block, _: f32) -> Passed {
+        let none = [[0.0; LEAF]; 3];
+        Passed { mask: 0, edges: none, depths: none }
+    }
 }
 
 /// The triangles of a block that a ray passes, one bit each, and how it sees all of

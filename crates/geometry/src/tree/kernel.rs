@@ -15,7 +15,7 @@ use std::hint::black_box;
 use std::ops::Range;
 
 #[cfg(target_arch = "x86_64")]
-use super::intersector::{Avx2, Sse41};
+use super::intersector::{Avx2, NoTriangles, Sse41, TriangleRay};
 #[cfg(target_arch = "x86_64")]
 use super::simd::{Avx2Simd, Sse41Simd};
 
@@ -65,10 +65,16 @@ impl Kernel {
             Set::Scalar => walk(tree, root, &Scalar::new(ray), visitor),
             // SAFETY: `available` has seen that the machine has these instructions.
             #[cfg(target_arch = "x86_64")]
-            Set::Sse41 => unsafe { walk_sse41(tree, root, ray, visitor) },
+            Set::Sse41 if tree.has_triangles => unsafe { walk_sse41(tree, root, ray, visitor) },
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Set::Avx2 => unsafe { walk_avx2(tree, root, ray, visitor) },
+            Set::Sse41 => unsafe { walk_shapes_sse41(tree, root, ray, visitor) },
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx2 if tree.has_triangles => unsafe { walk_avx2(tree, root, ray, visitor) },
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx2 => unsafe { walk_shapes_avx2(tree, root, ray, visitor) },
         }
     }
 
@@ -99,7 +105,7 @@ impl Kernel {
 #[target_feature(enable = "sse4.1")]
 fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
     // SAFETY: this function runs only where SSE4.1 is.
-    let intersector = unsafe { Sse41::new(ray, tree.extents) };
+    let intersector = unsafe { Sse41::new(ray, TriangleRay::<false>::new(ray, tree.extents)) };
     // Behind a black box it stays in memory, where instructions read it as they go;
     // all of it is too much for the registers.
     walk(tree, root, black_box(&intersector), visitor);
@@ -109,7 +115,25 @@ fn walk_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) 
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
 fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
     // SAFETY: this function runs only where AVX2 and FMA are.
-    let intersector = unsafe { Avx2::new(ray, tree.extents) };
+    let intersector = unsafe { Avx2::new(ray, TriangleRay::<true>::new(ray, tree.extents)) };
+    walk(tree, root, black_box(&intersector), visitor);
+}
+
+/// Through a tree without triangles.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "sse4.1")]
+fn walk_shapes_sse41<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+    // SAFETY: this function runs only where SSE4.1 is.
+    let intersector = unsafe { Sse41::new(ray, NoTriangles) };
+    walk(tree, root, black_box(&intersector), visitor);
+}
+
+/// Through a tree without triangles.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+fn walk_shapes_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
+    // SAFETY: this function runs only where AVX2 and FMA are.
+    let intersector = unsafe { Avx2::new(ray, NoTriangles) };
     walk(tree, root, black_box(&intersector), visitor);
 }
 
@@ -117,7 +141,8 @@ fn walk_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &mut V) {
 #[target_feature(enable = "sse4.1")]
 fn walk_fans_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where SSE4.1 is.
-    let intersector = |ray| unsafe { Sse41::new(ray, tree.extents) };
+    let intersector =
+        |ray| unsafe { Sse41::new(ray, TriangleRay::<false>::new(ray, tree.extents)) };
     walk_packets(tree, root, intersector, Sse41Simd, batch)
 }
 
@@ -130,14 +155,20 @@ fn walk_each_sse41<'a, B: Batch<'a>>(
     left: Vec<Range<usize>>,
 ) {
     // SAFETY: this function runs only where SSE4.1 is.
-    walk_each(tree, root, |ray| unsafe { Sse41::new(ray, tree.extents) }, batch, left);
+    walk_each(
+        tree,
+        root,
+        |ray| unsafe { Sse41::new(ray, TriangleRay::<false>::new(ray, tree.extents)) },
+        batch,
+        left,
+    );
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
 fn walk_fans_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where AVX2 and FMA are.
-    let intersector = |ray| unsafe { Avx2::new(ray, tree.extents) };
+    let intersector = |ray| unsafe { Avx2::new(ray, TriangleRay::<true>::new(ray, tree.extents)) };
     // SAFETY: as above.
     let simd = unsafe { Avx2Simd::new() };
     walk_packets(tree, root, intersector, simd, batch)
@@ -152,5 +183,11 @@ fn walk_each_avx2<'a, B: Batch<'a>>(
     left: Vec<Range<usize>>,
 ) {
     // SAFETY: this function runs only where AVX2 and FMA are.
-    walk_each(tree, root, |ray| unsafe { Avx2::new(ray, tree.extents) }, batch, left);
+    walk_each(
+        tree,
+        root,
+        |ray| unsafe { Avx2::new(ray, TriangleRay::<true>::new(ray, tree.extents)) },
+        batch,
+        left,
+    );
 }

@@ -1,16 +1,43 @@
 //! Eight boxes side by side, and what lies in them.
 
+use crate::shape::ShapeKind;
 use crate::{Aabb, Vec3};
 
 /// Boxes in a node.
 pub(crate) const WIDTH: usize = 8;
 
-/// Triangles in a block, and the most shapes in a leaf.
+/// Shapes in a block, and the most shapes in a leaf.
 pub(crate) const LEAF: usize = 4;
 
-/// What lies in a box: a node, a block of triangles, or a run of other shapes.
+/// What a block is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BlockKind {
+    Triangles,
+    Quads,
+    Spheres,
+    Disks,
+}
+
+impl BlockKind {
+    /// The kind of block that a shape belongs into.
+    #[inline]
+    pub(crate) fn of(kind: ShapeKind) -> Option<Self> {
+        match kind {
+            ShapeKind::Triangle(_) => Some(Self::Triangles),
+            ShapeKind::Quad(..) => Some(Self::Quads),
+            ShapeKind::Sphere(..) => Some(Self::Spheres),
+            ShapeKind::Disk(..) => Some(Self::Disks),
+            ShapeKind::Other => None,
+        }
+    }
+
+    pub(crate) const ALL: [Self; 4] = [Self::Triangles, Self::Quads, Self::Spheres, Self::Disks];
+}
+
+/// What lies in a box: a node, a block of shapes of one kind, or a run of other shapes.
 ///
-/// The two highest bits tell which.
+/// The two highest bits tell which; the two below them tell the kind of the block or how
+/// many shapes there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(transparent)]
 pub(crate) struct Child(u32);
@@ -21,7 +48,13 @@ pub(crate) enum Content {
     /// The number of a node.
     Node(usize),
     /// The number of a block of triangles.
-    Block(usize),
+    Triangles(usize),
+    /// The number of a block of quads.
+    Quads(usize),
+    /// The number of a block of spheres.
+    Spheres(usize),
+    /// The number of a block of disks.
+    Disks(usize),
     /// A range of the list of shapes in leaf order.
     Shapes(std::ops::Range<usize>),
 }
@@ -31,8 +64,10 @@ impl Child {
     pub(crate) const MAX: usize = 1 << 28;
     const LEAF: u32 = 1 << 31;
     const SHAPES: u32 = 1 << 30;
-    /// What the empty boxes of a node hold: the first block, which every tree
-    /// has, so that no input can lead a ray in circles.
+    /// Where the kind of a block is, or how many shapes there are, less one.
+    const KIND_SHIFT: u32 = 28;
+    /// What the empty boxes of a node hold: the first block of triangles, which every
+    /// tree has, so that no input can lead a ray in circles.
     const NOTHING: Self = Self(Self::LEAF);
 
     pub(crate) fn node(index: usize) -> Self {
@@ -40,15 +75,15 @@ impl Child {
         Self(index as u32)
     }
 
-    pub(crate) fn block(index: usize) -> Self {
+    pub(crate) fn block(kind: BlockKind, index: usize) -> Self {
         debug_assert!(index < Self::MAX);
-        Self(Self::LEAF | index as u32)
+        Self(Self::LEAF | (kind as u32) << Self::KIND_SHIFT | index as u32)
     }
 
     /// Shapes `first` to `first + count − 1` in leaf order.
     pub(crate) fn shapes(first: usize, count: usize) -> Self {
         debug_assert!((1..=LEAF).contains(&count) && first < Self::MAX);
-        Self(Self::LEAF | Self::SHAPES | ((count - 1) as u32) << 28 | first as u32)
+        Self(Self::LEAF | Self::SHAPES | ((count - 1) as u32) << Self::KIND_SHIFT | first as u32)
     }
 
     /// Whether it is no node.
@@ -77,13 +112,18 @@ impl Child {
 
     #[inline]
     pub(crate) fn open(self) -> Content {
-        let index = self.index();
+        let (index, kind) = (self.index(), self.0 >> Self::KIND_SHIFT & 3);
         if !self.is_leaf() {
             Content::Node(index)
         } else if self.0 & Self::SHAPES == 0 {
-            Content::Block(index)
+            match BlockKind::ALL[kind as usize] {
+                BlockKind::Triangles => Content::Triangles(index),
+                BlockKind::Quads => Content::Quads(index),
+                BlockKind::Spheres => Content::Spheres(index),
+                BlockKind::Disks => Content::Disks(index),
+            }
         } else {
-            Content::Shapes(index..index + (self.0 >> 28 & 3) as usize + 1)
+            Content::Shapes(index..index + kind as usize + 1)
         }
     }
 }

@@ -11,7 +11,7 @@ const LINE: usize = 64;
 
 /// Where a tree has what is in its boxes.
 pub(crate) struct Prefetcher {
-    /// Where the nodes start and how large each is, and the same for blocks. Looked up
+    /// Where the nodes start and how large each is, and the same for blocks of triangles. Looked up
     /// by kind: a branch on what comes next would be hard to predict.
     lists: [(*const u8, usize); 2],
     is_of_use: bool,
@@ -21,12 +21,12 @@ impl Prefetcher {
     #[inline(always)]
     pub(crate) fn of(tree: &Tree) -> Self {
         let nodes = (tree.nodes.as_ptr().cast(), size_of::<Node>());
-        let blocks = (tree.blocks.as_ptr().cast(), size_of::<Block>());
+        let blocks = (tree.triangles.as_ptr().cast(), size_of::<Block>());
         Self { lists: [nodes, blocks], is_of_use: !tree.is_cached() }
     }
 
-    /// Asks for what is in a box, which will be opened soon. Shapes come from
-    /// anywhere; for them it asks in vain.
+    /// Asks for what is in a box, which will be opened soon. For what is neither a node nor
+    /// a block of triangles it asks in vain.
     #[inline(always)]
     pub(crate) fn ask(&self, child: Child) {
         if self.is_of_use {

@@ -1,4 +1,4 @@
-//! Eight numbers at once, one for each ray of a packet; and four, one for each triangle of a
+//! Eight numbers at once, one for each ray of a packet; and four, one for each shape of a
 //! block.
 
 mod portable;
@@ -14,7 +14,7 @@ use std::ops::{Add, Div, Mul, Sub};
 /// So many at once.
 pub(crate) const PACKET: usize = 8;
 
-/// One for each triangle of a block.
+/// One for each shape of a block.
 pub(crate) const FOUR: usize = 4;
 
 /// All eight have a bit.
@@ -24,6 +24,7 @@ pub(crate) const ALL: u32 = u32::MAX >> (32 - PACKET);
 pub(crate) trait Simd: Copy {
     type F32x8: F32x8;
     type F32x4: F32x4;
+    type F64x4: F64x4<F32x4 = Self::F32x4>;
 
     fn load(self, numbers: [f32; PACKET]) -> Self::F32x8;
 
@@ -34,6 +35,13 @@ pub(crate) trait Simd: Copy {
 
     /// The same number four times.
     fn splat_four(self, number: f32) -> Self::F32x4;
+
+    fn load_four_doubles(self, numbers: [f64; FOUR]) -> Self::F64x4;
+
+    /// The same number four times.
+    fn splat_four_doubles(self, number: f64) -> Self::F64x4;
+
+    fn widen_four(self, numbers: Self::F32x4) -> Self::F64x4;
 
     /// The same number eight times.
     fn splat_double(self, number: f64) -> <Self::F32x8 as F32x8>::F64x8;
@@ -102,9 +110,24 @@ pub(crate) trait F32x8: Float {
     }
 }
 
-/// F32x4 numbers in single precision.
+/// Four numbers in single precision.
 pub(crate) trait F32x4: Float {
     fn to_array(self) -> [f32; FOUR];
+}
+
+/// Four numbers in double precision.
+pub(crate) trait F64x4: Float {
+    type F32x4: F32x4;
+
+    fn square_root(self) -> Self;
+
+    /// As large as before, with the signs of `other`, which zeros have too.
+    fn with_signs_of(self, other: Self) -> Self;
+
+    /// Which have a minus, zeros too.
+    fn signs(self) -> u32;
+
+    fn narrow(self) -> Self::F32x4;
 }
 
 /// Eight numbers in double precision.

@@ -6,7 +6,9 @@ use super::intersector::TriangleIntersector;
 use super::lanes::triangles::PacketTriangles;
 use super::mask::ones;
 use super::node::{Child, Content};
+use super::shape_block::{Line, ShapeBlock};
 use super::simd::{F32x8, PACKET, Simd};
+use crate::Ray;
 use std::array::from_fn;
 use std::ops::{ControlFlow, Range};
 
@@ -18,6 +20,9 @@ pub(crate) trait Visitor: Sized {
 
     /// Boxes that begin beyond it are left out: all, once it has broken.
     fn limit(&self) -> f32;
+
+    /// The ray, without regard to the limit.
+    fn ray(&self) -> &Ray;
 
     /// A block of triangles.
     fn triangles<T: TriangleIntersector>(
@@ -33,6 +38,9 @@ pub(crate) trait Visitor: Sized {
         block: &Block,
         triangles: &PacketTriangles<E>,
     );
+
+    /// A block of shapes of another kind.
+    fn block<B: ShapeBlock, E: Simd>(&mut self, block: &B, line: &Line<E>) -> ControlFlow<()>;
 
     /// A run of other shapes, as places in the order of the leaves.
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
@@ -76,6 +84,15 @@ impl<V: Visitor> Visitors<V> {
         }
     }
 
+    /// Takes the rays that have a bit to a block, one by one.
+    #[inline(always)]
+    fn block(&mut self, active: u32, block: &impl ShapeBlock, simd: impl Simd) {
+        self.tell(active, |_, visitor| {
+            let line = Line::of(simd, visitor.ray());
+            visitor.block(block, &line)
+        });
+    }
+
     /// Takes the rays that have a bit to a leaf.
     #[inline(always)]
     pub(super) fn visit<E: Simd>(
@@ -87,7 +104,12 @@ impl<V: Visitor> Visitors<V> {
     ) {
         match leaf.open() {
             Content::Node(_) => {}
-            Content::Block(index) => V::packet(self, active, &tree.blocks[index], triangles),
+            Content::Triangles(index) => {
+                V::packet(self, active, &tree.triangles[index], triangles);
+            }
+            Content::Quads(index) => self.block(active, &tree.quads[index], triangles.simd),
+            Content::Spheres(index) => self.block(active, &tree.spheres[index], triangles.simd),
+            Content::Disks(index) => self.block(active, &tree.disks[index], triangles.simd),
             Content::Shapes(places) => {
                 self.tell(active, |_, visitor| visitor.shapes(places.clone()));
             }

@@ -1,9 +1,10 @@
 //! The way of a ray through a tree.
 
 use super::Tree;
-use super::intersector::{ChildIntersector, TriangleIntersector};
+use super::intersector::ChildIntersector;
 use super::node::{Child, Content};
 use super::prefetch::Prefetcher;
+use super::shape_block::Line;
 use super::stack::{Room, Stack};
 use super::visitor::Visitor;
 use std::ops::ControlFlow;
@@ -38,15 +39,27 @@ pub(crate) fn walk<L: ChildIntersector, V: Visitor>(
 
 /// Takes the visitor to a leaf.
 #[inline(always)]
-pub(super) fn visit<T: TriangleIntersector, V: Visitor>(
+pub(super) fn visit<L: ChildIntersector, V: Visitor>(
     tree: &Tree,
     leaf: Child,
-    intersector: &T,
+    intersector: &L,
     visitor: &mut V,
 ) -> ControlFlow<()> {
     match leaf.open() {
         Content::Node(_) => ControlFlow::Continue(()),
-        Content::Block(index) => visitor.triangles(&tree.blocks[index], intersector),
+        Content::Triangles(index) => visitor.triangles(&tree.triangles[index], intersector),
+        Content::Quads(index) => {
+            let line = Line::of(intersector.simd(), visitor.ray());
+            visitor.block(&tree.quads[index], &line)
+        }
+        Content::Spheres(index) => {
+            let line = Line::of(intersector.simd(), visitor.ray());
+            visitor.block(&tree.spheres[index], &line)
+        }
+        Content::Disks(index) => {
+            let line = Line::of(intersector.simd(), visitor.ray());
+            visitor.block(&tree.disks[index], &line)
+        }
         Content::Shapes(places) => visitor.shapes(places),
     }
 }

@@ -1,28 +1,27 @@
 //! What a ray pays for boxes and leaves, in units of a node.
 
-use crate::tree::node::{LEAF, WIDTH};
+use crate::tree::node::{BlockKind, LEAF, WIDTH};
 
 /// A block of triangles.
-const BLOCK: f32 = 0.6;
+const TRIANGLES: f32 = 0.6;
 
-/// Each shape that is not a triangle of a block.
+/// A block of shapes of another kind, and each shape in it: what is in large boxes had better
+/// be alone.
+const BLOCK: f32 = 0.3;
+const IN_BLOCK: f32 = 0.2;
+
+/// Each shape that is in no block.
 const SHAPE: f32 = 0.5;
 
 /// The least cost for 1, 2, …, 7 places.
 pub(super) type Costs = [f32; WIDTH - 1];
 
 /// What items are; only like goes with like into a leaf.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    Triangles,
+    Block(BlockKind),
     Others,
     Mixed,
-}
-
-impl Kind {
-    pub(super) fn of(is_triangle: bool) -> Self {
-        if is_triangle { Self::Triangles } else { Self::Others }
-    }
 }
 
 /// What has to be known of a subtree to put it below something.
@@ -62,7 +61,10 @@ pub(super) fn of_item(area: f32, kind: Kind) -> Costs {
 fn leaf(area: f32, kind: Kind, count: usize) -> Option<f32> {
     match kind {
         _ if count > LEAF => None,
-        Kind::Triangles => Some(area * BLOCK),
+        Kind::Block(BlockKind::Triangles) => Some(area * TRIANGLES),
+        Kind::Block(BlockKind::Quads | BlockKind::Spheres | BlockKind::Disks) => {
+            Some(area * (BLOCK + IN_BLOCK * count as f32))
+        }
         Kind::Others => Some(area * SHAPE * count as f32),
         Kind::Mixed => None,
     }

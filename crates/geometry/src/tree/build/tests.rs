@@ -7,6 +7,7 @@ mod quality;
 
 use super::{Quality, Tree, build};
 use crate::testing::Random;
+use crate::tree::node::BlockKind;
 use crate::{Aabb, Vec3};
 use audit::check;
 
@@ -25,9 +26,12 @@ fn crowd(count: usize) -> Vec<Aabb> {
     (0..count).map(&mut next).collect()
 }
 
+/// What belongs into blocks of triangles.
+const TRIANGLES: fn(u32) -> Option<BlockKind> = |_| Some(BlockKind::Triangles);
+
 /// All boxes, of triangles.
 fn tree(boxes: &[Aabb], quality: Quality) -> Tree {
-    build(boxes, (0..boxes.len() as u32).collect(), |_| true, quality)
+    build(boxes, (0..boxes.len() as u32).collect(), TRIANGLES, quality)
 }
 
 #[test]
@@ -36,7 +40,7 @@ fn every_item_is_in_one_leaf_and_in_the_boxes_above() {
         let boxes = crowd(count);
         for quality in QUALITIES {
             let tree = tree(&boxes, quality);
-            assert_eq!(check(&tree, &boxes, |_| true), (0..count as u32).collect::<Vec<_>>());
+            assert_eq!(check(&tree, &boxes, TRIANGLES), (0..count as u32).collect::<Vec<_>>());
             assert!(tree.shapes.is_empty());
         }
     }
@@ -44,13 +48,13 @@ fn every_item_is_in_one_leaf_and_in_the_boxes_above() {
 
 #[test]
 fn kinds_do_not_mix_in_leaves() {
-    let is_triangle = |i: u32| i % 7 < 4;
+    let kind = |i: u32| BlockKind::ALL.get((i / 3 % 7) as usize).copied();
     for count in [2, 5, 33, 1000] {
         let boxes = crowd(count);
         for quality in QUALITIES {
             let items: Vec<u32> = (0..count as u32).collect();
-            let tree = build(&boxes, items.clone(), is_triangle, quality);
-            assert_eq!(check(&tree, &boxes, is_triangle), items);
+            let tree = build(&boxes, items.clone(), kind, quality);
+            assert_eq!(check(&tree, &boxes, kind), items);
         }
     }
 }
@@ -58,17 +62,17 @@ fn kinds_do_not_mix_in_leaves() {
 #[test]
 fn shapes_alone_give_no_blocks_but_the_empty_one() {
     let boxes = crowd(100);
-    let tree = build(&boxes, (0..100).collect(), |_| false, Quality::Balanced);
-    assert_eq!(check(&tree, &boxes, |_| false), (0..100).collect::<Vec<_>>());
-    assert_eq!(tree.blocks, [[u32::MAX; 4]]);
+    let tree = build(&boxes, (0..100).collect(), |_| None, Quality::Balanced);
+    assert_eq!(check(&tree, &boxes, |_| None), (0..100).collect::<Vec<_>>());
+    assert_eq!(tree.blocks, [vec![[u32::MAX; 4]], vec![], vec![], vec![]]);
 }
 
 #[test]
 fn boxes_that_are_not_asked_for_stay_out() {
     let boxes = crowd(500);
     let items: Vec<u32> = (0..500).filter(|i| i % 3 == 1).collect();
-    let tree = build(&boxes, items.clone(), |_| true, Quality::Balanced);
-    assert_eq!(check(&tree, &boxes, |_| true), items);
+    let tree = build(&boxes, items.clone(), TRIANGLES, Quality::Balanced);
+    assert_eq!(check(&tree, &boxes, TRIANGLES), items);
 }
 
 /// What has to be the same for two trees to be the same.
@@ -83,7 +87,7 @@ fn content(tree: &Tree) -> impl PartialEq + use<> {
 fn by_threads(threads: usize, boxes: &[Aabb], quality: Quality) -> Tree {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let items = (0..boxes.len() as u32).collect();
-    pool.install(|| build(boxes, items, |i| i % 5 > 0, quality))
+    pool.install(|| build(boxes, items, |i| BlockKind::ALL.get((i % 5) as usize).copied(), quality))
 }
 
 /// One thread takes the same way as all do without the feature.

@@ -5,7 +5,7 @@ use super::cost::{self, Costs, Kind};
 use super::flat::{Flat, FlatNode};
 use super::{GRAIN, Tree};
 use crate::Aabb;
-use crate::tree::node::{Child, LEAF, Node, WIDTH};
+use crate::tree::node::{BlockKind, Child, LEAF, Node, WIDTH};
 use crate::tree::parallel::{self, cut};
 
 /// Subtrees of fewer items are not worth a thread.
@@ -21,13 +21,17 @@ pub(super) fn tree(binary: &Binary, item: impl Fn(u32) -> (u32, Kind) + Sync) ->
     let none = Node::new(&[]);
     let mut tree = Tree {
         nodes: parallel::map(size.nodes, GRAIN, |_| none),
-        blocks: parallel::map(size.blocks.max(1), GRAIN, |_| [u32::MAX; LEAF]),
+        blocks: BlockKind::ALL.map(|kind| {
+            let least = usize::from(kind == BlockKind::Triangles);
+            parallel::map(size.blocks[kind as usize].max(least), GRAIN, |_| [u32::MAX; LEAF])
+        }),
         shapes: vec![0; size.shapes],
         root: None,
         depth: size.depth,
     };
-    let (nodes, blocks, shapes) = (&mut tree.nodes, &mut tree.blocks, &mut tree.shapes);
-    let mut out = Out { nodes, blocks, shapes, used: [0; 3] };
+    let blocks = tree.blocks.each_mut().map(Vec::as_mut_slice);
+    let (nodes, shapes) = (&mut tree.nodes[..], &mut tree.shapes[..]);
+    let mut out = Out { nodes, blocks, shapes, used: Used::default() };
     tree.root = Some(widener.emit(all, &size, &mut out));
     tree
 }
@@ -45,7 +49,8 @@ struct Part {
 #[derive(Default)]
 struct Size {
     nodes: usize,
-    blocks: usize,
+    /// By [`BlockKind`].
+    blocks: [usize; 4],
     shapes: usize,
     depth: usize,
     /// Of the children, where each is worth a thread.
@@ -55,49 +60,64 @@ struct Size {
 impl Size {
     fn add(&mut self, other: &Self) {
         self.nodes += other.nodes;
-        self.blocks += other.blocks;
+        add(&mut self.blocks, &other.blocks);
         self.shapes += other.shapes;
         self.depth = self.depth.max(other.depth);
     }
 }
 
+fn add(blocks: &mut [usize; 4], others: &[usize; 4]) {
+    blocks.iter_mut().zip(others).for_each(|(count, other)| *count += other);
+}
+
+/// How much of the tree lies before something.
+#[derive(Clone, Copy, Default)]
+struct Used {
+    nodes: usize,
+    blocks: [usize; 4],
+    shapes: usize,
+}
+
 /// Room for a subtree, and how much of the tree lies before it.
 struct Out<'a> {
     nodes: &'a mut [Node],
-    blocks: &'a mut [[u32; LEAF]],
+    blocks: [&'a mut [[u32; LEAF]]; 4],
     shapes: &'a mut [u32],
-    used: [usize; 3],
+    used: Used,
 }
 
 impl<'a> Out<'a> {
     fn cut(&mut self, size: &Size) -> Self {
         let used = self.used;
-        self.used = [used[0] + size.nodes, used[1] + size.blocks, used[2] + size.shapes];
+        self.used.nodes += size.nodes;
+        add(&mut self.used.blocks, &size.blocks);
+        self.used.shapes += size.shapes;
         Self {
             nodes: cut(&mut self.nodes, size.nodes),
-            blocks: cut(&mut self.blocks, size.blocks),
+            blocks: std::array::from_fn(|kind| cut(&mut self.blocks[kind], size.blocks[kind])),
             shapes: cut(&mut self.shapes, size.shapes),
             used,
         }
     }
 
     fn node(&mut self) -> (&'a mut Node, Child) {
-        self.used[0] += 1;
-        (&mut cut(&mut self.nodes, 1)[0], Child::node(self.used[0] - 1))
+        self.used.nodes += 1;
+        (&mut cut(&mut self.nodes, 1)[0], Child::node(self.used.nodes - 1))
     }
 
-    fn block(&mut self, items: impl Iterator<Item = u32>) -> Child {
-        let block = &mut cut(&mut self.blocks, 1)[0];
+    fn block(&mut self, kind: BlockKind, items: impl Iterator<Item = u32>) -> Child {
+        let block = &mut cut(&mut self.blocks[kind as usize], 1)[0];
         block.iter_mut().zip(items).for_each(|(slot, item)| *slot = item);
-        self.used[1] += 1;
-        Child::block(self.used[1] - 1)
+        let used = &mut self.used.blocks[kind as usize];
+        *used += 1;
+        Child::block(kind, *used - 1)
     }
 
     fn shapes(&mut self, items: impl ExactSizeIterator<Item = u32>) -> Child {
-        let (first, count) = (self.used[2], items.len());
+        let (first, count) = (self.used.shapes, items.len());
         let shapes = cut(&mut self.shapes, count);
         shapes.iter_mut().zip(items).for_each(|(slot, item)| *slot = item);
-        self.used[2] += count;
+        self.used.shapes += count;
         Child::shapes(first, count)
     }
 }
@@ -113,7 +133,11 @@ impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
     fn size(&self, part: Part) -> Size {
         if self.is_leaf(part) {
             return match self.kind(part) {
-                Kind::Triangles => Size { blocks: 1, ..Size::default() },
+                Kind::Block(kind) => {
+                    let mut size = Size::default();
+                    size.blocks[kind as usize] = 1;
+                    size
+                }
                 Kind::Others | Kind::Mixed => Size { shapes: part.count, ..Size::default() },
             };
         }
@@ -165,7 +189,7 @@ impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
         let items = self.flat.items[part.first..part.first + part.count].iter();
         let items = items.map(|&node| (self.item)(node).0);
         match self.kind(part) {
-            Kind::Triangles => out.block(items),
+            Kind::Block(kind) => out.block(kind, items),
             Kind::Others | Kind::Mixed => out.shapes(items),
         }
     }

@@ -7,6 +7,7 @@ use crate::Ray;
 use crate::f32_filter::Shear;
 use crate::tree::block::Block;
 use crate::tree::node::{Child, LEAF, Node, WIDTH};
+use crate::tree::simd::Portable;
 use crate::tree::stack::Stack;
 
 /// One box and one triangle at a time.
@@ -43,6 +44,13 @@ impl<'a> Scalar<'a> {
 }
 
 impl ChildIntersector for Scalar<'_> {
+    type Simd = Portable;
+
+    #[inline]
+    fn simd(&self) -> Portable {
+        Portable
+    }
+
     #[inline]
     fn open(
         &self,

@@ -17,3 +17,4 @@ mod triangles;
 
 pub(crate) use avx2::Avx2;
 pub(crate) use sse41::Sse41;
+pub(crate) use triangles::TriangleRay;

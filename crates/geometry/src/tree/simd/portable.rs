@@ -1,6 +1,6 @@
 //! For any machine.
 
-use super::{F32x4, F32x8, F64x8, FOUR, Float, PACKET, Simd};
+use super::{F32x4, F32x8, F64x4, F64x8, FOUR, Float, PACKET, Simd};
 use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -28,6 +28,7 @@ fn mask<const N: usize>(is_set: [bool; N]) -> u32 {
 impl Simd for Portable {
     type F32x8 = Array<f32, PACKET>;
     type F32x4 = Array<f32, FOUR>;
+    type F64x4 = Array<f64, FOUR>;
 
     #[inline(always)]
     fn load(self, numbers: [f32; PACKET]) -> Array<f32, PACKET> {
@@ -47,6 +48,21 @@ impl Simd for Portable {
     #[inline(always)]
     fn splat_four(self, number: f32) -> Array<f32, FOUR> {
         Array([number; FOUR])
+    }
+
+    #[inline(always)]
+    fn load_four_doubles(self, numbers: [f64; FOUR]) -> Array<f64, FOUR> {
+        Array(numbers)
+    }
+
+    #[inline(always)]
+    fn splat_four_doubles(self, number: f64) -> Array<f64, FOUR> {
+        Array([number; FOUR])
+    }
+
+    #[inline(always)]
+    fn widen_four(self, numbers: Array<f32, FOUR>) -> Array<f64, FOUR> {
+        Array(numbers.0.map(f64::from))
     }
 
     #[inline(always)]
@@ -166,6 +182,30 @@ impl F32x4 for Array<f32, FOUR> {
     #[inline(always)]
     fn to_array(self) -> [f32; FOUR] {
         self.0
+    }
+}
+
+impl F64x4 for Array<f64, FOUR> {
+    type F32x4 = Array<f32, FOUR>;
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        Self(self.0.map(f64::sqrt))
+    }
+
+    #[inline(always)]
+    fn with_signs_of(self, other: Self) -> Self {
+        Self(self.with(other, f64::copysign))
+    }
+
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        mask(self.0.map(f64::is_sign_negative))
+    }
+
+    #[inline(always)]
+    fn narrow(self) -> Array<f32, FOUR> {
+        Array(self.0.map(|x| x as f32))
     }
 }
 

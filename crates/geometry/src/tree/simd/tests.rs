@@ -1,6 +1,6 @@
 //! All instruction sets compute the same.
 
-use super::{Avx2Simd, F32x4, F32x8, F64x8, Float, PACKET, Portable, Simd, Sse41Simd};
+use super::{Avx2Simd, F32x4, F32x8, F64x4, F64x8, Float, PACKET, Portable, Simd, Sse41Simd};
 use crate::testing::Random;
 use std::array::from_fn;
 
@@ -17,7 +17,13 @@ fn answers<E: Simd>(simd: E, a: [f32; PACKET], b: [f32; PACKET]) -> Vec<u64> {
     let four = |all: [f32; PACKET]| simd.load_four(from_fn(|i| all[i]));
     let (f, g) = (four(a), four(b));
     let fours = [f + g, f - g, f * g, f / g, f.lesser(g), f.greater(g), simd.splat_four(a[1])];
+    let (d, e) = (simd.widen_four(f), simd.widen_four(g));
+    let tiny = simd.splat_four_doubles(1e-60) * simd.load_four_doubles([1.0, -2.0, 0.5, -0.0]);
+    let roots = [d.square_root(), d.with_signs_of(e), e.with_signs_of(tiny), tiny * d];
+    let small = [(d * tiny).below(e * tiny), e.at_most(tiny)];
+    let narrow = narrow.chain(roots.into_iter().flat_map(|d| d.narrow().to_array()));
     let masks = [
+        [small[0], small[1], d.signs(), tiny.signs()],
         [x.below(y), x.at_most(y), x.signs(), y.signs()],
         [v.below(w), v.at_most(w), (v * exactly).below(w * exactly), w.at_most(v)],
         [f.below(g), f.at_most(g), g.below(f), g.at_most(f)],

@@ -69,7 +69,7 @@ macro_rules! register {
 }
 use register;
 
-/// F32x4 in single precision.
+/// Four in single precision.
 #[derive(Clone, Copy)]
 pub(crate) struct Fours(__m128);
 

@@ -5,7 +5,7 @@ use super::{QUALITIES, crowd, tree};
 use crate::Aabb;
 use crate::tree::build::cost::Kind;
 use crate::tree::build::{Tree, cluster, morton, wide};
-use crate::tree::node::{Child, Content};
+use crate::tree::node::{BlockKind, Child, Content};
 
 /// Nodes and blocks that a random ray through the whole meets on average, a block
 /// counted as 0.6 nodes.
@@ -38,7 +38,8 @@ fn all_trees_are_better_than_halving() {
     let items: Vec<u32> = (0..5000).collect();
     let order = morton::order(&boxes, &items);
     let binary = cluster::tree(&boxes, &order, 0);
-    let halved = wide::tree(&binary, |node| (order[node as usize], Kind::Triangles));
+    let halved =
+        wide::tree(&binary, |node| (order[node as usize], Kind::Block(BlockKind::Triangles)));
     let [fast, balanced, _] = QUALITIES.map(|quality| cost(&tree(&boxes, quality)));
     assert!(fast < 0.8 * cost(&halved), "{fast} against {}", cost(&halved));
     assert!(balanced < 0.75 * cost(&halved), "{balanced} against {}", cost(&halved));

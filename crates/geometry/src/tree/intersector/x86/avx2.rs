@@ -1,18 +1,17 @@
 //! Eight boxes in one register.
 
 use super::boxes::{PLANES, RayBoxes};
-use super::triangles::TriangleRay;
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::extents::QuantisedExtents;
 use crate::tree::intersector::{ChildIntersector, Hits, Passed, TriangleIntersector};
 use crate::tree::node::{Child, LEAF, Node, WIDTH};
+use crate::tree::simd::Avx2Simd;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
 /// Eight boxes at once.
 #[derive(Clone, Copy)]
-pub(crate) struct Avx2 {
+pub(crate) struct Avx2<T> {
     origin: [__m256; 3],
     near: [__m256; 3],
     far: [__m256; 3],
@@ -21,7 +20,7 @@ pub(crate) struct Avx2 {
     planes: [usize; 6],
     /// How far the order of its octant is shifted, in all places.
     order_shift: __m256i,
-    triangles: TriangleRay<true>,
+    triangles: T,
 }
 
 /// For each set of intersector the numbers of those in it, one a byte, lowest first.
@@ -42,11 +41,11 @@ static PACK: [u64; 256] = {
     table
 };
 
-impl Avx2 {
+impl<T: Copy> Avx2<T> {
     /// # Safety
     /// The machine must have AVX2 and FMA.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Ray, extents: QuantisedExtents) -> Self {
+    pub(crate) unsafe fn new(ray: &Ray, triangles: T) -> Self {
         // SAFETY: the caller promises AVX2, which includes SSE4.1, and FMA.
         unsafe {
             let boxes = RayBoxes::of(ray);
@@ -58,7 +57,7 @@ impl Avx2 {
                 octant: boxes.octant,
                 planes: PLANES[boxes.octant as usize % 8],
                 order_shift: _mm256_set1_epi32(3 * boxes.octant),
-                triangles: TriangleRay::new(ray, extents),
+                triangles,
             }
         }
     }
@@ -74,7 +73,7 @@ struct Met {
     mask: u32,
 }
 
-impl Avx2 {
+impl<T: Copy> Avx2<T> {
     #[inline(always)]
     fn meet(&self, node: &Node, limit: f32, in_order: bool) -> Met {
         // SAFETY: `self` shows that the machine has AVX2; a node is aligned to 64
@@ -129,7 +128,15 @@ impl Avx2 {
     }
 }
 
-impl ChildIntersector for Avx2 {
+impl<T: TriangleIntersector> ChildIntersector for Avx2<T> {
+    type Simd = Avx2Simd;
+
+    #[inline(always)]
+    fn simd(&self) -> Avx2Simd {
+        // SAFETY: `self` shows that the machine has AVX2 and FMA.
+        unsafe { Avx2Simd::new() }
+    }
+
     #[inline(always)]
     fn open(
         &self,
@@ -174,7 +181,7 @@ impl ChildIntersector for Avx2 {
     }
 }
 
-impl TriangleIntersector for Avx2 {
+impl<T: TriangleIntersector> TriangleIntersector for Avx2<T> {
     #[inline(always)]
     fn candidates(&self, block: &Block, limit: f32) -> u32 {
         self.triangles.candidates(block, limit)

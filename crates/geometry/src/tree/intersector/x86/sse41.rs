@@ -1,30 +1,29 @@
 //! Eight boxes in two registers.
 
 use super::boxes::{PLANES, RayBoxes};
-use super::triangles::TriangleRay;
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::extents::QuantisedExtents;
 use crate::tree::intersector::{ChildIntersector, Passed, TriangleIntersector, push};
 use crate::tree::node::{Child, Node, WIDTH};
+use crate::tree::simd::Sse41Simd;
 use crate::tree::stack::Stack;
 use std::arch::x86_64::*;
 
 /// Four boxes at once, twice.
 #[derive(Clone, Copy)]
-pub(crate) struct Sse41 {
+pub(crate) struct Sse41<T> {
     origin: [__m128; 3],
     near: [__m128; 3],
     far: [__m128; 3],
     octant: i32,
-    triangles: TriangleRay<false>,
+    triangles: T,
 }
 
-impl Sse41 {
+impl<T: Copy> Sse41<T> {
     /// # Safety
     /// The machine must have SSE4.1.
     #[inline(always)]
-    pub(crate) unsafe fn new(ray: &Ray, extents: QuantisedExtents) -> Self {
+    pub(crate) unsafe fn new(ray: &Ray, triangles: T) -> Self {
         // SAFETY: the caller promises SSE4.1.
         unsafe {
             let boxes = RayBoxes::of(ray);
@@ -33,7 +32,7 @@ impl Sse41 {
                 near: boxes.near(),
                 far: boxes.far(),
                 octant: boxes.octant,
-                triangles: TriangleRay::new(ray, extents),
+                triangles,
             }
         }
     }
@@ -60,7 +59,14 @@ impl Sse41 {
     }
 }
 
-impl ChildIntersector for Sse41 {
+impl<T: TriangleIntersector> ChildIntersector for Sse41<T> {
+    type Simd = Sse41Simd;
+
+    #[inline(always)]
+    fn simd(&self) -> Sse41Simd {
+        Sse41Simd
+    }
+
     #[inline(always)]
     fn open(
         &self,
@@ -90,7 +96,7 @@ impl ChildIntersector for Sse41 {
     }
 }
 
-impl TriangleIntersector for Sse41 {
+impl<T: TriangleIntersector> TriangleIntersector for Sse41<T> {
     #[inline(always)]
     fn candidates(&self, block: &Block, limit: f32) -> u32 {
         self.triangles.candidates(block, limit)

@@ -1,6 +1,6 @@
 //! For machines with AVX2 and FMA.
 
-use super::super::{F32x8, F64x8, FOUR, Float, PACKET, Simd};
+use super::super::{F32x8, F64x4, F64x8, FOUR, Float, PACKET, Simd};
 use super::{Fours, Sse41Simd, Twice, register};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
@@ -21,7 +21,7 @@ impl Avx2Simd {
 #[derive(Clone, Copy)]
 pub(crate) struct Floats(__m256);
 
-/// F32x4 in double precision.
+/// Four in double precision.
 #[derive(Clone, Copy)]
 pub(crate) struct FourDoubles(__m256d);
 
@@ -45,6 +45,7 @@ register!(
 impl Simd for Avx2Simd {
     type F32x8 = Floats;
     type F32x4 = Fours;
+    type F64x4 = FourDoubles;
 
     #[inline(always)]
     fn load(self, numbers: [f32; PACKET]) -> Floats {
@@ -66,6 +67,24 @@ impl Simd for Avx2Simd {
     #[inline(always)]
     fn splat_four(self, number: f32) -> Fours {
         Sse41Simd.splat_four(number)
+    }
+
+    #[inline(always)]
+    fn load_four_doubles(self, numbers: [f64; FOUR]) -> FourDoubles {
+        // SAFETY: as above; four numbers are 32 bytes.
+        FourDoubles(unsafe { _mm256_loadu_pd(numbers.as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn splat_four_doubles(self, number: f64) -> FourDoubles {
+        // SAFETY: as above.
+        FourDoubles(unsafe { _mm256_set1_pd(number) })
+    }
+
+    #[inline(always)]
+    fn widen_four(self, numbers: Fours) -> FourDoubles {
+        // SAFETY: as above.
+        FourDoubles(unsafe { _mm256_cvtps_pd(numbers.0) })
     }
 
     #[inline(always)]
@@ -140,6 +159,38 @@ impl F32x8 for Floats {
     #[inline(always)]
     fn largest(self) -> f32 {
         self.fold(Fours::greater)
+    }
+}
+
+impl F64x4 for FourDoubles {
+    type F32x4 = Fours;
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        // SAFETY: as said above.
+        Self(unsafe { _mm256_sqrt_pd(self.0) })
+    }
+
+    #[inline(always)]
+    fn with_signs_of(self, other: Self) -> Self {
+        // SAFETY: as said above.
+        unsafe {
+            let sign = _mm256_set1_pd(-0.0);
+            let size = _mm256_andnot_pd(sign, self.0);
+            Self(_mm256_or_pd(size, _mm256_and_pd(sign, other.0)))
+        }
+    }
+
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        // SAFETY: as said above.
+        unsafe { _mm256_movemask_pd(self.0) as u32 }
+    }
+
+    #[inline(always)]
+    fn narrow(self) -> Fours {
+        // SAFETY: as said above.
+        Fours(unsafe { _mm256_cvtpd_ps(self.0) })
     }
 }
 

@@ -1,6 +1,6 @@
 //! For machines with SSE4.1, of which SSE2 is enough here.
 
-use super::super::{F32x4, F32x8, F64x8, FOUR, Float, PACKET, Simd};
+use super::super::{F32x4, F32x8, F64x4, F64x8, FOUR, Float, PACKET, Simd};
 use super::{Fours, Twice, register};
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
@@ -25,6 +25,7 @@ register!(
 impl Simd for Sse41Simd {
     type F32x8 = Twice<Fours>;
     type F32x4 = Fours;
+    type F64x4 = Twice<TwoDoubles>;
 
     #[inline(always)]
     fn load(self, [a, b, c, d, e, f, g, h]: [f32; PACKET]) -> Twice<Fours> {
@@ -49,9 +50,26 @@ impl Simd for Sse41Simd {
     }
 
     #[inline(always)]
-    fn splat_double(self, number: f64) -> Twice<Twice<TwoDoubles>> {
+    fn load_four_doubles(self, numbers: [f64; FOUR]) -> Twice<TwoDoubles> {
+        let (low, high) = numbers.split_at(2);
+        // SAFETY: as above; either half is two numbers, which are 16 bytes.
+        Twice([low, high].map(|half| TwoDoubles(unsafe { _mm_loadu_pd(half.as_ptr()) })))
+    }
+
+    #[inline(always)]
+    fn splat_four_doubles(self, number: f64) -> Twice<TwoDoubles> {
         // SAFETY: as above.
-        Twice([Twice([TwoDoubles(unsafe { _mm_set1_pd(number) }); 2]); 2])
+        Twice([TwoDoubles(unsafe { _mm_set1_pd(number) }); 2])
+    }
+
+    #[inline(always)]
+    fn widen_four(self, numbers: Fours) -> Twice<TwoDoubles> {
+        widened(numbers)
+    }
+
+    #[inline(always)]
+    fn splat_double(self, number: f64) -> Twice<Twice<TwoDoubles>> {
+        Twice([self.splat_four_doubles(number); 2])
     }
 }
 
@@ -101,6 +119,38 @@ impl F32x8 for Twice<Fours> {
     #[inline(always)]
     fn largest(self) -> f32 {
         self.0[0].greater(self.0[1]).fold(Fours::greater)
+    }
+}
+
+impl F64x4 for Twice<TwoDoubles> {
+    type F32x4 = Fours;
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        // SAFETY: every x86-64 machine has SSE2.
+        Self(self.0.map(|two| TwoDoubles(unsafe { _mm_sqrt_pd(two.0) })))
+    }
+
+    #[inline(always)]
+    fn with_signs_of(self, other: Self) -> Self {
+        // SAFETY: every x86-64 machine has SSE2.
+        self.with(other, |two, other| unsafe {
+            let sign = _mm_set1_pd(-0.0);
+            let size = _mm_andnot_pd(sign, two.0);
+            TwoDoubles(_mm_or_pd(size, _mm_and_pd(sign, other.0)))
+        })
+    }
+
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        // SAFETY: every x86-64 machine has SSE2.
+        let [low, high] = self.0.map(|two| unsafe { _mm_movemask_pd(two.0) as u32 });
+        Self::masks(low, high)
+    }
+
+    #[inline(always)]
+    fn narrow(self) -> Fours {
+        narrowed(self)
     }
 }
 

@@ -1,0 +1,30 @@
+//! The kinds of shapes that trees meet by themselves.
+
+use super::{Disk, Quad, Sides, Sphere};
+use crate::Vec3;
+
+/// What a shape is to a tree: one of those that it keeps copies of and meets several at
+/// once, as [`Triangle::intersect`](super::Triangle::intersect) and its likes do and to the
+/// same bits, or something else.
+#[derive(Clone, Copy, Debug)]
+pub enum ShapeKind {
+    /// A triangle.
+    Triangle(SidedTriangle),
+    /// A quad, and where rays may meet it.
+    Quad(Quad, Sides),
+    /// A sphere, and where rays may meet it.
+    Sphere(Sphere, Sides),
+    /// A disk, and where rays may meet it.
+    Disk(Disk, Sides),
+    /// Whoever asks the tree has to meet it.
+    Other,
+}
+
+/// A triangle as trees keep it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SidedTriangle {
+    /// Counter-clockwise from the front.
+    pub corners: [Vec3; 3],
+    /// Where rays may meet it.
+    pub sides: Sides,
+}
