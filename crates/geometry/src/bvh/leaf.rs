@@ -20,6 +20,9 @@ pub trait LeafKind: Leaf {}
 impl<C: Leaf> LeafKind for C {}
 
 pub(crate) trait Leaf: Send + Sync + Sized {
+    /// Whether all leaves are blocks of triangles.
+    const ONLY_TRIANGLES: bool = false;
+
     /// Numbers of shapes are below this.
     fn count(&self) -> u32;
 
@@ -84,6 +87,7 @@ impl<C: Leaf, Q: Query> LeafVisitor<'_, C, Q> {
 
 impl<C: Leaf, Q: Query> Visitor for LeafVisitor<'_, C, Q> {
     const IN_ORDER: bool = Q::IN_ORDER;
+    const ONLY_TRIANGLES: bool = C::ONLY_TRIANGLES;
 
     #[inline]
     fn limit(&self) -> f32 {

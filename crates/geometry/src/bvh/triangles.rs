@@ -65,6 +65,8 @@ fn bounds(corners: [Vec3; 3]) -> Aabb {
 }
 
 impl Leaf for Triangles {
+    const ONLY_TRIANGLES: bool = true;
+
     fn count(&self) -> u32 {
         self.count
     }

@@ -18,6 +18,9 @@ pub(crate) trait Visitor: Sized {
     /// most rays start on a surface, and what is in the boxes around it they just left.
     const IN_ORDER: bool;
 
+    /// Whether all leaves are blocks of triangles: then none is asked what it is.
+    const ONLY_TRIANGLES: bool;
+
     /// Boxes that begin beyond it are left out: all, once it has broken.
     fn limit(&self) -> f32;
 

@@ -45,6 +45,9 @@ pub(super) fn visit<L: ChildIntersector, V: Visitor>(
     intersector: &L,
     visitor: &mut V,
 ) -> ControlFlow<()> {
+    if V::ONLY_TRIANGLES {
+        return visitor.triangles(&tree.triangles[leaf.index()], intersector);
+    }
     match leaf.open() {
         Content::Node(_) => ControlFlow::Continue(()),
         Content::Triangles(index) => visitor.triangles(&tree.triangles[index], intersector),
