@@ -88,13 +88,13 @@ impl Kernel {
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
             Set::Sse41 => unsafe {
-                let left = walk_fans_sse41(tree, root, batch);
+                let left = walk_packets_sse41(tree, root, batch);
                 walk_each_sse41(tree, root, batch, left);
             },
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
             Set::Avx2 => unsafe {
-                let left = walk_fans_avx2(tree, root, batch);
+                let left = walk_packets_avx2(tree, root, batch);
                 walk_each_avx2(tree, root, batch, left);
             },
         }
@@ -139,7 +139,11 @@ fn walk_shapes_avx2<V: Visitor>(tree: &Tree, root: Child, ray: &Ray, visitor: &m
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "sse4.1")]
-fn walk_fans_sse41<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
+fn walk_packets_sse41<'a, B: Batch<'a>>(
+    tree: &Tree,
+    root: Child,
+    batch: &mut B,
+) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where SSE4.1 is.
     let intersector =
         |ray| unsafe { Sse41::new(ray, TriangleRay::<false>::new(ray, tree.extents)) };
@@ -166,7 +170,11 @@ fn walk_each_sse41<'a, B: Batch<'a>>(
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-fn walk_fans_avx2<'a, B: Batch<'a>>(tree: &Tree, root: Child, batch: &mut B) -> Vec<Range<usize>> {
+fn walk_packets_avx2<'a, B: Batch<'a>>(
+    tree: &Tree,
+    root: Child,
+    batch: &mut B,
+) -> Vec<Range<usize>> {
     // SAFETY: this function runs only where AVX2 and FMA are.
     let intersector = |ray| unsafe { Avx2::new(ray, TriangleRay::<true>::new(ray, tree.extents)) };
     // SAFETY: as above.

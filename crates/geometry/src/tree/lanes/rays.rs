@@ -54,13 +54,13 @@ pub(crate) fn packet<E: Simd>(simd: E, rays: &[Ray]) -> Option<&[Ray; PACKET]> {
     let rays: &[Ray; PACKET] = rays.try_into().ok()?;
     let (first, last) = (&rays[0], &rays[PACKET - 1]);
     // Most rays are told by the first and the last.
-    let is_fan = first.origin == last.origin
+    let is_packet = first.origin == last.origin
         && is_narrow(first, last)
         && start_together(rays)
         && first.is_traceable()
         && simd.splat(0.0).below(simd.load(from_fn(|i| rays[i].t_max))) == ALL
         && Rays::of(simd, rays).go_together();
-    is_fan.then_some(rays)
+    is_packet.then_some(rays)
 }
 
 #[inline(always)]
@@ -91,14 +91,14 @@ mod tests {
         from_fn(|i| Ray::new(Vec3::ONE, Vec3::new(1.0, -0.01 * i as f32 - 0.01, 0.0)))
     }
 
-    fn is_fan(rays: &[Ray]) -> bool {
+    fn is_packet(rays: &[Ray]) -> bool {
         packet(Portable, rays).is_some()
     }
 
     #[test]
-    fn rays_side_by_side_make_a_fan() {
-        assert!(is_fan(&side_by_side()));
-        assert!(!is_fan(&side_by_side()[1..]));
+    fn rays_side_by_side_make_a_packet() {
+        assert!(is_packet(&side_by_side()));
+        assert!(!is_packet(&side_by_side()[1..]));
         let spoil = [
             |ray: &mut Ray| ray.origin.x = 1.5,
             |ray: &mut Ray| ray.direction.y = 0.01,
@@ -112,11 +112,11 @@ mod tests {
             for i in 0..PACKET {
                 let mut rays = side_by_side();
                 spoil(&mut rays[i]);
-                assert!(!is_fan(&rays), "{:?}", rays[i]);
+                assert!(!is_packet(&rays), "{:?}", rays[i]);
             }
         }
         let mut wide = side_by_side();
         wide[PACKET - 1].direction.y = -0.2;
-        assert!(!is_fan(&wide));
+        assert!(!is_packet(&wide));
     }
 }
