@@ -93,7 +93,7 @@ impl Pictures {
         let mut pictures: BTreeMap<(Pair, bool), Vec<f64>> = BTreeMap::new();
         for batch in 0..budget.batches {
             let seed = seed + u64::from(batch);
-            let settings = Settings { spp: budget.passes, seed, threads: 1 };
+            let settings = Settings { spp: budget.passes, seed, threads: 1, ..Settings::default() };
             let observe = &mut |_: &Progress<'_>| ControlFlow::Continue(());
             let rendering =
                 render(&spectrum.case.scene, &bdpt, &settings, &Control::default(), observe);

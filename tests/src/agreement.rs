@@ -145,7 +145,7 @@ impl Tiles {
         let before = self.values[0].len() as u32;
         let place = methods::WALKING.iter().position(|&other| other == self.method);
         let seed = 1 + place.unwrap_or(0) as u64 + 1000 * u64::from(before);
-        let settings = Settings { spp: passes - before, seed, threads: 0 };
+        let settings = Settings { spp: passes - before, seed, threads: 0, ..Settings::default() };
         let integrator = self.method.build();
         let (values, side) = (&mut self.values, self.side);
         let statistics = each_pass(subject.scene, integrator.as_ref(), &settings, |pass| {

@@ -39,7 +39,7 @@ pub fn compare_within(
     equivalence: f64,
 ) -> Finding {
     let integrator = method.up_to(case.max_depth).build();
-    let settings = Settings { spp: passes, seed, threads: 1 };
+    let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let samples = u64::from(passes) * samples_in_a_pass(&case.scene);
     let claim = format!("{}, {method}: mean radiance", case.name);

@@ -74,7 +74,8 @@ impl Race<'_> {
     /// # Errors
     /// The system refuses threads.
     pub fn run(&self, method: Method, seed: u64) -> Result<Option<(Record, Picture)>, ThreadError> {
-        let settings = Settings { spp: u32::MAX, seed, threads: self.threads };
+        let settings =
+            Settings { spp: u32::MAX, seed, threads: self.threads, ..Settings::default() };
         let integrator = method.build();
         let mut watch = Watch::new(self);
         let (rendering, peak_bytes) = peak_during(|| {
@@ -94,7 +95,8 @@ impl Race<'_> {
     /// The system refuses threads.
     pub fn warm_up(&self, method: Method, time: Duration) -> Result<(), ThreadError> {
         let start = Instant::now();
-        let settings = Settings { spp: u32::MAX, seed: 0, threads: self.threads };
+        let settings =
+            Settings { spp: u32::MAX, seed: 0, threads: self.threads, ..Settings::default() };
         let integrator = method.build();
         render(self.scene, integrator.as_ref(), &settings, self.stop, &mut |_| {
             if start.elapsed() >= time { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

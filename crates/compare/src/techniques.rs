@@ -21,7 +21,7 @@ pub fn technique_pictures(
     passes: u32,
 ) -> Result<Vec<(Technique, Grid<Rgb>)>, ThreadError> {
     let limits = Limits { max_depth: Some(MOST_EDGES), ..Limits::default() };
-    let settings = Settings { spp: passes, seed: 0, threads: 0 };
+    let settings = Settings { spp: passes, seed: 0, threads: 0, ..Settings::default() };
     let mut pictures = layers(scene, limits, &settings, |_| true)?;
     let lit: Vec<(u8, u8)> = pictures
         .iter()
@@ -38,7 +38,7 @@ pub(crate) fn weighted_pass(
     scene: &Scene,
     seed: u64,
 ) -> Result<Vec<(Technique, Grid<Rgb>)>, ThreadError> {
-    let settings = Settings { spp: 1, seed, threads: 0 };
+    let settings = Settings { spp: 1, seed, threads: 0, ..Settings::default() };
     layers(scene, Limits::default(), &settings, |technique| technique.weighted)
 }
 

@@ -6,7 +6,7 @@ use traylib_integrators::{
     BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts, Settings, render_to_end,
 };
 use traylib_io::{PictureInfo, load_scene, save_picture};
-use traylib_math::{Rgb, warp};
+use traylib_math::{Rgb, Vec2, warp};
 use traylib_scene::Scene;
 
 struct AmbientOcclusion;
@@ -14,9 +14,12 @@ struct AmbientOcclusion;
 impl Integrator for AmbientOcclusion {
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
-            let (ray, u) = (scene.camera().ray(film_point), sampler.next_1d());
-            let Some(hit) = tracer.camera_ray(&ray, u) else { return Rgb::WHITE };
-            let direction = warp::cosine_hemisphere(hit.point.normal, sampler.next_2d());
+            let (ray, numbers) = (scene.camera().ray(film_point), sampler.vertex());
+            let Some(hit) = tracer.camera_ray(&ray, numbers.pass_through) else {
+                return Rgb::WHITE;
+            };
+            let square = Vec2::new(numbers.bsdf[1], numbers.bsdf[2]);
+            let direction = warp::cosine_hemisphere(hit.point.normal, square);
             let origin = hit.point.site.ray_origin(direction);
             tracer.sees(&Ray { origin, direction, t_max: 0.5 }).unwrap_or(Rgb::BLACK)
         });

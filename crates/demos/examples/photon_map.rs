@@ -3,13 +3,13 @@
 //! noise in the limit: Knaus and Zwicker, *Progressive Photon Mapping*, 2011.
 
 use std::{collections::HashMap, error::Error, f32::consts::PI, path::Path};
-use traylib_integrators::toolkit::{Step, Tracer, VertexNumbers, emit, next_step};
+use traylib_integrators::toolkit::{Step, Tracer, emit, next_step};
 use traylib_integrators::{
-    BlindSpot, Chunk, ChunkOutput, Integrator, Pass, RenderChunk, Roulette, SceneFacts, Settings,
-    render_to_end,
+    BlindSpot, Chunk, ChunkOutput, Integrator, Pass, PathSampler, RenderChunk, Roulette,
+    SceneFacts, Settings, render_to_end,
 };
 use traylib_io::{PictureInfo, load_scene, save_picture};
-use traylib_math::{Rgb, Sampler, Vec2, Vec3};
+use traylib_math::{Rgb, Vec2, Vec3};
 use traylib_scene::{Scene, SurfacePoint, Walk};
 
 /// Of more photons, how much goes into less noise; the rest makes the radius smaller.
@@ -75,7 +75,7 @@ impl PhotonMapping {
     }
 
     /// Walks from a light and leaves a photon wherever something can gather it.
-    fn shoot(&self, tracer: &mut Tracer<'_>, share: f32, sampler: &mut Sampler) -> Vec<Photon> {
+    fn shoot(&self, tracer: &mut Tracer<'_>, share: f32, sampler: &mut PathSampler) -> Vec<Photon> {
         let mut photons = Vec::new();
         let Some(start) = emit(tracer, sampler) else { return photons };
         let mut power = start.throughput * share;
@@ -86,7 +86,7 @@ impl PhotonMapping {
             }
             let step = next_step(Walk::FromLight, &point, wi, &numbers, self.roulette, edges);
             let Some(step) = step else { break };
-            numbers = VertexNumbers::next(sampler);
+            numbers = sampler.vertex();
             let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { break };
             power *= step.weight * hit.transmittance;
             (wi, point) = (-step.ray.direction, hit.point);
@@ -95,16 +95,16 @@ impl PhotonMapping {
     }
 
     /// Walks from the camera and gathers at every surface, as long as sharp directions lead on.
-    fn gather(&self, map: &PhotonMap, tracer: &mut Tracer<'_>, at: Vec2, s: &mut Sampler) -> Rgb {
+    fn gather(&self, map: &PhotonMap, t: &mut Tracer<'_>, at: Vec2, s: &mut PathSampler) -> Rgb {
         let (mut throughput, mut found) = (Rgb::WHITE, Rgb::BLACK);
-        let mut ray = tracer.scene.camera().ray(at);
+        let mut ray = t.scene.camera().ray(at);
         for edges in 1.. {
-            let numbers = VertexNumbers::next(s);
-            let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
+            let numbers = s.vertex();
+            let hit = t.edge_from_camera(edges, &ray, numbers.pass_through);
             let Some(hit) = hit else { break };
             let (wo, point) = (-ray.direction, hit.point);
             throughput *= hit.transmittance;
-            found += throughput * tracer.scene.emitted(&point);
+            found += throughput * t.scene.emitted(&point);
             found += throughput * map.radiance(&point, wo);
             let step = next_step(Walk::FromCamera, &point, wo, &numbers, self.roulette, edges + 1);
             let is_sharp = |s: &Step| s.sample.is_delta || s.sample.pdf.0 > SHARP;

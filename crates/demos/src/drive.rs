@@ -27,6 +27,7 @@ pub(crate) fn render_job(
         spp: job.spp(loaded).unwrap_or(u32::MAX),
         seed: options.seed,
         threads: options.threads,
+        points: options.sampler,
     };
     let stop = Arc::new(Stop::default());
     let line = Line::new(&title, &stop, options.time_limit, options.quiet);

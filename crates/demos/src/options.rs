@@ -6,6 +6,7 @@ use clap::Args;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
+use traylib_integrators::PointSet;
 use traylib_io::{Headlight, Limit, LoadOptions, MAX_PIXELS, ReadLimits};
 use traylib_scene::Camera;
 
@@ -41,6 +42,11 @@ pub struct RenderOptions {
     /// Seed of the random numbers: same seed, same picture
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
+
+    /// Where random numbers come from: `independent`, or `sobol`, whose points fill the space
+    /// of paths more evenly
+    #[arg(long, value_name = "NAME", default_value_t = PointSet::default())]
+    pub sampler: PointSet,
 
     /// Threads, up to 1024, 0 for one a processor; the picture stays the same
     #[arg(short, long, value_name = "N", default_value_t = 0, value_parser = parse_threads)]

@@ -14,12 +14,13 @@ pub(crate) fn command(job: &Job<'_>, loaded: &Loaded, passes: u32) -> String {
     let scene = Path::new(&options.scene).file_name().map(|name| name.to_string_lossy());
     let camera = loaded.scene.camera();
     let mut command = format!(
-        "{} {} --resolution {}x{} --spp {passes} --seed {} --exposure {}",
+        "{} {} --resolution {}x{} --spp {passes} --seed {} --sampler {} --exposure {}",
         job.program,
         quoted(&scene.unwrap_or_default()),
         camera.width(),
         camera.height(),
         options.seed,
+        options.sampler,
         loaded.settings.exposure,
     );
     for (limit, value) in &options.limit {

@@ -15,7 +15,7 @@ use traylib_statistics::Sample;
 fn mean(integrator: &dyn Integrator, seed: u64, threads: usize) -> f64 {
     let options = LoadOptions { resolution: Some((32, 24)), ..LoadOptions::default() };
     let scene = load_scene_with("cornell", options).unwrap().scene;
-    let settings = Settings { spp: 16, seed, threads };
+    let settings = Settings { spp: 16, seed, threads, ..Settings::default() };
     let film = render_to_end(&scene, integrator, &settings).unwrap().film.mean();
     let sum: f64 = film.values().iter().map(|radiance| radiance[1]).sum();
     sum / film.values().len() as f64

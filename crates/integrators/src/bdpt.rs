@@ -147,7 +147,7 @@ impl Integrator for Bdpt {
             camera.clear();
             let mut sampler = chunk.camera_sampler(pixel);
             walker.camera_subpath(&mut tracer, pixel, &mut sampler, &mut camera);
-            joiner.join_all(&mut tracer, pixel, &camera, light.partner(i), &mut sampler, out);
+            joiner.join_all(&mut tracer, pixel, &camera, light.partner(i), sampler.free(), out);
         }
         out.statistics += tracer.statistics;
     }

@@ -1,10 +1,10 @@
 //! A part of a pass, and what came of it.
 
 use crate::Control;
-use crate::numbers::Purpose;
+use crate::numbers::{Dimensions, PathSampler, PointSet, Purpose, RealNumbers, rotation};
 use crate::tracer::{Statistics, Tracer};
 use std::ops::Range;
-use traylib_math::{Rgb, Sampler, Vec2};
+use traylib_math::{Rgb, Vec2};
 use traylib_scene::Scene;
 
 /// Some pixels and some light paths of one pass.
@@ -18,19 +18,42 @@ pub struct Chunk<'a> {
     pub pixels: Range<u32>,
     /// Numbers of the light paths within the pass.
     pub light_paths: Range<u32>,
+    /// Light paths of the whole pass.
+    pub light_path_count: u32,
+    /// Where the numbers of its paths come from.
+    pub points: PointSet,
+    /// What the scene makes of them.
+    pub dimensions: Dimensions,
     /// Says whether it is still wanted.
     pub control: &'a Control,
 }
 
 impl Chunk<'_> {
     /// The random numbers of a pixel's camera path.
-    pub fn camera_sampler(&self, pixel: u32) -> Sampler {
-        Purpose::Camera.sampler(self.seed, self.pass, pixel)
+    pub fn camera_sampler(&self, pixel: u32) -> PathSampler {
+        let Self { seed, pass, dimensions, .. } = *self;
+        let free = Purpose::Camera.sampler(seed, pass, pixel);
+        match self.points {
+            PointSet::Independent => PathSampler::independent(free),
+            PointSet::Sobol => {
+                let real = RealNumbers::of_pixel(seed, pass, pixel, dimensions);
+                PathSampler::quasi_random(free, real)
+            }
+        }
     }
 
     /// The random numbers of a light path.
-    pub fn light_sampler(&self, path: u32) -> Sampler {
-        Purpose::Light.sampler(self.seed, self.pass, path)
+    pub fn light_sampler(&self, path: u32) -> PathSampler {
+        let Self { seed, pass, dimensions, light_path_count, .. } = *self;
+        let free = Purpose::Light.sampler(seed, pass, path);
+        match self.points {
+            PointSet::Independent => PathSampler::independent(free),
+            PointSet::Sobol => {
+                let turned = (rotation(seed, pass, light_path_count), light_path_count);
+                let real = RealNumbers::of_light_path(seed, pass, path, turned, dimensions);
+                PathSampler::quasi_random(free, real)
+            }
+        }
     }
 
     /// Gives each pixel of the chunk one sample: `estimate` of a film point drawn
@@ -39,13 +62,13 @@ impl Chunk<'_> {
         &self,
         scene: &Scene,
         out: &mut ChunkOutput,
-        mut estimate: impl FnMut(&mut Tracer<'_>, Vec2, &mut Sampler) -> Rgb,
+        mut estimate: impl FnMut(&mut Tracer<'_>, Vec2, &mut PathSampler) -> Rgb,
     ) {
         let mut tracer = Tracer::new(scene, self.control);
         for pixel in self.pixels.clone() {
             let mut sampler = self.camera_sampler(pixel);
             // Uniform in the pixel: the film has a box filter.
-            let film_point = pixel_corner(scene, pixel) + sampler.next_2d();
+            let film_point = pixel_corner(scene, pixel) + sampler.pixel_point();
             let radiance = estimate(&mut tracer, film_point, &mut sampler);
             out.add(pixel, radiance);
         }

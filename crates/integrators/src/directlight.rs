@@ -1,13 +1,13 @@
 //! Lamps sampled at every vertex (sections 2.2 and 2.3 of the paper).
 
 use crate::direct::{LightSample, sample_light};
-use crate::numbers::VertexNumbers;
+use crate::numbers::PathSampler;
 use crate::step::next_step_toward_light;
 use crate::toward_light::{TowardLight, images_for};
 use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_geometry::Ray;
-use traylib_math::{Heuristic, Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
+use traylib_math::{Heuristic, Rgb, SolidAnglePdf, Vec3, solid_angle_per_area};
 use traylib_scene::{Scene, SurfacePoint, Walk};
 
 /// Walks from the camera and aims at a lamp from every vertex.
@@ -48,7 +48,7 @@ impl Integrator for DirectLight {
 }
 
 impl DirectLight {
-    fn radiance(&self, tracer: &mut Tracer<'_>, mut ray: Ray, sampler: &mut Sampler) -> Rgb {
+    fn radiance(&self, tracer: &mut Tracer<'_>, mut ray: Ray, sampler: &mut PathSampler) -> Rgb {
         let scene = tracer.scene;
         let mut radiance = Rgb::BLACK;
         let mut throughput = Rgb::WHITE;
@@ -57,7 +57,7 @@ impl DirectLight {
         let aims = !self.no_images && scene.lamps_are_small();
         for edges in 1.. {
             // The next vertex, and what the edge to it lets through.
-            let numbers = VertexNumbers::next(sampler);
+            let numbers = sampler.vertex();
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
             let Some(SurfaceHit { point, transmittance }) = hit else { break };
             throughput *= transmittance;

@@ -1,9 +1,9 @@
 //! How a light path starts.
 
-use crate::numbers::VertexNumbers;
+use crate::numbers::{PathSampler, VertexNumbers};
 use crate::tracer::{SurfaceHit, Tracer};
 use traylib_geometry::Ray;
-use traylib_math::{Rgb, Sampler, Vec2, Vec3};
+use traylib_math::{Rgb, Vec2, Vec3};
 use traylib_scene::{LightDensities, LightPoint, SurfacePoint};
 
 /// The first edge of a light path and the surface it met.
@@ -25,14 +25,14 @@ pub struct Emitted {
 }
 
 /// Emits a light path; `None` if it leaves the scene at once.
-pub fn emit(tracer: &mut Tracer<'_>, sampler: &mut Sampler) -> Option<Emitted> {
+pub fn emit(tracer: &mut Tracer<'_>, sampler: &mut PathSampler) -> Option<Emitted> {
     tracer.statistics.light_paths += 1;
     // A lamp by its power, a point on it, and a direction.
-    let start = VertexNumbers::next(sampler);
+    let start = sampler.vertex();
     let choice = tracer.scene.choose_light(start.light_pick);
     let u_direction = Vec2::new(start.bsdf[1], start.bsdf[2]);
     let emission = tracer.scene.sample_emission(choice.id, start.light_point, u_direction);
-    let numbers = VertexNumbers::next(sampler);
+    let numbers = sampler.vertex();
     let (x0, direction) = (emission.point, emission.direction);
     let falloff = x0.falloff(direction);
     if falloff <= 0.0 || x0.emitted.is_black() {

@@ -1,5 +1,14 @@
 //! The random numbers of paths.
 
+mod path_sampler;
+mod points;
+mod real;
+
+pub use path_sampler::PathSampler;
+pub use points::{PointSet, SEQUENCES};
+pub use real::Dimensions;
+pub(crate) use real::{RealNumbers, rotation};
+
 use traylib_math::{Sampler, Vec2};
 
 /// Which end of a path a stream is for: the first part of its number, with
@@ -41,7 +50,7 @@ pub struct VertexNumbers {
 }
 
 impl VertexNumbers {
-    /// The numbers of the next vertex of the path whose stream this is.
+    /// Independent numbers; those of a path are from its [`PathSampler`].
     #[inline]
     pub fn next(sampler: &mut Sampler) -> Self {
         Self {
@@ -55,16 +64,4 @@ impl VertexNumbers {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn paths_from_both_ends_and_tests_never_meet() {
-        let first = |mut sampler: Sampler| VertexNumbers::next(&mut sampler);
-        let camera = first(Purpose::Camera.sampler(1, 0, 3));
-        let light = first(Purpose::Light.sampler(1, 0, 3));
-        let test = first(Sampler::numbered(1, 3));
-        assert_eq!(camera, first(Purpose::Camera.sampler(1, 0, 3)));
-        assert!(camera != light && light != test && test != camera);
-    }
-}
+mod tests;

@@ -1,12 +1,12 @@
 //! The particle tracer: light paths alone.
 
 use crate::emission::emit;
-use crate::numbers::VertexNumbers;
+use crate::numbers::PathSampler;
 use crate::splat::aim_at_camera;
 use crate::step::next_step;
 use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
-use traylib_math::{Rgb, Sampler};
+use traylib_math::Rgb;
 use traylib_scene::{Scene, Walk};
 
 /// Walks from the lamps; every vertex that the camera sees is splatted into the
@@ -24,7 +24,7 @@ impl Integrator for Particle {
 
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
-            let pass_through = VertexNumbers::next(sampler).pass_through;
+            let pass_through = sampler.vertex().pass_through;
             tracer
                 .camera_ray(&scene.camera().ray(film_point), pass_through)
                 .map_or(Rgb::BLACK, |SurfaceHit { point, transmittance }| {
@@ -52,7 +52,7 @@ impl Particle {
         &self,
         tracer: &mut Tracer<'_>,
         share: f32,
-        sampler: &mut Sampler,
+        sampler: &mut PathSampler,
         out: &mut ChunkOutput,
     ) {
         let scene = tracer.scene;
@@ -74,7 +74,7 @@ impl Particle {
             let step = next_step(Walk::FromLight, &point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { return };
             wo = -step.ray.direction;
-            numbers = VertexNumbers::next(sampler);
+            numbers = sampler.vertex();
             let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
             throughput *= step.weight * hit.transmittance;
             point = hit.point;

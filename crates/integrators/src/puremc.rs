@@ -1,12 +1,12 @@
 //! Pure Monte Carlo path tracing (section 2.1 of the paper).
 
 use crate::direct::sample_light;
-use crate::numbers::VertexNumbers;
+use crate::numbers::PathSampler;
 use crate::step::next_step;
 use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
 use traylib_geometry::Ray;
-use traylib_math::{Rgb, Sampler};
+use traylib_math::Rgb;
 use traylib_scene::{Scene, Walk};
 
 /// Walks from the camera and adds what the walk happens to hit.
@@ -31,13 +31,13 @@ impl Integrator for PureMc {
 }
 
 impl PureMc {
-    fn radiance(&self, tracer: &mut Tracer<'_>, mut ray: Ray, sampler: &mut Sampler) -> Rgb {
+    fn radiance(&self, tracer: &mut Tracer<'_>, mut ray: Ray, sampler: &mut PathSampler) -> Rgb {
         let scene = tracer.scene;
         let mut radiance = Rgb::BLACK;
         let mut throughput = Rgb::WHITE;
         for edges in 1.. {
             // The next vertex, and what the edge to it lets through.
-            let numbers = VertexNumbers::next(sampler);
+            let numbers = sampler.vertex();
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
             let Some(SurfaceHit { point, transmittance }) = hit else { break };
             throughput *= transmittance;

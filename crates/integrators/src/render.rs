@@ -4,7 +4,7 @@ mod renderer;
 
 pub use renderer::Renderer;
 
-use crate::{Control, Integrator, Statistics};
+use crate::{Control, Integrator, PointSet, Statistics};
 use std::ops::ControlFlow;
 use traylib_scene::{Film, Scene};
 
@@ -17,6 +17,8 @@ pub struct Settings {
     pub seed: u64,
     /// Threads; 0 for one a processor. Does not change the picture.
     pub threads: usize,
+    /// Where the numbers of the paths come from.
+    pub points: PointSet,
 }
 
 /// What the driver tells after each pass.
@@ -75,7 +77,7 @@ pub fn render(
         .num_threads(settings.threads)
         .build()
         .map_err(|error| ThreadError(error.to_string()))?;
-    let mut renderer = Renderer::new(scene, integrator, settings.seed);
+    let mut renderer = Renderer::new(scene, integrator, settings.seed, settings.points);
     for pass in 0..settings.spp {
         // A pass that was given up leaves no trace.
         if !pool.install(|| renderer.render_pass(pass, control)) {

@@ -22,8 +22,11 @@ impl Integrator for Trace {
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         let mut tracer = Tracer::new(scene, chunk.control);
         let ray = |pixel| {
-            let inside =
-                if self.jitter { chunk.camera_sampler(pixel).next_2d() } else { Vec2::splat(0.5) };
+            let inside = if self.jitter {
+                chunk.camera_sampler(pixel).pixel_point()
+            } else {
+                Vec2::splat(0.5)
+            };
             scene.camera().ray(pixel_corner(scene, pixel) + inside)
         };
         let paths = chunk.pixels.clone().map(|pixel| PixelPath {

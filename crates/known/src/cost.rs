@@ -1,7 +1,7 @@
 //! What a pass costs.
 
 use std::time::Instant;
-use traylib_integrators::{Chunk, ChunkOutput, Control, Integrator};
+use traylib_integrators::{Chunk, ChunkOutput, Control, Dimensions, Integrator, PointSet};
 use traylib_scene::Scene;
 use traylib_statistics::median;
 
@@ -52,12 +52,22 @@ fn repetition(scene: &Scene, integrator: &dyn Integrator, span: f64, number: &mu
 fn pass(scene: &Scene, integrator: &dyn Integrator, pass: u64) {
     let pixels = scene.camera().width() * scene.camera().height();
     let paths = integrator.light_paths(pixels);
-    let control = Control::default();
+    let (control, points, dimensions) =
+        (Control::default(), PointSet::default(), Dimensions::of(scene));
     for start in (0..pixels).step_by(CHUNK as usize) {
         let end = (start + CHUNK).min(pixels);
         let share = |pixel: u32| (u64::from(pixel) * u64::from(paths) / u64::from(pixels)) as u32;
         let light_paths = share(start)..share(end);
-        let chunk = Chunk { seed: 0, pass, pixels: start..end, light_paths, control: &control };
+        let chunk = Chunk {
+            seed: 0,
+            pass,
+            pixels: start..end,
+            light_paths,
+            light_path_count: paths,
+            points,
+            dimensions,
+            control: &control,
+        };
         let mut out = ChunkOutput::default();
         integrator.render_chunk(scene, &chunk, &mut out);
         std::hint::black_box(out);

@@ -56,7 +56,7 @@ impl Estimator {
     pub fn samples(self, radius: f64, passes: u32, seed: u64) -> Moments {
         let case = disk(radius);
         let unit = case.truth / mean(radius);
-        let settings = Settings { spp: passes, seed, threads: 1 };
+        let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
         let mut samples = Vec::new();
         let statistics =
             each_pass(&case.scene, self.method().build().as_ref(), &settings, |pass| {

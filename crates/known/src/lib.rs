@@ -28,7 +28,7 @@
 //! // A point light over a diffuse floor: ρ/π·I·cosθ/d².
 //! let case = analytic::point_light();
 //! let integrator = Method::DIRECT_LIGHT.build();
-//! let settings = Settings { spp: 4, seed: 1, threads: 1 };
+//! let settings = Settings { spp: 4, seed: 1, threads: 1, ..Settings::default() };
 //! let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
 //! assert_eq!(statistics.rejected, 0);
 //! let interval = mean_interval(&means, 1e-3);

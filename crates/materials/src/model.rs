@@ -111,6 +111,16 @@ impl SurfaceModel {
         }
     }
 
+    /// Whether [`sample`](Self::sample) has a choice of lobes.
+    pub fn chooses_lobe(&self) -> bool {
+        match self {
+            Self::Phong(m) => m.lobe_exponent().is_some() && !m.diffuse().is_black(),
+            Self::Mirror(m) => m.has_delta_part() && m.has_smooth_part(),
+            Self::Sheet(_) | Self::Dielectric(_) => true,
+            Self::Lambert(_) | Self::MaxPhong(_) => false,
+        }
+    }
+
     /// The chance that [`sample`](Self::sample) draws no ideal reflection or refraction: what
     /// the densities of [`evaluate`](Self::evaluate) sum up to, but for what dips below the
     /// surface.

@@ -18,6 +18,7 @@ pub mod measure;
 pub mod mis;
 pub mod rgb;
 pub mod sampler;
+pub mod sobol;
 pub mod warp;
 
 pub use discrete::DiscreteDistribution;

@@ -21,10 +21,7 @@ impl Sampler {
     /// Start and increment of the generator are both hashed from seed and number:
     /// neighbouring streams of PCG are correlated, as its documentation warns.
     pub fn new(seed: u64, number: [u64; 3]) -> Self {
-        let mut hash = mix(seed ^ 0x9e37_79b9_7f4a_7c15);
-        for part in number {
-            hash = mix(hash.wrapping_add(part.wrapping_mul(0xd134_2543_de82_ef95)).wrapping_add(1));
-        }
+        let hash = hash(seed, number);
         Self(Pcg32::new(hash, mix(hash)))
     }
 
@@ -61,9 +58,19 @@ impl Sampler {
     }
 }
 
+/// Sixty-four bits of a seed and a number of three parts, any of whose bits moves all.
+#[must_use]
+pub fn hash(seed: u64, number: [u64; 3]) -> u64 {
+    number.iter().fold(mix(seed ^ 0x9e37_79b9_7f4a_7c15), |hash, part| {
+        mix(hash.wrapping_add(part.wrapping_mul(0xd134_2543_de82_ef95)).wrapping_add(1))
+    })
+}
+
 /// A bijection of 64 bits in which every input bit moves every output bit:
 /// the finaliser of `SplitMix64` (Steele, Lea and Flood 2014).
-fn mix(mut z: u64) -> u64 {
+#[inline]
+#[must_use]
+pub fn mix(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)

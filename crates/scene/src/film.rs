@@ -2,12 +2,13 @@
 
 mod block;
 mod pass_image;
+mod sequence;
 
 pub use pass_image::PassImage;
 
 use block::Block;
+use sequence::Sequence;
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
 use traylib_math::{Grid, Rgb};
 
 /// The mean of many passes, and how much they differ.
@@ -26,8 +27,8 @@ use traylib_math::{Grid, Rgb};
 pub struct Film {
     width: usize,
     height: usize,
-    /// In the order of their passes; no two of them make one.
-    blocks: Vec<Block>,
+    /// Passes belong to them by turns.
+    sequences: Vec<Sequence>,
 }
 
 /// Why two films cannot become one.
@@ -37,15 +38,26 @@ pub enum MergeError {
     /// They have different sizes: width and height of each.
     #[error("one film has {}x{} pixels, the other {}x{}", .0[0][0], .0[0][1], .0[1][0], .0[1][1])]
     Size([[usize; 2]; 2]),
+    /// Their passes belong to different numbers of sequences.
+    #[error("the passes of one film make {} sequences, those of the other {}", .0[0], .0[1])]
+    Sequences([usize; 2]),
     /// Both have this pass, whose light would count twice.
     #[error("both films have pass {0}")]
     SamePass(u64),
 }
 
 impl Film {
-    /// A film without light.
+    /// A film without light, for passes that are independent of one another.
     pub fn new(width: u32, height: u32) -> Self {
-        Self { width: width as usize, height: height as usize, blocks: Vec::new() }
+        Self::of_sequences(width, height, 1)
+    }
+
+    /// A film without light whose passes belong to so many sequences by turns, the means of
+    /// which are independent; to one if passes are. There must be one.
+    pub fn of_sequences(width: u32, height: u32, sequences: u32) -> Self {
+        assert!(sequences > 0, "passes belong to a sequence");
+        let sequences = vec![Sequence::default(); sequences as usize];
+        Self { width: width as usize, height: height as usize, sequences }
     }
 
     /// Adds a pass of the same size, which has this number.
@@ -54,7 +66,11 @@ impl Film {
     /// If the sizes differ, or the film has this pass.
     pub fn add_pass(&mut self, number: u32, pass: PassImage) {
         let (width, height) = (pass.light.width(), pass.light.height());
-        let film = Self { width, height, blocks: vec![Block::of_pass(number, pass)] };
+        let (sequence, place) = self.place(number);
+        let block = Block::of_pass(place, pass, self.sequences.len() == 1);
+        let mut film =
+            Self { width, height, sequences: vec![Sequence::default(); self.sequences.len()] };
+        film.sequences[sequence].insert(block);
         if let Err(error) = self.merge(film) {
             panic!("{error}");
         }
@@ -69,48 +85,40 @@ impl Film {
         if sizes[0] != sizes[1] {
             return Err(MergeError::Size(sizes));
         }
-        for block in &other.blocks {
-            self.check_free(block.passes())?;
+        let counts = [self, &other].map(|film| film.sequences.len());
+        if counts[0] != counts[1] {
+            return Err(MergeError::Sequences(counts));
         }
-        for block in other.blocks {
-            self.insert(block);
+        for (number, (own, other)) in self.sequences.iter().zip(&other.sequences).enumerate() {
+            if let Some(pass) = other.blocks().find_map(|block| own.first_of(&block.passes())) {
+                return Err(MergeError::SamePass(pass * counts[0] as u64 + number as u64));
+            }
+        }
+        for (own, other) in self.sequences.iter_mut().zip(other.sequences) {
+            other.into_blocks().into_iter().for_each(|block| own.insert(block));
         }
         Ok(())
     }
 
-    fn check_free(&self, passes: Range<u64>) -> Result<(), MergeError> {
-        let first = |block: &Block| passes.start.max(block.passes().start);
-        let both = |block: &&Block| first(block) < passes.end.min(block.passes().end);
-        self.blocks.iter().find(both).map_or(Ok(()), |b| Err(MergeError::SamePass(first(b))))
-    }
-
-    /// Adds a block of passes that are not there yet.
-    fn insert(&mut self, block: Block) {
-        let mut place =
-            self.blocks.partition_point(|other| other.passes().start < block.passes().start);
-        self.blocks.insert(place, block);
-        // As long as it has become one half of something, and the other half is there.
-        loop {
-            if place > 0 && self.blocks[place - 1].joins(&self.blocks[place]) {
-                place -= 1;
-            } else if !self.blocks.get(place + 1).is_some_and(|next| self.blocks[place].joins(next))
-            {
-                return;
-            }
-            let next = self.blocks.remove(place + 1);
-            self.blocks[place].join(&next);
-        }
-    }
-
     /// Whether it has the pass of this number.
     pub fn has_pass(&self, number: u32) -> bool {
-        self.blocks.iter().any(|block| block.passes().contains(&number.into()))
+        let (sequence, pass) = self.place(number);
+        self.sequences[sequence].has(pass)
     }
 
     /// How many passes there are.
     pub fn passes(&self) -> u32 {
-        let count = |block: &Block| (block.passes().end - block.passes().start) as u32;
-        self.blocks.iter().map(count).sum()
+        self.sequences.iter().map(Sequence::passes).sum()
+    }
+
+    /// The sequence of a pass, and its number in that.
+    fn place(&self, number: u32) -> (usize, u64) {
+        let number = number as usize;
+        (number % self.sequences.len(), (number / self.sequences.len()) as u64)
+    }
+
+    fn blocks(&self) -> impl Iterator<Item = &Block> {
+        self.sequences.iter().flat_map(Sequence::blocks)
     }
 
     /// Mean radiance of each pixel, in W/m²/sr; black without passes.
@@ -125,21 +133,23 @@ impl Film {
 
     /// The mean as a picture, for which the film is given up: of a single sum the memory of a
     /// picture alone is needed in the end, and that of the film on the way.
-    pub fn into_picture(mut self) -> Grid<Rgb> {
-        if self.blocks.len() != 1 {
+    pub fn into_picture(self) -> Grid<Rgb> {
+        let n = f64::from(self.passes());
+        if self.blocks().count() != 1 {
             return self.develop();
         }
-        let n = f64::from(self.passes());
-        let sum = self.blocks.remove(0).into_sum();
-        sum.into_map(|sum| Rgb::from(sum.map(|band| (band / n) as f32)))
+        let blocks = self.sequences.into_iter().flat_map(Sequence::into_blocks);
+        let pixel = |sum: [f64; 3]| Rgb::from(sum.map(|band| (band / n) as f32));
+        let pictures = blocks.map(|block| block.into_sum().into_map(pixel));
+        pictures.last().unwrap_or_else(|| Grid::filled(self.width, self.height, Rgb::BLACK))
     }
 
     /// The means of further pictures, by number, of those into which any light fell.
     pub fn develop_layers(&self) -> BTreeMap<u16, Grid<Rgb>> {
-        let numbers: BTreeSet<u16> = self.blocks.iter().flat_map(Block::layers).collect();
+        let numbers: BTreeSet<u16> = self.blocks().flat_map(Block::layers).collect();
         let n = f64::from(self.passes().max(1));
         let mean = |number, pixel| {
-            let sums = self.blocks.iter().map(|block| block.layer_pixel(number, pixel));
+            let sums = self.blocks().map(|block| block.layer_pixel(number, pixel));
             Rgb::from(total(sums).map(|sum| (sum / n) as f32))
         };
         numbers
@@ -148,15 +158,15 @@ impl Film {
             .collect()
     }
 
-    /// Estimated variance of each pixel's mean; `None` before two passes.
+    /// Estimated variance of each pixel's mean; `None` before two passes, or two sequences.
     pub fn variance_of_mean(&self) -> Option<Grid<[f64; 3]>> {
-        (self.passes() > 1).then(|| self.picture(|pixel| self.moments_of(pixel).1))
+        (self.independent_means() > 1).then(|| self.picture(|pixel| self.moments_of(pixel).1))
     }
 
     /// Estimated error of the picture: root of the mean variance over the mean
-    /// radiance; `None` before two passes or without light.
+    /// radiance; `None` before two passes, or two sequences, or without light.
     pub fn relative_error(&self) -> Option<f64> {
-        if self.passes() < 2 {
+        if self.independent_means() < 2 {
             return None;
         }
         let (mut mean, mut variance) = (0.0, 0.0);
@@ -169,25 +179,33 @@ impl Film {
         (mean > 0.0).then(|| (variance / count).sqrt() / (mean / count))
     }
 
+    /// Of what the variance is estimated: passes, or sequences that have any.
+    fn independent_means(&self) -> usize {
+        match &self.sequences[..] {
+            [one] => one.passes() as usize,
+            more => more.iter().filter(|sequence| sequence.passes() > 0).count(),
+        }
+    }
+
     fn mean_of(&self, pixel: usize) -> [f64; 3] {
         let n = f64::from(self.passes().max(1));
-        total(self.blocks.iter().map(|block| block.pixel(pixel).0)).map(|sum| sum / n)
+        total(self.blocks().map(|block| block.pixel(pixel))).map(|sum| sum / n)
     }
 
     /// Mean, and variance of the mean, of at least two passes.
     fn moments_of(&self, pixel: usize) -> ([f64; 3], [f64; 3]) {
+        let mean = self.mean_of(pixel);
+        let variance = match &self.sequences[..] {
+            [_] => self.variance_between_passes(pixel, mean),
+            sequences => variance_between_sequences(sequences, pixel, mean),
+        };
+        (mean, variance)
+    }
+
+    fn variance_between_passes(&self, pixel: usize, mean: [f64; 3]) -> [f64; 3] {
         let n = f64::from(self.passes());
-        let (mut sum, mut squares) = ([0.0; 3], [0.0; 3]);
-        for (of_block, squares_of_block) in self.blocks.iter().map(|block| block.pixel(pixel)) {
-            for band in 0..3 {
-                sum[band] += of_block[band];
-                squares[band] += squares_of_block[band];
-            }
-        }
-        let mean = sum.map(|sum| sum / n);
-        let variance =
-            |band: usize| (squares[band] / n - mean[band] * mean[band]).max(0.0) / (n - 1.0);
-        (mean, [0, 1, 2].map(variance))
+        let squares = total(self.blocks().map(|block| block.squares_of(pixel)));
+        [0, 1, 2].map(|b| (squares[b] / n - mean[b] * mean[b]).max(0.0) / (n - 1.0))
     }
 
     /// A picture by the row-major indices of its pixels.
@@ -197,6 +215,22 @@ impl Film {
 }
 
 /// The sum of vectors, one after the other.
+/// From the means of sequences, each counted by its passes.
+fn variance_between_sequences(sequences: &[Sequence], pixel: usize, mean: [f64; 3]) -> [f64; 3] {
+    let passes: u32 = sequences.iter().map(Sequence::passes).sum();
+    let (mut squares, mut count) = ([0.0; 3], 0.0);
+    for sequence in sequences.iter().filter(|sequence| sequence.passes() > 0) {
+        let own_passes = f64::from(sequence.passes());
+        let sum = total(sequence.blocks().map(|block| block.pixel(pixel)));
+        for band in 0..3 {
+            let deviation = sum[band] / own_passes - mean[band];
+            squares[band] += own_passes / f64::from(passes) * deviation * deviation;
+        }
+        count += 1.0;
+    }
+    squares.map(|square| square / (count - 1.0))
+}
+
 fn total(values: impl Iterator<Item = [f64; 3]>) -> [f64; 3] {
     values.fold([0.0; 3], |sum, value| [0, 1, 2].map(|band| sum[band] + value[band]))
 }

@@ -161,7 +161,7 @@ impl Workshop {
         passes: u32,
     ) -> Result<Cells, Trouble> {
         let integrator = estimator.integrator(built.max_depth);
-        let settings = Settings { spp: passes, seed, threads: 1 };
+        let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
         let width = built.scene.camera().width() as usize;
         let mut sums = Sums::default();
         let observe = &mut |progress: &Progress<'_>| {

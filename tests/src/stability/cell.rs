@@ -50,7 +50,7 @@ pub fn run(
     let integrator = method.up_to(max_depth).build();
     let mut kept = Kept { passes, ..Kept::default() };
     for seed in 1..=RUNS {
-        let settings = Settings { spp: passes, seed, threads: 1 };
+        let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
         let mut run = Run::default();
         let statistics = each_pass(scene, integrator.as_ref(), &settings, |pass| {
             let pass: Vec<f64> = values(&pass).collect();

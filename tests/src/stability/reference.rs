@@ -46,7 +46,7 @@ impl Reference {
 
     fn rendered(row: &FailureScene, scene: &Scene, by: Method, passes: u32) -> Self {
         let integrator = by.up_to(row.max_depth).build();
-        let settings = Settings { spp: passes, seed: SEED, threads: 1 };
+        let settings = Settings { spp: passes, seed: SEED, threads: 1, ..Settings::default() };
         let size = (scene.camera().width() * scene.camera().height()) as usize;
         let (mut sums, mut squares) = (vec![0.0; size], vec![0.0; size]);
         each_pass(scene, integrator.as_ref(), &settings, |pass| {

@@ -17,7 +17,7 @@ pub fn differences(method: Method) -> Vec<i32> {
 
 fn picture(method: Method, scale: f32) -> Grid<Rgb> {
     let integrator = method.build();
-    let settings = Settings { spp: 4, seed: 11, threads: 1 };
+    let settings = Settings { spp: 4, seed: 11, threads: 1, ..Settings::default() };
     let rendering = render(
         &still_life(scale),
         integrator.as_ref(),

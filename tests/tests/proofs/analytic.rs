@@ -26,7 +26,7 @@ const REST: [(Method, u32); 3] = [(COMBINED, 80), (BDPT, 80), (BDPT_BALANCE, 80)
 #[test]
 fn trace_is_exact_under_a_point_light() {
     let Case { scene, truth, .. } = point_light();
-    let settings = Settings { spp: 1, seed: 0, threads: 1 };
+    let settings = Settings { spp: 1, seed: 0, threads: 1, ..Settings::default() };
     let statistics = each_pass(&scene, &Trace::default(), &settings, |image| {
         for radiance in image.values().iter().flatten() {
             assert!((radiance / truth - 1.0).abs() < 4e-5, "{radiance} {truth}");

@@ -77,7 +77,7 @@ fn all_walls(method: Method, passes: u32, seed: u64) -> Finding {
         samples: 6 * 1024 * u64::from(passes),
     };
     for (i, case) in (0..).zip(&cases) {
-        let settings = Settings { spp: passes, seed: seed + i, threads: 1 };
+        let settings = Settings { spp: passes, seed: seed + i, threads: 1, ..Settings::default() };
         let integrator = method.up_to(case.max_depth).build();
         let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
         all.statistics += statistics;

@@ -66,7 +66,7 @@ fn office(floor: [u16; 2]) -> Scene {
 
 /// Single samples over ρ·Le: a pixel of a spot in one pass is one.
 fn samples(scene: &Scene, integrator: &dyn Integrator, passes: u32) -> Moments {
-    let settings = Settings { spp: passes, seed: 31, threads: 1 };
+    let settings = Settings { spp: passes, seed: 31, threads: 1, ..Settings::default() };
     let mut samples = Vec::new();
     let unit = f64::from(REFLECTANCE);
     let statistics = each_pass(scene, integrator, &settings, |pass| {

@@ -29,7 +29,7 @@ struct Passes {
 
 fn render(picture: &Picture, method: Method, passes: u32, seed: u64) -> Passes {
     let integrator = method.up_to(picture.max_depth).build();
-    let settings = Settings { spp: passes, seed, threads: 1 };
+    let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
     let (mut blocks, mut means) = (vec![Vec::new(); blocks(picture).len()], Vec::new());
     let statistics = each_pass(&picture.scene, integrator.as_ref(), &settings, |pass| {
         let pass = pass.map(|bands| bands[1]);
@@ -150,7 +150,7 @@ fn c2(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
 
 fn measure(case: &Case, method: Method, passes: u32, seed: u64) -> Measured {
     let integrator = method.up_to(case.max_depth).build();
-    let settings = Settings { spp: passes, seed, threads: 1 };
+    let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let samples = u64::from(passes) * samples_in_a_pass(&case.scene);
     Measured { means, statistics, samples }

@@ -53,7 +53,7 @@ fn passes(scene: &str, method: Method, side: u32, spp: u32) -> Vec<Vec<[f64; 3]>
     let options = LoadOptions { resolution: Some((side, side)), ..LoadOptions::default() };
     let loaded = load_scene_with(scene, options).unwrap();
     let integrator = method.up_to(MAX_DEPTH).build();
-    let settings = Settings { spp, seed: 2026, threads: 0 };
+    let settings = Settings { spp, seed: 2026, threads: 0, ..Settings::default() };
     let mut passes = Vec::new();
     let statistics = each_pass(&loaded.scene, integrator.as_ref(), &settings, |pass| {
         passes.push(block_means(&pass));
@@ -203,7 +203,7 @@ fn pixels_differ_by_noise_alone() {
         let channels = channels(&file);
         let loaded = load_scene_with(scene, LoadOptions::default()).unwrap();
         let integrator = method.up_to(MAX_DEPTH).build();
-        let settings = Settings { spp: 256, seed: 7, threads: 0 };
+        let settings = Settings { spp: 256, seed: 7, threads: 0, ..Settings::default() };
         let rendering = traylib_integrators::render(
             &loaded.scene,
             integrator.as_ref(),

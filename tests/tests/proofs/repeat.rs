@@ -40,7 +40,11 @@ fn threads_do_not_change_a_bit() {
     let scene = still_life(1.0);
     let findings = integrators().into_iter().flat_map(|(name, integrator)| {
         let on = |threads| {
-            bits(&picture(&scene, integrator.as_ref(), Settings { spp: 2, seed: 3, threads }))
+            bits(&picture(
+                &scene,
+                integrator.as_ref(),
+                Settings { spp: 2, seed: 3, threads, ..Settings::default() },
+            ))
         };
         let one = on(1);
         assert!(one.iter().flatten().any(|&bits| bits != 0), "{name}: black");
@@ -62,7 +66,7 @@ fn differing(a: &[[u64; 3]], b: &[[u64; 3]]) -> usize {
 /// No length is compared with a constant, and powers of two scale exactly.
 #[test]
 fn scale_does_not_change_a_bit() {
-    let settings = Settings { spp: 4, seed: 4, threads: 1 };
+    let settings = Settings { spp: 4, seed: 4, threads: 1, ..Settings::default() };
     let findings = integrators().into_iter().flat_map(|(name, integrator)| {
         let at = |scale| bits(&picture(&still_life(scale), integrator.as_ref(), settings));
         let plain = at(1.0);
@@ -80,7 +84,7 @@ fn scale_does_not_change_a_bit() {
 fn bdpt_with_the_techniques_of_another_method_is_that_method() {
     let scene = still_life(1.0);
     let heuristic = Heuristic::Power;
-    let settings = Settings { spp: 16, seed: 5, threads: 1 };
+    let settings = Settings { spp: 16, seed: 5, threads: 1, ..Settings::default() };
     // Each aims at images from vertices of its own choice.
     let combine = Some(heuristic);
     let combined =
@@ -119,7 +123,10 @@ fn roulette_does_not_change_the_picture() {
     const PASSES: u32 = 96;
     let render = |roulette, seed| {
         let limits = Limits { max_depth: Some(12), roulette };
-        blocks(&Bdpt { limits, ..Bdpt::default() }, Settings { spp: PASSES, seed, threads: 1 })
+        blocks(
+            &Bdpt { limits, ..Bdpt::default() },
+            Settings { spp: PASSES, seed, threads: 1, ..Settings::default() },
+        )
     };
     let without = render(Roulette::OFF, 61);
     let level = sidak(1e-3, 2 * without.len());

@@ -74,7 +74,7 @@ fn a_lit_floor_is_the_same_from_both_ends() {
     let view = camera(Vec3::new(-1.0, 0.0, 5.0), Vec3::new(-1.0, 0.0, 0.0), 60.0, 32);
     let truth = mean_over_floor(&view, radiance);
     let scene = lit(view);
-    let settings = Settings { spp: PASSES, seed: 61, threads: 1 };
+    let settings = Settings { spp: PASSES, seed: 61, threads: 1, ..Settings::default() };
     let (means, statistics) = pass_means(&scene, &Trace { jitter: true }, &settings);
     let samples = u64::from(PASSES) * samples_in_a_pass(&scene);
     let traced = Measured { means, statistics, samples };

@@ -24,7 +24,7 @@ pub(super) fn rays(scene: &Scene) -> Result<[f64; LENGTHS], ThreadError> {
 fn count(scene: &Scene, max_depth: Option<u32>) -> Result<f64, ThreadError> {
     let limits = Limits { max_depth, ..Limits::default() };
     let bdpt = Bdpt { limits, ..Bdpt::default() };
-    let settings = Settings { spp: PASSES, seed: 0, threads: 0 };
+    let settings = Settings { spp: PASSES, seed: 0, threads: 0, ..Settings::default() };
     let rendering =
         render(scene, &bdpt, &settings, &Control::default(), &mut |_| ControlFlow::Continue(()))?;
     Ok(rendering.statistics.rays() as f64)

@@ -78,7 +78,12 @@ impl Order<'_> {
     pub(super) fn render(&self, method: Method) -> Result<Option<Half>, ThreadError> {
         let start = Instant::now();
         let mut tiles = Tiles::new(self.masked);
-        let settings = Settings { spp: u32::MAX, seed: self.seed, threads: self.threads };
+        let settings = Settings {
+            spp: u32::MAX,
+            seed: self.seed,
+            threads: self.threads,
+            ..Settings::default()
+        };
         let rendering =
             render(self.scene, method.build().as_ref(), &settings, self.stop, &mut |progress| {
                 tiles.add(&progress.film.mean(), progress.film.passes());

@@ -13,7 +13,7 @@ fn weighted_techniques_add_up_to_the_picture() {
     for scene in ["cornell", "pyramid"] {
         let scene = load_scene_with(scene, options).unwrap().scene;
         let bdpt = Bdpt { report: Report::Techniques, ..Bdpt::default() };
-        let settings = Settings { spp: 3, seed: 1, threads: 1 };
+        let settings = Settings { spp: 3, seed: 1, threads: 1, ..Settings::default() };
         let rendering = render(&scene, &bdpt, &settings, &Control::default(), &mut |_| {
             ControlFlow::Continue(())
         })

@@ -17,7 +17,7 @@ fn in_a_furnace_radiance_is_what_it_must_be() {
     let options = LoadOptions { resolution: Some((24, 18)), ..LoadOptions::default() };
     let file = folder.path().join("furnace.mgf");
     let scene = load_scene_with(&file.to_string_lossy(), options).unwrap().scene;
-    let settings = Settings { spp: 16, seed: 1, threads: 1 };
+    let settings = Settings { spp: 16, seed: 1, threads: 1, ..Settings::default() };
     let rendering = render(&scene, &PureMc::default(), &settings, &Control::default(), &mut |_| {
         ControlFlow::Continue(())
     });

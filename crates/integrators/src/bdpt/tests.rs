@@ -5,8 +5,8 @@ mod replay;
 mod room;
 
 use super::*;
-use crate::Control;
 use crate::numbers::Purpose;
+use crate::{Control, Dimensions, PathSampler, PointSet};
 use replay::FullPath;
 pub(crate) use room::room;
 use traylib_math::Rgb;
@@ -17,7 +17,18 @@ fn render(scene: &Scene, bdpt: &Bdpt) -> Vec<(u32, Rgb)> {
     let (mut out, control) = (ChunkOutput::default(), Control::default());
     for pass in 0..6 {
         let (pixels, light_paths, control) = (0..1024, 0..1024, &control);
-        let chunk = Chunk { seed: 3, pass, pixels, light_paths, control };
+        let (points, dimensions) = (PointSet::default(), Dimensions::of(scene));
+        let (seed, light_path_count) = (3, 1024);
+        let chunk = Chunk {
+            seed,
+            pass,
+            pixels,
+            light_paths,
+            light_path_count,
+            points,
+            dimensions,
+            control,
+        };
         bdpt.render_chunk(scene, &chunk, &mut out);
     }
     out.light
@@ -116,9 +127,9 @@ fn random_walks(
     let control = Control::default();
     let mut tracer = Tracer::new(scene, &control);
     let (mut light, mut camera) = (Subpath::default(), Subpath::default());
-    let mut sampler = Purpose::Light.sampler(1, 0, index as u32);
+    let mut sampler = PathSampler::independent(Purpose::Light.sampler(1, 0, index as u32));
     let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light);
-    let mut sampler = Purpose::Camera.sampler(1, 0, index as u32);
+    let mut sampler = PathSampler::independent(Purpose::Camera.sampler(1, 0, index as u32));
     walker.camera_subpath(&mut tracer, index as u32 % 1024, &mut sampler, &mut camera);
     Some((start?, light.vertices, camera.vertices))
 }

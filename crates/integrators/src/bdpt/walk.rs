@@ -7,12 +7,12 @@ use super::{Bdpt, Techniques};
 use crate::Limits;
 use crate::chunk::pixel_corner;
 use crate::emission::{Emitted, emit};
-use crate::numbers::VertexNumbers;
+use crate::numbers::PathSampler;
 use crate::step::next_step_toward_light;
 use crate::toward_light::{TowardLight, images_for};
 use crate::tracer::{SurfaceHit, Tracer};
 use traylib_materials::BsdfSample;
-use traylib_math::{Heuristic, Sampler, SolidAnglePdf};
+use traylib_math::{Heuristic, SolidAnglePdf};
 use traylib_scene::{LightDensities, LightPoint, Scene, SurfacePoint, Walk};
 
 /// Where a light subpath started: x₀.
@@ -42,7 +42,7 @@ impl Walker {
     pub(crate) fn light_subpath(
         &self,
         tracer: &mut Tracer<'_>,
-        sampler: &mut Sampler,
+        sampler: &mut PathSampler,
         path: &mut Subpath,
     ) -> Option<LightStart> {
         // x₀, the direction from it, and x₁.
@@ -79,14 +79,14 @@ impl Walker {
         &self,
         tracer: &mut Tracer<'_>,
         pixel: u32,
-        sampler: &mut Sampler,
+        sampler: &mut PathSampler,
         path: &mut Subpath,
     ) {
         // A point of the film, drawn uniformly in the pixel.
         let camera = *tracer.scene.camera();
-        let ray = camera.ray(pixel_corner(tracer.scene, pixel) + sampler.next_2d());
+        let ray = camera.ray(pixel_corner(tracer.scene, pixel) + sampler.pixel_point());
         // x_{k−1}, the first surface.
-        let numbers = VertexNumbers::next(sampler);
+        let numbers = sampler.vertex();
         let Some(SurfaceHit { point, transmittance }) =
             tracer.camera_ray(&ray, numbers.pass_through)
         else {
@@ -119,7 +119,7 @@ impl Walker {
         walk: Walk,
         joining: u32,
         tracer: &mut Tracer<'_>,
-        sampler: &mut Sampler,
+        sampler: &mut PathSampler,
         path: &mut Subpath,
     ) {
         let roulette = self.limits.roulette;
@@ -134,7 +134,7 @@ impl Walker {
             let way = path.toward_light(last);
             let step = next_step_toward_light(walk, way, point, *wo, numbers, roulette, edge);
             let Some(step) = step else { return };
-            let numbers = VertexNumbers::next(sampler);
+            let numbers = sampler.vertex();
             let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
             let Some(last) = path.vertices.last_mut() else { return };
             // Its partial weights, for whoever connects further on.

@@ -1,7 +1,9 @@
 //! Passes one by one, each in chunks.
 
 use super::Rendering;
-use crate::{Chunk, ChunkOutput, Control, Integrator, Pass, RenderChunk, Statistics};
+use crate::{
+    Chunk, ChunkOutput, Control, Dimensions, Integrator, Pass, PointSet, RenderChunk, Statistics,
+};
 use rayon::prelude::*;
 use std::ops::Range;
 use traylib_scene::{Film, PassImage, Scene};
@@ -22,6 +24,8 @@ pub struct Renderer<'a> {
     scene: &'a Scene,
     integrator: &'a dyn Integrator,
     seed: u64,
+    points: PointSet,
+    dimensions: Dimensions,
     rendering: Rendering,
 }
 
@@ -33,10 +37,16 @@ impl std::fmt::Debug for Renderer<'_> {
 
 impl<'a> Renderer<'a> {
     /// Begins without a pass.
-    pub fn new(scene: &'a Scene, integrator: &'a dyn Integrator, seed: u64) -> Self {
-        let film = Film::new(scene.camera().width(), scene.camera().height());
+    pub fn new(
+        scene: &'a Scene,
+        integrator: &'a dyn Integrator,
+        seed: u64,
+        points: PointSet,
+    ) -> Self {
+        let (width, height) = (scene.camera().width(), scene.camera().height());
+        let film = Film::of_sequences(width, height, points.sequences());
         let rendering = Rendering { film, notes: Vec::new(), statistics: Statistics::default() };
-        Self { scene, integrator, seed, rendering }
+        Self { scene, integrator, seed, points, dimensions: Dimensions::of(scene), rendering }
     }
 
     /// What came of the passes so far.
@@ -119,7 +129,10 @@ impl<'a> Renderer<'a> {
                 seed: self.seed,
                 pass: pass.into(),
                 light_paths: share(range.start)..share(range.end),
+                light_path_count: light_paths,
                 pixels: range,
+                points: self.points,
+                dimensions: self.dimensions,
                 control,
             }
         };

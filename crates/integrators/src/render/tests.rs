@@ -42,7 +42,7 @@ fn go_on(_: &Progress<'_>) -> ControlFlow<()> {
 #[test]
 fn a_pass_that_is_given_up_leaves_no_trace() {
     let scene = room();
-    let settings = |spp, threads| Settings { spp, seed: 5, threads };
+    let settings = |spp, threads| Settings { spp, seed: 5, threads, ..Settings::default() };
     for passes in [0, 1, 3] {
         let (bdpt, control) = (Bdpt::default(), Control::default());
         let whole = render(&scene, &bdpt, &settings(passes, 1), &control, &mut go_on).unwrap();
@@ -64,7 +64,7 @@ fn a_pass_that_is_given_up_leaves_no_trace() {
 fn film_of(passes: impl IntoIterator<Item = u32>, scene: &Scene, threads: usize) -> Film {
     let bdpt = Bdpt::default();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    let mut renderer = Renderer::new(scene, &bdpt, 5);
+    let mut renderer = Renderer::new(scene, &bdpt, 5, PointSet::Independent);
     for pass in passes {
         assert!(pool.install(|| renderer.render_pass(pass, &Control::default())));
     }
@@ -127,7 +127,7 @@ fn a_walk_without_end_hears() {
             control.cancel();
         });
         let start = Instant::now();
-        let settings = Settings { spp: 1, seed: 0, threads: 2 };
+        let settings = Settings { spp: 1, seed: 0, threads: 2, ..Settings::default() };
         let cut = render(&scene, &PureMc { limits }, &settings, &control, &mut go_on).unwrap();
         assert_eq!((cut.film.passes(), control.part_of_pass()), (0, 0.0));
         // Microseconds; the rest is for a machine with other work.

@@ -11,16 +11,28 @@ pub(super) struct Block {
     first: u64,
     passes: u64,
     sum: Grid<[f64; 3]>,
-    /// Of the passes, not of the samples: samples of a pass depend on one another. A single
-    /// pass does without.
-    squares: Option<Grid<[f64; 3]>>,
+    squares: Squares,
     layers: BTreeMap<u16, Grid<[f64; 3]>>,
 }
 
+/// Sums over the squares of what passes gave a pixel. Of passes, not of samples: samples of a
+/// pass depend on one another.
+#[derive(Clone, Debug, PartialEq)]
+enum Squares {
+    /// Passes depend on one another, too.
+    Unwanted,
+    /// Those of the sum: there is one pass.
+    OfOne,
+    /// Those of more.
+    Sum(Grid<[f64; 3]>),
+}
+
 impl Block {
-    pub(super) fn of_pass(number: u32, pass: PassImage) -> Self {
+    /// A pass by its number in its sequence. Squares are kept of independent passes.
+    pub(super) fn of_pass(number: u64, pass: PassImage, independent: bool) -> Self {
         let PassImage { light, layers } = pass;
-        Self { first: number.into(), passes: 1, sum: light, squares: None, layers }
+        let squares = if independent { Squares::OfOne } else { Squares::Unwanted };
+        Self { first: number, passes: 1, sum: light, squares, layers }
     }
 
     /// The numbers of its passes.
@@ -40,12 +52,7 @@ impl Block {
 
     /// Adds the passes of the block that comes after it.
     pub(super) fn join(&mut self, next: &Self) {
-        let mut squares = self.squares.take().unwrap_or_else(|| self.sum.map(|&sum| square(sum)));
-        match &next.squares {
-            Some(next) => add(&mut squares, next.values().iter().copied()),
-            None => add(&mut squares, next.sum.values().iter().map(|&sum| square(sum))),
-        }
-        self.squares = Some(squares);
+        self.join_squares(next);
         add(&mut self.sum, next.sum.values().iter().copied());
         let (width, height) = (self.sum.width(), self.sum.height());
         for (&number, layer) in &next.layers {
@@ -55,10 +62,34 @@ impl Block {
         self.passes += next.passes;
     }
 
-    /// The sums of a pixel, and of the squares.
-    pub(super) fn pixel(&self, index: usize) -> ([f64; 3], [f64; 3]) {
-        let sum = self.sum.values()[index];
-        (sum, self.squares.as_ref().map_or_else(|| square(sum), |s| s.values()[index]))
+    fn join_squares(&mut self, next: &Self) {
+        let squares = match &mut self.squares {
+            Squares::Unwanted => return,
+            Squares::Sum(squares) => squares,
+            of_one @ Squares::OfOne => {
+                *of_one = Squares::Sum(self.sum.map(|&sum| square(sum)));
+                return self.join_squares(next);
+            }
+        };
+        match &next.squares {
+            Squares::Sum(next) => add(squares, next.values().iter().copied()),
+            Squares::OfOne => add(squares, next.sum.values().iter().map(|&sum| square(sum))),
+            Squares::Unwanted => {}
+        }
+    }
+
+    /// The sum of a pixel.
+    pub(super) fn pixel(&self, index: usize) -> [f64; 3] {
+        self.sum.values()[index]
+    }
+
+    /// The sum of the squares of a pixel: zero where they are not kept.
+    pub(super) fn squares_of(&self, index: usize) -> [f64; 3] {
+        match &self.squares {
+            Squares::Unwanted => [0.0; 3],
+            Squares::OfOne => square(self.pixel(index)),
+            Squares::Sum(squares) => squares.values()[index],
+        }
     }
 
     /// The sums alone.

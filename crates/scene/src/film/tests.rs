@@ -105,9 +105,9 @@ fn a_film_that_is_given_up_leaves_its_picture() {
 #[test]
 fn a_film_has_few_blocks() {
     for passes in 0..70_u32 {
-        assert_eq!(film_of_passes(0..passes).blocks.len() as u32, passes.count_ones());
+        assert_eq!(film_of_passes(0..passes).blocks().count() as u32, passes.count_ones());
     }
-    assert_eq!(film_of_passes((0..64).rev()).blocks.len(), 1);
+    assert_eq!(film_of_passes((0..64).rev()).blocks().count(), 1);
 }
 
 #[test]
@@ -130,4 +130,59 @@ fn a_pass_counts_once() {
     let other = Film::new(2, 3);
     assert_eq!(film.merge(other), Err(MergeError::Size([[3, 2], [2, 3]])));
     assert_eq!(film, before);
+}
+
+fn film_of_sequences(numbers: impl IntoIterator<Item = u32>) -> Film {
+    let mut film = Film::of_sequences(3, 2, 4);
+    for number in numbers {
+        film.add_pass(number, pass(number));
+    }
+    film
+}
+
+/// The variance of four means, each of a quarter of the passes.
+#[test]
+fn sequences_are_what_variance_is_estimated_from() {
+    let film = film_of_sequences(0..32);
+    let value = |number: u32| f64::from(1.0 / (1 + number * 6) as f32);
+    let mean_of = |sequence: u32| (0..8).map(|i| value(4 * i + sequence)).sum::<f64>() / 8.0;
+    let means = [0, 1, 2, 3].map(mean_of);
+    let mean = means.iter().sum::<f64>() / 4.0;
+    let variance = means.map(|m| (m - mean).powi(2)).iter().sum::<f64>() / 12.0;
+    assert!((film.mean().values()[0][0] - mean).abs() < 1e-15);
+    let estimate = film.variance_of_mean().unwrap().values()[0][0];
+    assert!((estimate / variance - 1.0).abs() < 1e-12, "{estimate} {variance}");
+}
+
+/// One sequence tells nothing of its error, two do.
+#[test]
+fn a_single_sequence_has_no_variance() {
+    let tells = |numbers: &[u32]| film_of_sequences(numbers.iter().copied());
+    assert!(tells(&[0, 4, 8, 12]).variance_of_mean().is_none());
+    assert!(tells(&[0, 4, 8, 12]).relative_error().is_none());
+    // Two sequences of one and three passes, by their passes.
+    let estimate = tells(&[0, 4, 8, 1]).variance_of_mean().unwrap().values()[0][0];
+    let value = |number: u32| f64::from(1.0 / (1 + number * 6) as f32);
+    let (one, three) = (value(1), (value(0) + value(4) + value(8)) / 3.0);
+    let mean = (one + 3.0 * three) / 4.0;
+    let variance = 0.25 * (one - mean).powi(2) + 0.75 * (three - mean).powi(2);
+    assert!((estimate / variance - 1.0).abs() < 1e-12, "{estimate} {variance}");
+}
+
+#[test]
+fn sequences_merge_from_parts_in_any_order() {
+    let whole = film_of_sequences(0..29);
+    for parts in [2, 3, 7] {
+        let mut film = Film::of_sequences(3, 2, 4);
+        for part in (0..parts).rev() {
+            film.merge(film_of_sequences(29 * part / parts..29 * (part + 1) / parts)).unwrap();
+        }
+        assert_eq!(bits(&film), bits(&whole), "{parts}");
+        assert_eq!(film, whole);
+    }
+    let mut film = film_of_sequences([6]);
+    assert!(film.has_pass(6) && !film.has_pass(2) && film.passes() == 1);
+    assert_eq!(film.merge(film_of_sequences([5, 6])), Err(MergeError::SamePass(6)));
+    assert_eq!(film.merge(film_of_passes([1])), Err(MergeError::Sequences([4, 1])));
+    assert_eq!(film.passes(), 1);
 }

@@ -24,7 +24,7 @@ const ROUNDING: f64 = 2e-5;
 fn finding(case: &Case, method: Method, roulette: Roulette, passes: u32, widest: f64) -> Finding {
     let limits = Limits { max_depth: case.max_depth, roulette };
     let integrator = method.with_limits(limits).build();
-    let settings = Settings { spp: passes, seed: 191, threads: 1 };
+    let settings = Settings { spp: passes, seed: 191, threads: 1, ..Settings::default() };
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let claim = format!("{}, {method}, roulette from {}", case.name, roulette.from_edge);
     assert_eq!(statistics.rejected, 0, "{claim}");

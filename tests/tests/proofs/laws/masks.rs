@@ -13,7 +13,7 @@ use traylib_tests::still_life::still_life;
 /// The pictures of all techniques, by these techniques together.
 fn pictures(techniques: Techniques) -> Rendering {
     let bdpt = Bdpt { techniques, report: Report::Techniques, ..Bdpt::default() };
-    let settings = Settings { spp: 2, seed: 201, threads: 1 };
+    let settings = Settings { spp: 2, seed: 201, threads: 1, ..Settings::default() };
     let observe = &mut |_: &traylib_integrators::Progress<'_>| ControlFlow::Continue(());
     render(&still_life(1.0), &bdpt, &settings, &Control::default(), observe).expect("one thread")
 }

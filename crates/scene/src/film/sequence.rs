@@ -1,0 +1,54 @@
+//! Passes that were numbered through.
+
+use super::block::Block;
+use std::ops::Range;
+
+/// Blocks in the order of their passes; no two of them make one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Sequence(Vec<Block>);
+
+impl Sequence {
+    /// Its blocks.
+    pub(super) fn blocks(&self) -> impl Iterator<Item = &Block> {
+        self.0.iter()
+    }
+
+    /// Its blocks, for another.
+    pub(super) fn into_blocks(self) -> Vec<Block> {
+        self.0
+    }
+
+    /// How many passes there are.
+    pub(super) fn passes(&self) -> u32 {
+        self.0.iter().map(|block| (block.passes().end - block.passes().start) as u32).sum()
+    }
+
+    /// Whether it has this pass.
+    pub(super) fn has(&self, pass: u64) -> bool {
+        self.0.iter().any(|block| block.passes().contains(&pass))
+    }
+
+    /// The first of these passes that it has.
+    pub(super) fn first_of(&self, passes: &Range<u64>) -> Option<u64> {
+        let first = |block: &Block| passes.start.max(block.passes().start);
+        let both = |block: &&Block| first(block) < passes.end.min(block.passes().end);
+        self.0.iter().find(both).map(first)
+    }
+
+    /// Adds a block of passes that are not there yet.
+    pub(super) fn insert(&mut self, block: Block) {
+        let blocks = &mut self.0;
+        let mut place = blocks.partition_point(|other| other.passes().start < block.passes().start);
+        blocks.insert(place, block);
+        // As long as it has become one half of something, and the other half is there.
+        loop {
+            if place > 0 && blocks[place - 1].joins(&blocks[place]) {
+                place -= 1;
+            } else if !blocks.get(place + 1).is_some_and(|next| blocks[place].joins(next)) {
+                return;
+            }
+            let next = blocks.remove(place + 1);
+            blocks[place].join(&next);
+        }
+    }
+}
