@@ -1,6 +1,7 @@
 //! Lamps sampled at every vertex (sections 2.2 and 2.3 of the paper).
 
 use crate::direct::{LightSample, sample_light};
+use crate::mirrored_point::{MIRRORED_EDGES, light_through_mirrors};
 use crate::numbers::VertexNumbers;
 use crate::step::next_step_toward_light;
 use crate::toward_light::{TowardLight, images_for};
@@ -22,7 +23,8 @@ pub struct DirectLight {
     pub limits: Limits,
     /// Combine light sampling with hits by this heuristic.
     pub combine: Option<Heuristic>,
-    /// Do not aim at images of lamps in mirrors, not even of small ones.
+    /// Do not look for images of lamps in mirrors: neither aim at those of small ones nor join
+    /// those of point lights.
     pub no_images: bool,
 }
 
@@ -43,7 +45,7 @@ impl Integrator for DirectLight {
     }
 
     fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
-        facts.point_light_caustics()
+        facts.point_light_caustics(!self.no_images)
     }
 }
 
@@ -77,6 +79,10 @@ impl DirectLight {
                 light.mix(toward_light, &point);
                 let weight = self.light_weight(scene, &point, &light);
                 radiance += throughput * light.radiance * transmittance * weight;
+            }
+            // Point lights by way of a mirror, which no walk from the camera finds.
+            if !self.no_images && self.limits.allow(edges + MIRRORED_EDGES) {
+                radiance += throughput * light_through_mirrors(tracer, &point, wo, &numbers);
             }
             // On in that way, if roulette lets it.
             let roulette = self.limits.roulette;

@@ -14,9 +14,7 @@ use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass};
 use traylib_statistics::{Sample, mean_interval, sidak, tile_means};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, FAMILY_LEVEL, Measured, judge};
-use traylib_tests::methods::{
-    self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC, WALKING,
-};
+use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 /// Side of a block in pixels.
 const BLOCK: usize = 8;
@@ -186,21 +184,26 @@ fn dark(case: &Case, method: Method) -> Finding {
     }
 }
 
-/// Only a light path that is seen by the camera finds this.
-fn c3(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
-    let case = mirrored_point();
+/// Light of a point by way of mirrors.
+fn from_point(case: &Case, methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
     let compare = |&(method, passes): &(Method, u32)| {
-        let claim = format!("C3, {method}: mean radiance");
-        judge(claim, &measure(&case, method, passes, seed), case.truth, equivalence)
+        let claim = format!("{}, {method}: mean radiance", case.name);
+        judge(claim, &measure(case, method, passes, seed), case.truth, equivalence)
     };
     methods.iter().map(compare).collect()
 }
 
+fn c3(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
+    from_point(&mirrored_point(), methods, seed, equivalence)
+}
+
+/// Light paths that are seen by the camera find it, and connections by way of the mirror, without
+/// any chance but that of the place in the pixel.
 #[test]
 fn c3_point_light() {
     let mut findings = c3(&[(BDPT, 500), (PARTICLE, 500)], 221, 0.03);
-    findings
-        .extend([PURE_MC, DIRECT_LIGHT, COMBINED].map(|method| dark(&mirrored_point(), method)));
+    findings.extend(c3(&[(DIRECT_LIGHT, 100), (COMBINED, 100)], 221, EQUIVALENCE));
+    findings.push(dark(&mirrored_point(), PURE_MC));
     settle(&findings);
 }
 
@@ -210,9 +213,14 @@ fn c3_point_light_at_length() {
     settle(&c3(&[(BDPT, 11_000), (PARTICLE, 11_000)], 222, EQUIVALENCE));
 }
 
+/// Connections by way of the mirror alone.
 #[test]
-fn c2_and_c3_are_dark_and_announced() {
-    settle(&WALKING.map(|method| dark(&mirrored_point_in_a_mirror(), method)));
+fn c2_and_c3_together() {
+    let case = mirrored_point_in_a_mirror();
+    let joining = [DIRECT_LIGHT, COMBINED, BDPT, BDPT_BALANCE].map(|method| (method, 100));
+    let mut findings = from_point(&case, &joining, 223, EQUIVALENCE);
+    findings.extend([PURE_MC, PARTICLE].map(|method| dark(&case, method)));
+    settle(&findings);
 }
 
 /// A sharp lobe in the mirror's place: not ks of the light, but ks times the
