@@ -7,7 +7,7 @@ use std::time::Instant;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings, Statistics};
 use traylib_known::mirrored::{
     NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
-    mirrored_point, mirrored_point_in_a_mirror,
+    mirrored_point, mirrored_point_in_a_mirror, point_below_ball,
 };
 use traylib_known::stage::phong;
 use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass};
@@ -211,6 +211,19 @@ fn c3_point_light() {
 #[ignore = "at length: cargo xtask prove"]
 fn c3_point_light_at_length() {
     settle(&c3(&[(BDPT, 11_000), (PARTICLE, 11_000)], 222, EQUIVALENCE));
+}
+
+/// A ball in the mirror's place: connections against light paths, which know nothing of their
+/// Jacobian.
+#[test]
+fn a_ball_throws_what_light_paths_bring() {
+    let scene = point_below_ball();
+    let case = Case { name: "C3 by a ball".into(), scene, max_depth: Some(3), truth: 0.0 };
+    // Known to 10⁻³ by the places in the pixels.
+    let joined = measure(&case, DIRECT_LIGHT, 200, 224);
+    let truth = mean_of(&joined.means);
+    let case = Case { truth, ..case };
+    settle(&from_point(&case, &[(PARTICLE, 2000)], 225, 0.03));
 }
 
 /// Connections by way of the mirror alone.

@@ -177,15 +177,8 @@ impl<'a> Joiner<'a> {
         Some(self.add(pixel, &Found { path, value, weight }, out))
     }
 
-    /// Point lights by way of one mirror, joined with the camera path's last vertex x₂, where
+    /// Point lights by way of one mirror, joined with the camera path's last vertex, where
     /// nothing else finds them.
-    ///
-    /// The weights sum to one, since it is one or nothing. Of a path x₀ (a point), x₁ (ideally
-    /// reflecting), x₂ … no technique ends between x₀ and x₂: nothing hits x₀, and what reflects
-    /// ideally can be joined with nothing. Those that end beyond x₂ are the ones that M and C of
-    /// x₂ stand for: a splat where the camera sees x₂ or a later vertex, or a connection between
-    /// two vertices neither of which is ideal. Some of these finds the path unless M and C are
-    /// zero; then this one does, and alone.
     fn mirror_connection(
         &self,
         tracer: &mut Tracer<'_>,
@@ -197,8 +190,8 @@ impl<'a> Joiner<'a> {
         let Bdpt { techniques, weighting, report, .. } = *self.bdpt;
         // x₀ and x₁ stand for the light path.
         let (s, t) = (2, camera.len() + 1);
-        let others = x2.d_vcm > 0.0 || x2.d_vc > 0.0;
-        if !techniques.mirror_connections || others || !weighting.includes(s, t) {
+        let alone = weight::mirror_connection(x2);
+        if !(techniques.mirror_connections && alone && weighting.includes(s, t)) {
             return None;
         }
         let light = light_through_mirrors(tracer, &x2.point, x2.wo, &x2.numbers);
