@@ -57,6 +57,8 @@ impl DirectLight {
         let mut arrival = Arrival::Alone;
         // Images of large lamps are hit without aiming.
         let aims = !self.no_images && scene.lamps_are_small();
+        // Those of points cannot be hit.
+        let joins = !self.no_images && scene.has_point_images();
         for edges in 1.. {
             // The next vertex, and what the edge to it lets through.
             let numbers = VertexNumbers::next(sampler);
@@ -81,7 +83,7 @@ impl DirectLight {
                 radiance += throughput * light.radiance * transmittance * weight;
             }
             // Point lights by way of a mirror, which no walk from the camera finds.
-            if !self.no_images && self.limits.allow(edges + MIRRORED_EDGES) {
+            if joins && self.limits.allow(edges + MIRRORED_EDGES) {
                 radiance += throughput * light_through_mirrors(tracer, &point, wo, &numbers);
             }
             // On in that way, if roulette lets it.

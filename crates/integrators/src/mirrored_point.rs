@@ -13,16 +13,29 @@ pub(crate) const MIRRORED_EDGES: u32 = 2;
 ///
 /// A light walk may find the same paths, a walk from the camera never: a point light cannot be
 /// hit after a mirror, nor aimed at from it.
+#[inline]
 pub fn light_through_mirrors(
     tracer: &mut Tracer<'_>,
     point: &SurfacePoint,
     wo: Vec3,
     numbers: &VertexNumbers,
 ) -> Rgb {
-    let scene = tracer.scene;
-    if !scene.has_point_images() || !point.model.has_smooth_part() {
-        return Rgb::BLACK;
+    if tracer.scene.has_point_images() && point.model.has_smooth_part() {
+        join_images(tracer, point, wo, numbers)
+    } else {
+        Rgb::BLACK
     }
+}
+
+/// Apart, so that scenes without such images pay for one question alone.
+#[inline(never)]
+fn join_images(
+    tracer: &mut Tracer<'_>,
+    point: &SurfacePoint,
+    wo: Vec3,
+    numbers: &VertexNumbers,
+) -> Rgb {
+    let scene = tracer.scene;
     // Numbers that area lamps alone use otherwise, and the one that chose a lamp.
     let u = [numbers.light_pick, f64::from(numbers.light_point.x)];
     let mut radiance = Rgb::BLACK;

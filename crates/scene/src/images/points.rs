@@ -110,8 +110,8 @@ impl Scene {
     /// and balls from outside, by one reflection. Of very many one is looked for at random, by
     /// `u`, uniform on [0, 1), so that the mean over `u` is right.
     ///
-    /// What stands between is left out: the segments from the surface to the mirror and from there to
-    /// the light have to be asked for.
+    /// What stands between is left out: the segments from the surface to the mirror and from
+    /// there to the light have to be asked for.
     pub fn point_images<'a>(
         &'a self,
         point: &'a SurfacePoint,
