@@ -153,11 +153,7 @@ impl Integrator for Bdpt {
     }
 
     fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
-        if facts.point_lights && facts.mirrors {
-            vec![BlindSpot::PointLightCausticsInMirrors]
-        } else {
-            Vec::new()
-        }
+        facts.point_light_caustics_in_mirrors(self.techniques.mirror_connections)
     }
 }
 

@@ -25,6 +25,10 @@ pub enum BlindSpot {
     PointLightCaustics,
     /// The same, seen by way of a mirror or glass.
     PointLightCausticsInMirrors,
+    /// Light of point lamps thrown otherwise than by one ideal mirror that is flat or a ball.
+    PointLightChains,
+    /// The same, seen by way of a mirror or glass.
+    PointLightChainsInMirrors,
     /// All that is seen in a mirror or through solid glass.
     SeenInMirrors,
 }
@@ -39,14 +43,21 @@ impl SceneFacts {
         }
     }
 
-    /// What every walk from the camera misses: a point light cannot be hit after
-    /// a mirror, nor aimed at from it.
-    pub(crate) fn point_light_caustics(self) -> Vec<BlindSpot> {
-        if self.point_lights && self.mirrors {
-            vec![BlindSpot::PointLightCaustics]
-        } else {
-            Vec::new()
-        }
+    /// What every walk from the camera misses: a point light cannot be hit after a mirror, nor
+    /// aimed at from it, but [joined](crate::toolkit::light_through_mirrors) by way of some.
+    pub(crate) fn point_light_caustics(self, joins_images: bool) -> Vec<BlindSpot> {
+        let joined = [BlindSpot::PointLightCaustics, BlindSpot::PointLightChains];
+        self.of_mirrored_points(joined[usize::from(joins_images)])
+    }
+
+    /// The same, where light walks find all but what is itself seen by way of a mirror.
+    pub(crate) fn point_light_caustics_in_mirrors(self, joins_images: bool) -> Vec<BlindSpot> {
+        let joined = [BlindSpot::PointLightCausticsInMirrors, BlindSpot::PointLightChainsInMirrors];
+        self.of_mirrored_points(joined[usize::from(joins_images)])
+    }
+
+    fn of_mirrored_points(self, spot: BlindSpot) -> Vec<BlindSpot> {
+        if self.point_lights && self.mirrors { vec![spot] } else { Vec::new() }
     }
 }
 
@@ -60,6 +71,14 @@ impl fmt::Display for BlindSpot {
             }
             Self::PointLightCausticsInMirrors => {
                 "light of point lamps that a mirror or glass throws onto surfaces seen by way of one"
+            }
+            Self::PointLightChains => {
+                "light of point lamps that glass, two mirrors one after the other, or a mirror \
+                 neither flat nor a ball throws onto other surfaces"
+            }
+            Self::PointLightChainsInMirrors => {
+                "light of point lamps that glass, two mirrors one after the other, or a mirror \
+                 neither flat nor a ball throws onto surfaces seen by way of one"
             }
             Self::SeenInMirrors => "everything seen in a mirror or through solid glass",
         })

@@ -1,6 +1,7 @@
 //! Lamps sampled at every vertex (sections 2.2 and 2.3 of the paper).
 
 use crate::direct::{LightSample, sample_light};
+use crate::mirrored_point::{MIRRORED_EDGES, light_through_mirrors};
 use crate::numbers::PathSampler;
 use crate::step::next_step_toward_light;
 use crate::toward_light::{TowardLight, images_for};
@@ -22,7 +23,8 @@ pub struct DirectLight {
     pub limits: Limits,
     /// Combine light sampling with hits by this heuristic.
     pub combine: Option<Heuristic>,
-    /// Do not aim at images of lamps in mirrors, not even of small ones.
+    /// Do not look for images of lamps in mirrors: neither aim at those of small ones nor join
+    /// those of point lights.
     pub no_images: bool,
 }
 
@@ -43,7 +45,7 @@ impl Integrator for DirectLight {
     }
 
     fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
-        facts.point_light_caustics()
+        facts.point_light_caustics(!self.no_images)
     }
 }
 
@@ -55,6 +57,8 @@ impl DirectLight {
         let mut arrival = Arrival::Alone;
         // Images of large lamps are hit without aiming.
         let aims = !self.no_images && scene.lamps_are_small();
+        // Those of points cannot be hit.
+        let joins = !self.no_images && scene.has_point_images();
         for edges in 1.. {
             // The next vertex, and what the edge to it lets through.
             let numbers = sampler.vertex();
@@ -77,6 +81,10 @@ impl DirectLight {
                 light.mix(toward_light, &point);
                 let weight = self.light_weight(scene, &point, &light);
                 radiance += throughput * light.radiance * transmittance * weight;
+            }
+            // Point lights by way of a mirror, which no walk from the camera finds.
+            if joins && self.limits.allow(edges + MIRRORED_EDGES) {
+                radiance += throughput * light_through_mirrors(tracer, &point, wo, &numbers);
             }
             // On in that way, if roulette lets it.
             let roulette = self.limits.roulette;

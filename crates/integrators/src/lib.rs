@@ -72,6 +72,7 @@ mod directlight;
 mod emission;
 mod limits;
 mod method;
+mod mirrored_point;
 mod numbers;
 mod particle;
 mod pass;
@@ -115,6 +116,7 @@ pub mod toolkit {
     pub use crate::chunk::pixel_corner;
     pub use crate::direct::{LightSample, sample_light, sample_point_lights};
     pub use crate::emission::{Emitted, emit};
+    pub use crate::mirrored_point::light_through_mirrors;
     pub use crate::numbers::VertexNumbers;
     pub use crate::path_scattering::PathScattering;
     pub use crate::splat::{Splat, aim_at_camera};

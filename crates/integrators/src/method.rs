@@ -191,11 +191,15 @@ impl Method {
         let from_camera = Techniques { hits: false, ..Techniques::COMBINED };
         match self {
             Self::Trace(_) => {
-                Techniques { light_samples: LightSampling::PointLights, ..from_camera }
+                let light_samples = LightSampling::PointLights;
+                Techniques { light_samples, mirror_connections: false, ..from_camera }
             }
             Self::PureMc(_) => Techniques::PURE_MC,
-            Self::DirectLight(DirectLight { combine: None, .. }) => from_camera,
-            Self::DirectLight(DirectLight { combine: Some(_), .. }) => Techniques::COMBINED,
+            Self::DirectLight(DirectLight { combine, no_images, .. }) => Techniques {
+                hits: combine.is_some(),
+                mirror_connections: !no_images,
+                ..Techniques::COMBINED
+            },
             Self::Particle(_) => Techniques::PARTICLE,
             Self::Bdpt(settings) => settings.techniques(),
         }

@@ -26,7 +26,7 @@ impl Integrator for PureMc {
     }
 
     fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
-        facts.point_light_caustics()
+        facts.point_light_caustics(false)
     }
 }
 

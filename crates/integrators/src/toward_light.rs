@@ -170,6 +170,48 @@ mod tests {
         assert!(by_mixture.2 > 3 * by_surface.2, "{} {}", by_mixture.2, by_surface.2);
     }
 
+    /// A walk that was sent toward an image ends no sooner than one that the surface sent
+    /// there: roulette goes by what the surface makes of the direction.
+    #[test]
+    fn roulette_goes_by_the_surface() {
+        let scene = room();
+        let mut sampler = Sampler::numbered(7, 0);
+        let roulette = Roulette { from_edge: 2 };
+        let (mut ended, mut survived) = (0, 0);
+        for (point, wo, images) in &points(&scene) {
+            let way = TowardLight::of(Some(images));
+            for _ in 0..200 {
+                let numbers = VertexNumbers::next(&mut sampler);
+                let step = |roulette| {
+                    let walk = Walk::FromCamera;
+                    next_step_toward_light(walk, way, point, *wo, &numbers, roulette, 2)
+                };
+                let Some(certain) = step(Roulette::OFF) else { continue };
+                if certain.sample.is_delta {
+                    continue;
+                }
+                let wi = certain.sample.wi;
+                let scattering = point.evaluate(*wo, wi);
+                let cosine = point.cosine(Walk::FromCamera, *wo, wi);
+                let own_weight = scattering.f * (cosine / scattering.pdf.0);
+                let chance = own_weight.max_band().clamp(0.05, 1.0);
+                // Not at the very threshold.
+                if (numbers.roulette - chance).abs() < 1e-3 {
+                    continue;
+                }
+                let found = step(roulette);
+                assert_eq!(found.is_some(), numbers.roulette < chance, "{chance}");
+                if let Some(found) = found {
+                    let ratio = certain.weight.max_band() / found.weight.max_band();
+                    assert!((ratio / chance - 1.0).abs() < 1e-4, "{ratio} {chance}");
+                }
+                ended += u32::from(found.is_none());
+                survived += u32::from(found.is_some());
+            }
+        }
+        assert!(ended > 1000 && survived > 1000, "{ended} {survived}");
+    }
+
     /// The density of a drawn direction from the BSDF alone.
     fn expected_pdf(
         way: TowardLight<'_>,

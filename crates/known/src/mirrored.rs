@@ -9,7 +9,9 @@
 
 use crate::case::Case;
 use crate::polygon::{factor, square_at, through};
-use crate::stage::{Stage, black, camera, disk_facing_up, floor, lambert, mirror, rectangle, spot};
+use crate::stage::{
+    Stage, ball, black, camera, disk_facing_up, floor, lambert, mirror, rectangle, spot,
+};
 use glam::DVec3;
 use std::f64::consts::PI;
 use traylib_geometry::{Primitive, Vec3};
@@ -80,7 +82,15 @@ pub fn mirrored_point() -> Case {
     Case { name: "C3".into(), scene, max_depth: Some(3), truth }
 }
 
-/// C2 and C3 together: light that no method here can find, and what it is.
+/// C3 with a ball of radius ½ in the mirror's place, at the height 2: what it should be is known
+/// from one method to another alone.
+pub fn point_below_ball() -> Scene {
+    let camera = camera(0.9 * Vec3::Z, Vec3::ZERO, 2.0 * 2.0_f32.atan().to_degrees(), 32);
+    let stage = Stage::new(camera).surface(ball(2.0 * Vec3::Z, 0.5), mirror(MIRROR as f32, 0.0));
+    point_over_floor(stage).build()
+}
+
+/// C2 and C3 together: light that can only be joined by way of the mirror.
 pub fn mirrored_point_in_a_mirror() -> Case {
     let scene = second_mirror(point_below_mirror(in_mirror())).build();
     let truth = FLOOR * MIRROR * MIRROR / PI * INTENSITY * 3.0 / 10.0_f64.powf(1.5);
@@ -131,9 +141,12 @@ fn below_mirror(camera: Camera, half_side: f64, model: SurfaceModel) -> Stage {
 const PLATE: f32 = 0.98;
 
 fn point_below_mirror(camera: Camera) -> Stage {
-    Stage::new(camera)
+    point_over_floor(Stage::new(camera).surface(square_up(2.0, 0.75), mirror(MIRROR as f32, 0.0)))
+}
+
+fn point_over_floor(stage: Stage) -> Stage {
+    stage
         .surface(floor(), lambert(FLOOR as f32))
-        .surface(square_up(2.0, 0.75), mirror(MIRROR as f32, 0.0))
         .surface(disk_facing_up(PLATE * Vec3::Z, 0.2), black())
         .point(Vec3::Z, INTENSITY as f32)
 }

@@ -46,6 +46,11 @@ impl Mirror {
         self.delta_chance > 0.0
     }
 
+    /// What goes into the mirror direction.
+    pub(crate) fn reflectance(&self) -> Rgb {
+        self.reflectance
+    }
+
     #[inline]
     pub(crate) fn evaluate(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {
         let Scattering { f, pdf, pdf_reverse } = self.diffuse.evaluate(normal, wo, wi);

@@ -100,6 +100,19 @@ impl SurfaceModel {
         }
     }
 
+    /// The part of the light that is reflected ideally, from whichever direction it comes; `None`
+    /// of a surface that reflects nothing ideally, and of glass, where it depends on the direction.
+    pub fn mirror_reflectance(&self) -> Option<Rgb> {
+        match self {
+            Self::Mirror(m) => m.has_delta_part().then_some(m.reflectance()),
+            Self::Lambert(_)
+            | Self::Phong(_)
+            | Self::MaxPhong(_)
+            | Self::Sheet(_)
+            | Self::Dielectric(_) => None,
+        }
+    }
+
     /// Whether some of the light is scattered into all directions.
     pub fn has_diffuse_part(&self) -> bool {
         match self {

@@ -13,12 +13,17 @@ mod ball;
 mod flat;
 mod lamp;
 mod mirror;
+mod points;
+mod reflection;
+
+pub use points::PointImage;
 
 use crate::surface_point::SHARP;
 use crate::surfaces::{Surface, Surfaces};
 use crate::{Light, SurfacePoint};
 use lamp::Lamp;
 use mirror::Mirror;
+use points::MirroredPoints;
 use std::f32::consts::TAU;
 use traylib_geometry::Primitive;
 use traylib_materials::{Material, SurfaceModel};
@@ -49,6 +54,8 @@ pub(crate) struct MirroredLamps {
     pairs: Vec<Pair>,
     /// Whether no more than [`SMALL`] of all surfaces shines.
     pub(crate) lamps_are_small: bool,
+    /// The point lights that ideal mirrors show, where no direction meets them.
+    pub(crate) points: Option<MirroredPoints>,
 }
 
 /// A mirror and a lamp.
@@ -82,6 +89,8 @@ struct ImageCone {
 impl MirroredLamps {
     /// Those of a scene, as far as they are worth looking for.
     pub(crate) fn new(surfaces: &Surfaces, materials: &[Material], lights: &[Light]) -> Self {
+        let points = MirroredPoints::new(surfaces, materials, lights);
+        let lamps_are_small = lamps_are_small(surfaces, lights);
         let mirrors = mirrors(surfaces, materials);
         let lamps = lamps(lights);
         let pair = |mirror: &Mirror, lamp: &Lamp| {
@@ -99,7 +108,7 @@ impl MirroredLamps {
             pair.power /= greatest;
         }
         pairs.retain(|pair| pair.power >= FAINTEST);
-        Self { pairs, lamps_are_small: lamps_are_small(surfaces, lights) }
+        Self { pairs, lamps_are_small, points }
     }
 
     /// The images that the surface at `point` may see.
@@ -146,20 +155,23 @@ fn lamps_are_small(surfaces: &Surfaces, lights: &[Light]) -> bool {
     shining <= SMALL * all
 }
 
-/// The largest mirrors of a scene. Smooth normals bend a mirror that is flat, so that its
-/// images are not where the plane has them.
+/// A surface as a mirror whose images can be found. Smooth normals bend a mirror that is flat, so
+/// that its images are not where the plane has them.
+fn mirror(surface: Surface<'_>, materials: &[Material]) -> Option<Mirror> {
+    let model = &materials[surface.material()].model;
+    let exponent = model.mirror_exponent()?;
+    // Glass reflects too little to be aimed at.
+    let is_glass = matches!(model, SurfaceModel::Dielectric(_));
+    if exponent < SHARP || is_glass || surface.is_smooth() {
+        return None;
+    }
+    Mirror::new(&surface.primitive()?, surface.sides(), exponent)
+}
+
+/// The largest mirrors of a scene.
 fn mirrors(surfaces: &Surfaces, materials: &[Material]) -> Vec<Mirror> {
-    let mirror = |surface: Surface<'_>| {
-        let model = &materials[surface.material()].model;
-        let exponent = model.mirror_exponent()?;
-        // Glass reflects too little to be aimed at.
-        let is_glass = matches!(model, SurfaceModel::Dielectric(_));
-        if exponent < SHARP || is_glass || surface.is_smooth() {
-            return None;
-        }
-        Mirror::new(&surface.primitive()?, surface.sides(), exponent)
-    };
-    let mut mirrors: Vec<Mirror> = surfaces.all().filter_map(mirror).collect();
+    let mut mirrors: Vec<Mirror> =
+        surfaces.all().filter_map(|surface| mirror(surface, materials)).collect();
     keep_greatest(&mut mirrors, MOST_OF_A_KIND, |mirror| mirror.area);
     mirrors
 }

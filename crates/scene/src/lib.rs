@@ -54,7 +54,7 @@ pub use camera::{Camera, CameraSettings, Projection};
 pub use coincidence::Coincidences;
 pub use error::Error;
 pub use film::{Film, MergeError, PassImage};
-pub use images::ImageDirections;
+pub use images::{ImageDirections, PointImage};
 pub use light::{Emission, Light, LightPoint, PointLight, SpotCone};
 pub use light_id::LightId;
 pub use scene::{LightChoice, LightDensities, MOST_PASSAGES, Scene};

@@ -140,7 +140,7 @@ impl Scene {
 
     /// The surface where a ray has hit it.
     #[inline]
-    fn surface_point(&self, ray: &Ray, mut hit: Hit) -> Option<SurfacePoint> {
+    pub(crate) fn surface_point(&self, ray: &Ray, mut hit: Hit) -> Option<SurfacePoint> {
         let mut surface = self.surface(&hit);
         let mut site = surface.site(ray, &hit)?;
         let from_behind = site.normal.dot(ray.direction) > 0.0;
@@ -183,7 +183,13 @@ impl Scene {
     /// What a ray has met.
     #[inline]
     fn surface(&self, hit: &Hit) -> Surface<'_> {
-        self.stage.tree.shapes().get(hit.primitive)
+        self.surface_of(hit.primitive)
+    }
+
+    /// The surface of this number.
+    #[inline]
+    pub(crate) fn surface_of(&self, number: u32) -> Surface<'_> {
+        self.stage.tree.shapes().get(number)
     }
 
     /// The part of the light that a segment lets through: white where nothing

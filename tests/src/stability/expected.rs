@@ -117,6 +117,13 @@ pub const CORRECTIONS: &[Correction] = &[
         Ok,
         "power serves it as it serves directlight, and its light paths weigh next to nothing",
     ),
+    corrected("F14", methods::DIRECT_LIGHT, Ok, JOINED),
+    corrected("F14", methods::COMBINED, Ok, JOINED),
+    corrected("F14", methods::BDPT, Ok, JOINED),
+    corrected("F15", methods::DIRECT_LIGHT, Ok, JOINED),
+    corrected("F15", methods::COMBINED, Ok, JOINED),
+    corrected("F15", methods::PARTICLE, V, HIT_OR_MISSED),
+    corrected("F15", methods::BDPT, V, HIT_OR_MISSED),
     corrected(
         "F12p",
         methods::PARTICLE,
@@ -132,6 +139,13 @@ const LOBE_EDGE: &str = "where the lobe's density has fallen to that of the lamp
 
 const IMAGES: &str = "walks from the camera aim at images of the lamp in the mirrors; while they \
     did not, F4 was V 60× and on F5 even the best needed more than 16,384 passes";
+
+const JOINED: &str = "the point is joined by way of the mirror, which knows no chance but that of \
+    the place in the pixel; while it was not, nobody found F14 and light paths alone F15";
+
+const HIT_OR_MISSED: &str = "light paths hit a pixel or miss it, a relMSE of 42 a pass, as before; \
+    directlight joins the point by way of the mirror, with 5e-5, where bdpt leaves what the camera \
+    sees directly to light paths";
 
 const UNDECIDED: &str = "with 4096 samples a pixel chance decided, once for and once against an \
                          end of the tail; with 32,768 the index of the 64 largest values is 0.9, \

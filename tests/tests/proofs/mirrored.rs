@@ -7,16 +7,14 @@ use std::time::Instant;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings, Statistics};
 use traylib_known::mirrored::{
     NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
-    mirrored_point, mirrored_point_in_a_mirror,
+    mirrored_point, mirrored_point_in_a_mirror, point_below_ball,
 };
 use traylib_known::stage::phong;
 use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass};
 use traylib_statistics::{Sample, mean_interval, sidak, tile_means};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, FAMILY_LEVEL, Measured, judge};
-use traylib_tests::methods::{
-    self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC, WALKING,
-};
+use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 /// Side of a block in pixels.
 const BLOCK: usize = 8;
@@ -186,21 +184,26 @@ fn dark(case: &Case, method: Method) -> Finding {
     }
 }
 
-/// Only a light path that is seen by the camera finds this.
-fn c3(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
-    let case = mirrored_point();
+/// Light of a point by way of mirrors.
+fn from_point(case: &Case, methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
     let compare = |&(method, passes): &(Method, u32)| {
-        let claim = format!("C3, {method}: mean radiance");
-        judge(claim, &measure(&case, method, passes, seed), case.truth, equivalence)
+        let claim = format!("{}, {method}: mean radiance", case.name);
+        judge(claim, &measure(case, method, passes, seed), case.truth, equivalence)
     };
     methods.iter().map(compare).collect()
 }
 
+fn c3(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
+    from_point(&mirrored_point(), methods, seed, equivalence)
+}
+
+/// Light paths that are seen by the camera find it, and connections by way of the mirror, without
+/// any chance but that of the place in the pixel.
 #[test]
 fn c3_point_light() {
     let mut findings = c3(&[(BDPT, 500), (PARTICLE, 500)], 221, 0.03);
-    findings
-        .extend([PURE_MC, DIRECT_LIGHT, COMBINED].map(|method| dark(&mirrored_point(), method)));
+    findings.extend(c3(&[(DIRECT_LIGHT, 100), (COMBINED, 100)], 221, EQUIVALENCE));
+    findings.push(dark(&mirrored_point(), PURE_MC));
     settle(&findings);
 }
 
@@ -210,9 +213,27 @@ fn c3_point_light_at_length() {
     settle(&c3(&[(BDPT, 11_000), (PARTICLE, 11_000)], 222, EQUIVALENCE));
 }
 
+/// A ball in the mirror's place: connections against light paths, which know nothing of their
+/// Jacobian.
 #[test]
-fn c2_and_c3_are_dark_and_announced() {
-    settle(&WALKING.map(|method| dark(&mirrored_point_in_a_mirror(), method)));
+fn a_ball_throws_what_light_paths_bring() {
+    let scene = point_below_ball();
+    let case = Case { name: "C3 by a ball".into(), scene, max_depth: Some(3), truth: 0.0 };
+    // Known to 10⁻³ by the places in the pixels.
+    let joined = measure(&case, DIRECT_LIGHT, 200, 224);
+    let truth = mean_of(&joined.means);
+    let case = Case { truth, ..case };
+    settle(&from_point(&case, &[(PARTICLE, 2000)], 225, 0.03));
+}
+
+/// Connections by way of the mirror alone.
+#[test]
+fn c2_and_c3_together() {
+    let case = mirrored_point_in_a_mirror();
+    let joining = [DIRECT_LIGHT, COMBINED, BDPT, BDPT_BALANCE].map(|method| (method, 100));
+    let mut findings = from_point(&case, &joining, 223, EQUIVALENCE);
+    findings.extend([PURE_MC, PARTICLE].map(|method| dark(&case, method)));
+    settle(&findings);
 }
 
 /// A sharp lobe in the mirror's place: not ks of the light, but ks times the

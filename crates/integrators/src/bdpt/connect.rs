@@ -10,6 +10,7 @@ use super::vertex::{End, Vertex};
 use super::walk::LightStart;
 use super::{Bdpt, LightPath, Weighting, weight};
 use crate::direct::sample_light;
+use crate::mirrored_point::{MIRRORED_EDGES, light_through_mirrors};
 use crate::path_scattering::PathScattering;
 use crate::splat::aim_at_camera;
 use crate::toward_light::{TowardLight, images_for};
@@ -77,6 +78,9 @@ impl<'a> Joiner<'a> {
                 let toward_light = path.toward_light(&camera[last]);
                 found +=
                     self.light_sample(tracer, pixel, camera, toward_light, out).unwrap_or_default();
+            }
+            if self.limits().allow(last as u32 + 1 + MIRRORED_EDGES) {
+                found += self.mirror_connection(tracer, pixel, camera, out).unwrap_or_default();
             }
         }
         let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { return };
@@ -171,6 +175,33 @@ impl<'a> Joiner<'a> {
         let transmittance = light.visible(tracer, &x1.point)?;
         let value = x1.throughput * light.radiance * transmittance;
         Some(self.add(pixel, &Found { path, value, weight }, out))
+    }
+
+    /// Point lights by way of one mirror, joined with the camera path's last vertex, where
+    /// nothing else finds them.
+    fn mirror_connection(
+        &self,
+        tracer: &mut Tracer<'_>,
+        pixel: u32,
+        camera: &[Vertex],
+        out: &mut ChunkOutput,
+    ) -> Option<Rgb> {
+        let x2 = camera.last()?;
+        let Bdpt { techniques, weighting, report, .. } = *self.bdpt;
+        // x₀ and x₁ stand for the light path.
+        let (s, t) = (2, camera.len() + 1);
+        let alone = weight::mirror_connection(x2);
+        if !(techniques.mirror_connections && alone && weighting.includes(s, t)) {
+            return None;
+        }
+        let light = light_through_mirrors(tracer, &x2.point, x2.wo, &x2.numbers);
+        let value = x2.throughput * light;
+        if value.is_black() {
+            return None;
+        }
+        out.add(pixel, value);
+        report.record_mirror_connection(out, pixel, camera, value);
+        Some(value)
     }
 
     /// s ≥ 2, t ≥ 2: an edge between the last vertices of both subpaths.

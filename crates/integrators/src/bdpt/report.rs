@@ -1,6 +1,7 @@
 //! What to record beside the picture, for those who doubt it.
 
 use super::direct_sum::JoinedPath;
+use super::vertex::Vertex;
 use crate::ChunkOutput;
 use std::fmt::Write;
 use traylib_math::Rgb;
@@ -57,19 +58,47 @@ impl Report {
     ) {
         match self {
             Self::Techniques => {
-                let (s, t) = path.technique();
-                let [s, t] = [s, t].map(|n| n.min(MOST_VERTICES) as u8);
-                // The picture of the technique alone, and as much of it as counts.
-                for (weighted, factor) in [(false, 1.0), (true, weight as f32)] {
-                    let layer = Technique { s, t, weighted }.layer();
-                    out.layers.push((layer, pixel, value * factor));
-                }
+                add_layers(out, pixel, path.technique(), value, weight as f32);
             }
             Self::Pixel(wanted) if wanted == pixel => {
                 out.notes.push(describe(path, value, weight, &all_weights()));
             }
             Self::None | Self::Pixel(_) => {}
         }
+    }
+
+    /// Records what came from point lights by way of a mirror to the camera path's last vertex,
+    /// which counts in full. It shares the picture of s = 2: the light and the mirror.
+    pub(crate) fn record_mirror_connection(
+        self,
+        out: &mut ChunkOutput,
+        pixel: u32,
+        camera: &[Vertex],
+        value: Rgb,
+    ) {
+        match self {
+            Self::Techniques => add_layers(out, pixel, (2, camera.len() + 1), value, 1.0),
+            Self::Pixel(wanted) if wanted == pixel => {
+                let Rgb { r, g, b } = value;
+                let (t, last) = (camera.len() + 1, camera.last());
+                let place = last.map(|vertex| vertex.point.site.position.to_string());
+                out.notes.push(format!(
+                    "(s=2, t={t}, point lights by way of a mirror)  value {r:.6e} {g:.6e} {b:.6e}  \
+                     weight 1\n  x2  {}\n",
+                    place.unwrap_or_default()
+                ));
+            }
+            Self::None | Self::Pixel(_) => {}
+        }
+    }
+}
+
+/// The picture of a technique alone, and as much of it as counts.
+fn add_layers(out: &mut ChunkOutput, pixel: u32, (s, t): (usize, usize), value: Rgb, weight: f32) {
+    let [s, t] = [s, t].map(|n| n.min(MOST_VERTICES) as u8);
+    for (weighted, factor) in [(false, 1.0), (true, weight)] {
+        let layer = Technique { s, t, weighted }.layer();
+        out.layers.push((layer, pixel, value * factor));
     }
 }
 

@@ -15,7 +15,7 @@ pub struct BdptSettings {
     pub direct_sum: bool,
     /// Whether the techniques with s ≥ 2 and t ≥ 2 are left out.
     pub no_connections: bool,
-    /// Whether walks from the camera aim at no images of lamps in mirrors.
+    /// Whether images of lamps in mirrors are neither aimed at nor, of point lights, joined.
     pub no_images: bool,
 }
 
@@ -31,7 +31,8 @@ impl BdptSettings {
 
     /// The techniques that take part.
     pub fn techniques(self) -> Techniques {
-        Techniques { connections: !self.no_connections, ..Techniques::ALL }
+        let (connections, mirror_connections) = (!self.no_connections, !self.no_images);
+        Techniques { connections, mirror_connections, ..Techniques::ALL }
     }
 
     /// The integrator, which also records this.

@@ -14,6 +14,7 @@ pub enum LightSampling {
 /// A subset of the techniques (s, t); the weights of those that are left sum to
 /// one wherever one of them finds light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each stands for a technique of its own")]
 pub struct Techniques {
     /// s = 0: the camera path hits a lamp.
     pub hits: bool,
@@ -23,24 +24,37 @@ pub struct Techniques {
     pub connections: bool,
     /// t = 1: a vertex of the light path is joined to the camera.
     pub splats: bool,
+    /// Point lights are joined by way of a mirror where nothing else finds them.
+    pub mirror_connections: bool,
 }
 
 impl Techniques {
     /// All that a pinhole allows.
-    pub const ALL: Self =
-        Self { hits: true, light_samples: LightSampling::All, connections: true, splats: true };
+    pub const ALL: Self = Self {
+        hits: true,
+        light_samples: LightSampling::All,
+        connections: true,
+        splats: true,
+        mirror_connections: true,
+    };
     /// Those of pure Monte Carlo path tracing.
     pub const PURE_MC: Self = Self {
         light_samples: LightSampling::PointLights,
         connections: false,
         splats: false,
+        mirror_connections: false,
         ..Self::ALL
     };
     /// Those of direct light sampling combined with hits.
     pub const COMBINED: Self = Self { connections: false, splats: false, ..Self::ALL };
     /// Those of the particle tracer; lamps are seen directly all the same.
-    pub const PARTICLE: Self =
-        Self { hits: false, light_samples: LightSampling::Off, connections: false, splats: true };
+    pub const PARTICLE: Self = Self {
+        hits: false,
+        light_samples: LightSampling::Off,
+        connections: false,
+        splats: true,
+        mirror_connections: false,
+    };
 
     pub(crate) fn need_light_paths(self) -> bool {
         self.connections || self.splats

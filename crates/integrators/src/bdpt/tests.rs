@@ -76,7 +76,8 @@ fn weights_of_all_techniques_sum_to_one() {
                 break;
             }
             for path in random_paths(&scene, &walker, index) {
-                let sum: f64 = path.weights(&scene, &walker, &bdpt, light_paths).sum();
+                let weights = path.weights(&scene, &walker, &bdpt, light_paths);
+                let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
                 assert!((sum - 1.0).abs() < 1e-4, "{heuristic:?}: {sum}, {path:?}");
                 paths += 1;
                 with_mirrors += usize::from(path.has_mirror());
@@ -118,12 +119,96 @@ fn walks_carry_the_weights_of_their_paths() {
     assert!(1000 * different <= compared, "{different} of {compared}");
 }
 
+/// Point lights are joined by way of a mirror just where no other technique finds them, and
+/// where one does, all of those have weights that sum to one.
+#[test]
+fn mirror_connections_find_what_nothing_else_does() {
+    let scene = room();
+    let bdpt = Bdpt::default();
+    let light_paths = 777;
+    let walker = Walker::new(&bdpt, light_paths);
+    let (mut alone, mut shared) = (0, 0);
+    for index in 0..8000 {
+        let Some((_, _, camera)) = random_walks(&scene, &walker, index) else { continue };
+        for t in 1..=camera.len() {
+            let (x2, camera) = (&camera[t - 1], &camera[..t]);
+            for image in scene.point_images(&x2.point, [0.5; 2]) {
+                // What underflows carries no light and has no technique.
+                let f = x2.point.evaluate(x2.wo, image.wi).f;
+                let path = FullPath::by_way_of_mirror(&scene, &image, camera);
+                let Some(path) = path.filter(|_| f.max_band() > 1e-6) else { continue };
+                let weights = path.weights(&scene, &walker, &bdpt, light_paths);
+                let others: f64 = weights.iter().map(|(_, weight)| weight).sum();
+                let own = f64::from(u8::from(weight::mirror_connection(x2)));
+                assert!((own + others - 1.0).abs() < 1e-4, "{own} {others}: {path:?}");
+                alone += usize::from(own > 0.0);
+                shared += usize::from(own == 0.0);
+            }
+        }
+    }
+    assert!(alone > 100 && shared > 500, "{alone} {shared}");
+}
+
+/// The weight of each connection as the joiner forms it from what the walks carry is the one that
+/// the whole path says.
+#[test]
+fn joined_vertices_have_the_weights_of_their_paths() {
+    let scene = room();
+    // The pictures of techniques as they are and as they count, whose ratio is the weight.
+    let techniques = Techniques { mirror_connections: false, ..Techniques::ALL };
+    let bdpt = Bdpt { techniques, report: Report::Techniques, ..Bdpt::default() };
+    let light_paths = 777;
+    let (walker, joiner) = (Walker::new(&bdpt, light_paths), Joiner::new(&bdpt, light_paths));
+    let control = Control::default();
+    let (mut compared, mut different, mut aimed) = (0, 0, 0);
+    for index in 0..8000 {
+        let Some((start, light, camera)) = random_subpaths(&scene, &walker, index) else {
+            continue;
+        };
+        let mut out = ChunkOutput::default();
+        let mut tracer = Tracer::new(&scene, &control);
+        let mut sampler = Purpose::Camera.sampler(2, 0, index as u32);
+        let partner = LightPath { start: &start, vertices: &light.vertices };
+        joiner.join_all(&mut tracer, 0, &camera, Some(partner), &mut sampler, &mut out);
+        for pair in out.layers.chunks_exact(2) {
+            let [(raw, _, value), (_, _, counted)] = pair else { continue };
+            let Technique { s, t, .. } = Technique::of_layer(*raw);
+            let [s, t] = [s, t].map(usize::from);
+            if s < 2 || value.max_band() < 1e-6 {
+                continue;
+            }
+            let (light, camera) = (&light.vertices[..s - 1], &camera.vertices[..t - 1]);
+            let path = FullPath::connected(&scene, &start, light, camera);
+            let Some(path) = path else { continue };
+            let weights = path.weights(&scene, &walker, &bdpt, light_paths);
+            let Some((_, expected)) = weights.iter().find(|(own, _)| *own == s) else { continue };
+            let found = f64::from(counted.max_band() / value.max_band());
+            // As for what walks carry.
+            different += usize::from((found - expected).abs() > 1e-2 * found.max(*expected));
+            compared += 1;
+            aimed += usize::from(path.aims_over_edge(&scene, s));
+        }
+    }
+    assert!(compared > 5_000 && aimed > 300, "{compared} {aimed}");
+    assert!(1000 * different <= compared, "{different} of {compared}, {aimed}");
+}
+
 /// A light and a camera subpath, if both met anything.
 fn random_walks(
     scene: &Scene,
     walker: &Walker,
     index: u64,
 ) -> Option<(LightStart, Vec<Vertex>, Vec<Vertex>)> {
+    let (start, light, camera) = random_subpaths(scene, walker, index)?;
+    Some((start, light.vertices, camera.vertices))
+}
+
+/// The same, with what the camera subpath aims at.
+fn random_subpaths(
+    scene: &Scene,
+    walker: &Walker,
+    index: u64,
+) -> Option<(LightStart, Subpath, Subpath)> {
     let control = Control::default();
     let mut tracer = Tracer::new(scene, &control);
     let (mut light, mut camera) = (Subpath::default(), Subpath::default());
@@ -131,7 +216,7 @@ fn random_walks(
     let start = walker.light_subpath(&mut tracer, &mut sampler, &mut light);
     let mut sampler = PathSampler::independent(Purpose::Camera.sampler(1, 0, index as u32));
     walker.camera_subpath(&mut tracer, index as u32 % 1024, &mut sampler, &mut camera);
-    Some((start?, light.vertices, camera.vertices))
+    Some((start?, light, camera))
 }
 
 /// All paths that one light and one camera subpath make by connection or hit,

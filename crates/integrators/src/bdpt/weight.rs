@@ -66,6 +66,20 @@ pub(crate) fn connection(
     1.0 / (1.0 + light_side + camera_side)
 }
 
+/// Whether a point light is joined with `x2` by way of a mirror: then with weight one, and else
+/// not at all.
+///
+/// So the weights sum to one. Of a path x₀ (a point), x₁ (ideally reflecting), x₂ … no other
+/// technique joins anything up to x₂: nothing hits x₀, and what reflects ideally can be joined with
+/// nothing. Those that join beyond x₂ are the ones that M and C of x₂ stand for: a splat of x₂ or a
+/// later vertex that the camera sees, or a connection between two neighbours neither of which is
+/// ideal. If there are any, they find the path among them with weights that sum to one, as light
+/// paths come by way of x₁ like anywhere else; if there are none, M and C are zero, and this one
+/// finds it.
+pub(crate) fn mirror_connection(x2: &Vertex) -> bool {
+    x2.d_vcm == 0.0 && x2.d_vc == 0.0
+}
+
 /// How many light paths might have found a vertex that the camera sees.
 pub(crate) fn splats_in_weights(light_paths: u32) -> f64 {
     f64::from(light_paths)

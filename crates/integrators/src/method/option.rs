@@ -53,7 +53,7 @@ pub enum MethodSetting {
     DirectSum,
     /// The techniques with s and t from 2 on take no part.
     NoConnections,
-    /// Walks do not aim at images of lamps in mirrors.
+    /// Images of lamps in mirrors are neither aimed at nor joined.
     NoImages,
 }
 
@@ -133,8 +133,8 @@ impl MethodOption {
                  saves shadow rays; the others share their light"
             }
             Self::NoImages => {
-                "Do not aim at images of lamps in mirrors: the same light with more noise, for \
-                 comparison"
+                "Do not look for images of lamps in mirrors, for comparison: more noise, and less \
+                 light where a mirror shows a point lamp"
             }
         }
     }

@@ -128,7 +128,17 @@ fn techniques_and_blind_spots_go_together() {
         assert_eq!(is_blind(BlindSpot::SeenInMirrors), !mirrors, "{method}");
         // It says of `trace` that no light is reflected twice, and no more.
         if method.name() != "trace" {
-            assert_eq!(is_blind(BlindSpot::PointLightCaustics), !techniques.splats, "{method}");
+            let Techniques { splats, mirror_connections, .. } = techniques;
+            let spot = match (splats, mirror_connections) {
+                (false, false) => Some(BlindSpot::PointLightCaustics),
+                (false, true) => Some(BlindSpot::PointLightChains),
+                (true, true) => Some(BlindSpot::PointLightChainsInMirrors),
+                // Mirrors are blind to it, or `particle` to mirrors.
+                (true, false) => None,
+            };
+            for other in [BlindSpot::PointLightCaustics, BlindSpot::PointLightChains] {
+                assert_eq!(is_blind(other), spot == Some(other), "{method}");
+            }
         }
     }
 }

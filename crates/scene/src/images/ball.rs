@@ -2,7 +2,9 @@
 
 use super::ImageCone;
 use super::lamp::Lamp;
+use super::reflection::Reflection;
 use traylib_geometry::Sphere;
+use traylib_math::glam::DVec3;
 use traylib_math::{Vec2, Vec3};
 
 /// The image's half-angle is computed for its middle: a little more holds the rest.
@@ -83,7 +85,84 @@ impl BallMirror {
         }
         Some(m.x * x + m.y * y)
     }
+
+    /// How light of a point arrives at another by way of the ball.
+    ///
+    /// A narrow bundle of rays that has come a metres from the light and is mirrored at the
+    /// angle θ spreads as if it came from a and a + 2ab/(r·cosθ) in the plane of incidence, and
+    /// from 2ab·cosθ/r farther across it (Coddington's equations): b metres on it is
+    /// (a + b + 2ab/(r·cosθ))·(a + b + 2ab·cosθ/r) times as wide as the solid angle that it
+    /// fills at the light. It is the same from either end.
+    pub(super) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
+        let centre = self.centre.as_dvec3();
+        let radius = f64::from(self.radius);
+        // In units of the radius.
+        let [one, other] = [from, light].map(|point| (point.as_dvec3() - centre) / radius);
+        let normal = reflecting_normal(one, other)?;
+        let [to_one, to_other] = [one - normal, other - normal];
+        let [a, b] = [to_one, to_other].map(DVec3::length);
+        let cosine = normal.dot(to_one) / a;
+        // Both before the surface.
+        if cosine.is_nan() || cosine <= 0.0 || normal.dot(to_other) <= 0.0 {
+            return None;
+        }
+        let bend = 2.0 * a * b;
+        let area = (a + b + bend / cosine) * (a + b + bend * cosine);
+        Some(Reflection { toward: -to_one * radius, spread: 1.0 / (area * radius * radius) })
+    }
 }
+
+/// The point of the unit ball around the origin that mirrors one point outside into another,
+/// to the last bits; `None` where no point does.
+///
+/// In the plane of both, `one` at the angle 0 from the centre and `other` at φ, those points
+/// see the surface that lie nearer than acos(1/A) to the one and acos(1/B) to the other. From
+/// one end of them to the other the angle to `one` grows and that to `other` shrinks, so that
+/// they are equal once: Newton's method finds where, and halving keeps it there.
+fn reflecting_normal(one: DVec3, other: DVec3) -> Option<DVec3> {
+    let [a, b] = [one, other].map(DVec3::length);
+    if !(a > 1.0 && b > 1.0) {
+        return None;
+    }
+    let x = one / a;
+    let cross = one.cross(other);
+    let phi = cross.length().atan2(one.dot(other));
+    // In line with the centre nothing but the way along the line is left.
+    let Some(axis) = cross.try_normalize() else {
+        return (one.dot(other) > 0.0).then_some(x);
+    };
+    let y = axis.cross(x);
+    let (mut low, mut high) = ((phi - (1.0 / b).acos()).max(0.0), (1.0 / a).acos().min(phi));
+    if low >= high {
+        return None;
+    }
+    // Nearer to whoever is near.
+    let mut theta = (phi * (a - 1.0) / (a + b - 2.0)).clamp(low, high);
+    for _ in 0..MOST_STEPS {
+        // |A|·|B| times the sine of the difference of both angles, and its slope.
+        let rest = phi - theta;
+        let (twice, turn) = ((theta - rest).sin_cos(), [theta.sin_cos(), rest.sin_cos()]);
+        let value = a * b * twice.0 - a * turn[0].0 + b * turn[1].0;
+        let slope = 2.0 * a * b * twice.1 - a * turn[0].1 - b * turn[1].1;
+        if value > 0.0 {
+            high = theta;
+        } else {
+            low = theta;
+        }
+        let newton = theta - value / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        let step = (next - theta).abs();
+        theta = next;
+        if step <= f64::EPSILON * theta {
+            break;
+        }
+    }
+    let (sin, cos) = theta.sin_cos();
+    Some(cos * x + sin * y)
+}
+
+/// Five or six are usual; halving alone needs 52 for all bits.
+const MOST_STEPS: usize = 60;
 
 /// The next guess after the unit vector (cos θ, sin θ).
 fn newton(m: Vec2, [a, b]: [f32; 2], r: f32, [sin_phi, cos_phi]: [f32; 2]) -> Option<Vec2> {

@@ -2,6 +2,7 @@
 
 use super::ImageCone;
 use super::lamp::Lamp;
+use super::reflection::Reflection;
 use traylib_geometry::{Disk, Quad, Sides, Triangle};
 use traylib_math::Vec3;
 
@@ -94,6 +95,20 @@ impl FlatMirror {
         let sine_squared = (radius / distance).powi(2);
         let one_minus_cos = sine_squared / (1.0 + (1.0 - sine_squared).sqrt());
         (sine_squared < 1.0).then(|| ImageCone::around(offset / distance, one_minus_cos))
+    }
+
+    /// How light of a point arrives at another by way of the mirror's plane, whether or not
+    /// the mirror reaches there: as from an image, over the whole way.
+    pub(super) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
+        let [anchor, normal] = [self.anchor, self.normal].map(Vec3::as_dvec3);
+        let [from, light] = [from, light].map(|point| point.as_dvec3() - anchor);
+        // Both on one side, and on the one that mirrors.
+        let [height, light_height] = [from, light].map(|point| normal.dot(point));
+        if height * light_height <= 0.0 || (self.front_only && height < 0.0) {
+            return None;
+        }
+        let toward = light - 2.0 * light_height * normal - from;
+        Some(Reflection { toward, spread: 1.0 / toward.length_squared() })
     }
 }
 

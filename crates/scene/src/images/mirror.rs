@@ -4,6 +4,7 @@ use super::ImageCone;
 use super::ball::BallMirror;
 use super::flat::FlatMirror;
 use super::lamp::Lamp;
+use super::reflection::Reflection;
 use traylib_geometry::{Facing, Primitive, Sides};
 use traylib_math::Vec3;
 
@@ -79,6 +80,19 @@ impl Mirror {
         match &self.form {
             Form::Ball(ball) => ball.image(lamp, self.blur, from),
             Form::Flat(flat) => flat.image(lamp, self.blur, from),
+        }
+    }
+
+    /// Whether it shows a point as a point.
+    pub(super) fn is_ideal(&self) -> bool {
+        self.blur == 0.0
+    }
+
+    /// How light of a point arrives at another by way of it, wherever it ends.
+    pub(super) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
+        match &self.form {
+            Form::Ball(ball) => ball.reflection(from, light),
+            Form::Flat(flat) => flat.reflection(from, light),
         }
     }
 }

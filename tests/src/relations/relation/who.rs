@@ -35,7 +35,9 @@ pub(super) fn sees(subject: &Subject<'_>, method: Method) -> bool {
         BlindSpot::Interreflection
         | BlindSpot::AreaLights
         | BlindSpot::PointLightCaustics
-        | BlindSpot::PointLightCausticsInMirrors => true,
+        | BlindSpot::PointLightCausticsInMirrors
+        | BlindSpot::PointLightChains
+        | BlindSpot::PointLightChainsInMirrors => true,
     });
     let is_steady = (!methods::never_hits(method) || drawn.sharpest() <= SHARP)
         && (!methods::walks_from_lamps(method) || drawn.fronts_are_alike());

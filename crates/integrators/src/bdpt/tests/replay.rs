@@ -7,9 +7,10 @@ use crate::emission::Emitted;
 use crate::numbers::VertexNumbers;
 use crate::path_scattering::PathScattering;
 use crate::toward_light::{TowardLight, images_for};
+use traylib_geometry::Ray;
 use traylib_materials::BsdfSample;
 use traylib_math::{Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
-use traylib_scene::{ImageDirections, LightId, LightPoint, Scene, SurfacePoint, Walk};
+use traylib_scene::{ImageDirections, LightId, LightPoint, PointImage, Scene, SurfacePoint, Walk};
 
 /// x₀ … x_k; surfaces holds x₁ … x_{k−1}.
 #[derive(Clone, Debug)]
@@ -66,6 +67,29 @@ impl FullPath {
         Some(Self { id, x0: start.x0, surfaces, is_delta, lamp: None })
     }
 
+    /// The path of a camera subpath whose last vertex is joined with a point light by way of a
+    /// mirror.
+    pub(super) fn by_way_of_mirror(
+        scene: &Scene,
+        image: &PointImage,
+        camera: &[Vertex],
+    ) -> Option<Self> {
+        let PointImage { seen_at, x0, .. } = *image;
+        // The mirror as the light sees it, if it does.
+        let id = scene.light_ids().find(|&id| owns(scene, id, &x0))?;
+        let offset = seen_at.position - x0.site.position;
+        let mirror = scene.intersect(&Ray::new(x0.site.position, offset.normalize()))?;
+        if (mirror.site.position - seen_at.position).length() > 1e-4 {
+            return None;
+        }
+        let mut surfaces = vec![mirror];
+        surfaces.extend(camera.iter().rev().map(|vertex| vertex.point));
+        let mut camera_events = delta_events(camera);
+        camera_events.reverse();
+        let is_delta = [vec![true], camera_events].concat();
+        Some(Self { id, x0, surfaces, is_delta, lamp: None })
+    }
+
     pub(super) fn has_mirror(&self) -> bool {
         self.is_delta.contains(&true)
     }
@@ -74,14 +98,14 @@ impl FullPath {
         self.x0.is_point
     }
 
-    /// The weights of all techniques that can find the path.
+    /// The weights of all techniques that can find the path, each with its s.
     pub(super) fn weights(
         &self,
         scene: &Scene,
         walker: &Walker,
         bdpt: &Bdpt,
         light_paths: u32,
-    ) -> impl Iterator<Item = f64> {
+    ) -> Vec<(usize, f64)> {
         let heuristic = bdpt.heuristic;
         let light = self.light_vertices(scene, walker, bdpt);
         let camera = self.camera_vertices(scene, bdpt, light_paths);
@@ -90,10 +114,10 @@ impl FullPath {
         let mut weights = Vec::new();
         if let Some(x0) = self.lamp_vertex(scene, &camera, bdpt) {
             let densities = self.densities(scene);
-            weights.push(weight::hit(&x0, &densities, bdpt.techniques, heuristic));
+            weights.push((0, weight::hit(&x0, &densities, bdpt.techniques, heuristic)));
         }
         if free(0) {
-            weights.push(self.light_sample(scene, &camera[n - 1], bdpt));
+            weights.push((1, self.light_sample(scene, &camera[n - 1], bdpt)));
         }
         for s in 1..n {
             // Connects surfaces s − 1 and s.
@@ -101,7 +125,7 @@ impl FullPath {
                 let (y, z) = (&light[s - 1], &camera[n - 1 - s]);
                 let y_end = end(y, Walk::FromLight, z, self.images(scene, s - 1));
                 let z_end = end(z, Walk::FromCamera, y, self.images(scene, s));
-                weights.push(weight::connection((y, &y_end), (z, &z_end), heuristic));
+                weights.push((s + 1, weight::connection((y, &y_end), (z, &z_end), heuristic)));
             }
         }
         if free(n - 1) {
@@ -113,10 +137,11 @@ impl FullPath {
                 );
                 let back = y.point.evaluate(y.wo, found.to_camera).pdf_reverse;
                 let camera_pdf = found.pdf.to_area(conversion).0;
-                weights.push(weight::splat(y, camera_pdf, back, light_paths, heuristic));
+                let weight = weight::splat(y, camera_pdf, back, light_paths, heuristic);
+                weights.push((n + 1, weight));
             }
         }
-        weights.into_iter()
+        weights
     }
 
     fn first_direction(&self) -> Vec3 {
@@ -156,6 +181,11 @@ impl FullPath {
     /// Whether it would aim at any from some surface.
     pub(super) fn has_images(&self, scene: &Scene) -> bool {
         (0..self.surfaces.len()).any(|i| self.images(scene, i).is_some())
+    }
+
+    /// Whether one of the vertices that technique s joins aims at images.
+    pub(super) fn aims_over_edge(&self, scene: &Scene, s: usize) -> bool {
+        self.images(scene, s - 2).is_some() || self.images(scene, s - 1).is_some()
     }
 
     fn events(&self, scene: &Scene) -> Vec<Event> {
