@@ -4,6 +4,7 @@ use crate::job::Job;
 use crate::outcome::Failure;
 use std::fs;
 use std::path::{Path, PathBuf};
+use traylib_integrators::PointSet;
 use traylib_io::Loaded;
 use traylib_scene::Camera;
 
@@ -18,7 +19,7 @@ pub(crate) fn check(job: &Job<'_>, loaded: &Loaded) -> Result<(), Failure> {
     let camera = loaded.scene.camera();
     let (width, height) = (camera.width(), camera.height());
     let passes = if job.options.time_limit.is_some() { None } else { job.spp(loaded) };
-    let per_pixel = bytes_per_pixel(passes.unwrap_or(1), job.layers);
+    let per_pixel = bytes_per_pixel(passes.unwrap_or(1), job.options.sampler, job.layers);
     let needed = u64::from(width) * u64::from(height) * per_pixel;
     match available() {
         Some(available) if needed > available => Err(Failure::output(format_args!(
@@ -35,16 +36,23 @@ pub(crate) fn check(job: &Job<'_>, loaded: &Loaded) -> Result<(), Failure> {
 /// where their number doubles.
 pub(crate) fn has_room(job: &Job<'_>, camera: &Camera, passes: u32) -> bool {
     let pixels = u64::from(camera.width()) * u64::from(camera.height());
-    let more = bytes_per_pixel(2, job.layers) - bytes_per_pixel(1, job.layers);
+    let points = job.options.sampler;
+    let of = |passes| bytes_per_pixel(passes, points, job.layers);
+    let more = of(2 * points.sequences()) - of(points.sequences());
     !passes.is_power_of_two() || available().is_none_or(|available| pixels * more <= available)
 }
 
 /// What a [`Film`](traylib_scene::Film) has at most, with the pass under way or the pictures
-/// that are developed: three bands of 8 bytes in a sum, of 4 in a picture.
-fn bytes_per_pixel(passes: u32, layers: u64) -> u64 {
+/// that are developed: three bands of 8 bytes in a sum, of 4 in a picture. Independent passes
+/// have sums of squares, too.
+fn bytes_per_pixel(passes: u32, points: PointSet, layers: u64) -> u64 {
     let (pass, pictures) = (24 * (1 + layers), 12 * (1 + layers));
-    let waiting = u64::from(passes.max(1).ilog2());
-    waiting * (pass + 24) + pass + pictures
+    let sequences = points.sequences().min(passes.max(1));
+    let waiting = u64::from(passes.max(1).div_ceil(sequences).ilog2());
+    match points {
+        PointSet::Independent => waiting * (pass + 24) + pass + pictures,
+        PointSet::Sobol => u64::from(sequences) * (waiting + 1) * pass + pictures,
+    }
 }
 
 fn gigabytes(bytes: u64) -> String {
@@ -131,9 +139,17 @@ mod tests {
     /// As the film holds them when all but the last pass are there.
     #[test]
     fn sums_wait_for_their_other_half() {
+        let of = |passes, layers| bytes_per_pixel(passes, PointSet::Independent, layers);
         let known = [(1, 36), (2, 84), (3, 84), (4, 132), (1024, 516)];
-        assert_eq!(known.map(|(passes, _)| (passes, bytes_per_pixel(passes, 0))), known);
-        assert_eq!(bytes_per_pixel(2, 3), 84 + 2 * 3 * 24 + 3 * 12);
+        assert_eq!(known.map(|(passes, _)| (passes, of(passes, 0))), known);
+        assert_eq!(of(2, 3), 84 + 2 * 3 * 24 + 3 * 12);
+    }
+
+    /// Of four sequences the first passes are a sum each; later as many wait in each of them.
+    #[test]
+    fn sequences_wait_apart() {
+        let of = |passes| bytes_per_pixel(passes, PointSet::Sobol, 0);
+        assert_eq!([1, 2, 4, 5, 8, 1024].map(of), [36, 60, 108, 204, 204, 876]);
     }
 
     #[test]

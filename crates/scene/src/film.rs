@@ -53,7 +53,10 @@ impl Film {
     }
 
     /// A film without light whose passes belong to so many sequences by turns, the means of
-    /// which are independent; to one if passes are. There must be one.
+    /// which are independent; to one if passes are.
+    ///
+    /// # Panics
+    /// If there is no sequence.
     pub fn of_sequences(width: u32, height: u32, sequences: u32) -> Self {
         assert!(sequences > 0, "passes belong to a sequence");
         let sequences = vec![Sequence::default(); sequences as usize];
@@ -140,8 +143,8 @@ impl Film {
         }
         let blocks = self.sequences.into_iter().flat_map(Sequence::into_blocks);
         let pixel = |sum: [f64; 3]| Rgb::from(sum.map(|band| (band / n) as f32));
-        let pictures = blocks.map(|block| block.into_sum().into_map(pixel));
-        pictures.last().unwrap_or_else(|| Grid::filled(self.width, self.height, Rgb::BLACK))
+        let mut pictures = blocks.map(|block| block.into_sum().into_map(pixel));
+        pictures.next_back().unwrap_or_else(|| Grid::filled(self.width, self.height, Rgb::BLACK))
     }
 
     /// The means of further pictures, by number, of those into which any light fell.

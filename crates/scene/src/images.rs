@@ -16,7 +16,7 @@ mod mirror;
 mod points;
 mod reflection;
 
-pub use points::PointImage;
+pub(crate) use points::NumberedMirror;
 
 use crate::surface_point::SHARP;
 use crate::surfaces::{Surface, Surfaces};

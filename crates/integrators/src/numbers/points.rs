@@ -33,7 +33,7 @@ impl PointSet {
     }
 
     /// Sequences of passes whose means are independent; one stands for passes that are.
-    pub(crate) fn sequences(self) -> u32 {
+    pub fn sequences(self) -> u32 {
         match self {
             Self::Independent => 1,
             Self::Sobol => SEQUENCES,

@@ -1,7 +1,7 @@
 use super::*;
 use crate::bdpt::room;
 use crate::{Bdpt, Chunk, Control, Settings, render_to_end};
-use traylib_scene::Scene;
+use traylib_scene::{Film, Scene};
 
 #[test]
 fn paths_from_both_ends_and_tests_never_meet() {
@@ -129,7 +129,7 @@ fn the_stated_error_is_that_of_other_seeds() {
         render_to_end(&scene, &Bdpt::default(), &settings).unwrap().film
     });
     let films: Vec<_> = films.collect();
-    let means: Vec<_> = films.iter().map(|film| film.mean()).collect();
+    let means: Vec<_> = films.iter().map(Film::mean).collect();
     let pixels = means[0].values().len();
     let (mut stated, mut found) = (0.0, 0.0);
     for pixel in 0..pixels {

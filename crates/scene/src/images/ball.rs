@@ -177,3 +177,6 @@ fn newton(m: Vec2, [a, b]: [f32; 2], r: f32, [sin_phi, cos_phi]: [f32; 2]) -> Op
     // A turn by −step, to first order, made a unit vector again.
     Vec2::new(cos + sin * step, sin - cos * step).try_normalize()
 }
+
+#[cfg(test)]
+mod tests;

@@ -13,7 +13,7 @@ const LOBE_WIDTH: f32 = 3.5;
 
 /// A surface that shows images of lamps.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Mirror {
+pub(crate) struct Mirror {
     form: Form,
     /// How wide a point is smeared, in radians; zero by an ideal mirror.
     blur: f32,
@@ -89,7 +89,7 @@ impl Mirror {
     }
 
     /// How light of a point arrives at another by way of it, wherever it ends.
-    pub(super) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
+    pub(crate) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
         match &self.form {
             Form::Ball(ball) => ball.reflection(from, light),
             Form::Flat(flat) => flat.reflection(from, light),
