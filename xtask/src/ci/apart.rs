@@ -3,7 +3,7 @@
 
 use super::{cargo, finish};
 use crate::workspace;
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use std::process::{Command, Stdio};
 
 /// Systems that nobody may run this on, but that must compile.
@@ -13,14 +13,20 @@ const TARGETS: [&str; 3] =
 /// Packages with workspaces of their own.
 const APART: [&str; 2] = ["fuzz", "crates/geometry/peers"];
 
-/// Licences, sources and versions of all dependencies, by `deny.toml`. Advisories are not
-/// asked for: they come from elsewhere, and change while nothing here does.
+/// Licences, sources and versions of all dependencies, by `deny.toml`, also of the packages
+/// that stand apart. Advisories are not asked for: they come from elsewhere, and change while
+/// nothing here does.
 pub(super) fn deny() -> Result<()> {
     if !answers(&mut workspace::cargo(&["deny", "--version"])) {
         left_out("cargo-deny", "it is not installed");
         return Ok(());
     }
-    cargo(&["deny", "--log-level", "error", "check", "bans", "licenses", "sources"])
+    for folder in [&["."][..], &APART].concat() {
+        let manifest = format!("{folder}/Cargo.toml");
+        let of = ["deny", "--manifest-path", &manifest, "--log-level", "error"];
+        cargo(&[&of[..], &["check", "bans", "licenses", "sources"]].concat())?;
+    }
+    Ok(())
 }
 
 /// The crates that others take alone, with no feature and with each.
@@ -29,7 +35,12 @@ pub(super) fn features() -> Result<()> {
         let package = ["check", "--package", "traylib-geometry", "--no-default-features"];
         cargo(&[&package[..], &["--features", features]].concat())?;
     }
-    cargo(&["check", "--package", "traylib-math", "--features", "serde"])
+    for features in ["", "serde"] {
+        for package in ["traylib-math", "traylib-statistics"] {
+            cargo(&["check", "--package", package, "--features", features])?;
+        }
+    }
+    Ok(())
 }
 
 /// The programs and all that they use, for other systems.
@@ -52,11 +63,15 @@ pub(super) fn packages() -> Result<()> {
     for folder in APART {
         let manifest = format!("{folder}/Cargo.toml");
         let of = ["--locked", "--manifest-path", &manifest];
-        if answers(&mut workspace::cargo(&[&["fetch"][..], &of].concat())) {
+        let fetch = workspace::cargo(&[&["fetch"][..], &of].concat()).output()?;
+        let complaint = String::from_utf8_lossy(&fetch.stderr);
+        // A lock file that no longer fits is a fault, a registry out of reach is none.
+        ensure!(!complaint.contains("--locked"), "{manifest}: {complaint}");
+        if fetch.status.success() {
             let check = [&["check"][..], &of, &["--target-dir", "target/apart"]].concat();
             finish(&mut workspace::cargo(&check))?;
         } else {
-            left_out(folder, "what it depends on cannot be had as its lock file says");
+            left_out(folder, "what it depends on cannot be had");
         }
     }
     Ok(())
