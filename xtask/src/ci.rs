@@ -5,7 +5,6 @@ mod apart;
 
 use crate::{layers, package, workspace};
 use anyhow::{Context, Result, ensure};
-use std::process::Command;
 use std::time::Instant;
 
 /// Runs every step; an error at the first that fails, with its name.
@@ -41,7 +40,7 @@ fn step(name: &str, task: impl FnOnce() -> Result<()>) -> Result<()> {
 
 fn document() -> Result<()> {
     let mut command = workspace::cargo(&["doc", "--workspace", "--no-deps"]);
-    finish(command.env("RUSTDOCFLAGS", "--deny warnings"))
+    workspace::finish(command.env("RUSTDOCFLAGS", "--deny warnings"))
 }
 
 /// The README's first command, made small: a picture must lie there afterwards.
@@ -64,7 +63,7 @@ fn compare() -> Result<()> {
     let arguments = ["--bin", "compare-integrators", "--", "--quick", "--out", path];
     cargo(&[&program[..], &arguments].concat())?;
     let page = ["test", "--workspace", "--test", "browser", "the_page"];
-    finish(workspace::cargo(&page).env("TRAYLIB_COMPARISON", path))
+    workspace::finish(workspace::cargo(&page).env("TRAYLIB_COMPARISON", path))
 }
 
 /// As the tests have built it: a release would take longer to build than all that
@@ -75,13 +74,7 @@ fn bdpt(arguments: &[&str]) -> Result<()> {
 }
 
 fn cargo(arguments: &[&str]) -> Result<()> {
-    finish(&mut workspace::cargo(arguments))
-}
-
-fn finish(command: &mut Command) -> Result<()> {
-    let status = command.status().with_context(|| format!("{command:?} does not start"))?;
-    ensure!(status.success(), "{command:?} ended with {status}");
-    Ok(())
+    workspace::finish(&mut workspace::cargo(arguments))
 }
 
 #[cfg(test)]

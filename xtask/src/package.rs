@@ -1,10 +1,10 @@
 //! The libraries as packages: whether each is whole, and could be published.
 
-use crate::workspace::cargo;
-use anyhow::{Result, ensure};
+use crate::workspace::{cargo, finish};
+use anyhow::Result;
 use std::process::Command;
 
-/// From the lowest floor up.
+/// Those that can be published, from the lowest floor up.
 const LIBRARIES: [&str; 6] = [
     "traylib-math",
     "traylib-geometry",
@@ -20,7 +20,8 @@ pub(crate) fn pack() -> Result<()> {
     of_libraries(cargo(&["package", "--allow-dirty", "--offline"]))
 }
 
-/// [`pack`], and all that publishing does in their order but to upload them. Asks the registry.
+/// Does what [`pack`] does, and all that publishing does in their order but to upload them.
+/// Asks the registry.
 pub(crate) fn publish_dry() -> Result<()> {
     of_libraries(cargo(&["publish", "--dry-run", "--allow-dirty"]))
 }
@@ -34,9 +35,7 @@ fn of_libraries(mut command: Command) -> Result<()> {
     for package in LIBRARIES {
         command.args(["--package", package]);
     }
-    let status = command.status()?;
-    ensure!(status.success(), "{command:?} ended with {status}");
-    Ok(())
+    finish(&mut command)
 }
 
 #[cfg(test)]

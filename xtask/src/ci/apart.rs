@@ -1,7 +1,7 @@
 //! What the workspace's own build does not reach: other features, other systems, and the
 //! packages that stand apart. What a machine lacks for it is said in a line and left out.
 
-use super::{cargo, finish};
+use super::cargo;
 use crate::workspace;
 use anyhow::{Result, ensure};
 use std::process::{Command, Stdio};
@@ -69,7 +69,7 @@ pub(super) fn packages() -> Result<()> {
         ensure!(!complaint.contains("--locked"), "{manifest}: {complaint}");
         if fetch.status.success() {
             let check = [&["check"][..], &of, &["--target-dir", "target/apart"]].concat();
-            finish(&mut workspace::cargo(&check))?;
+            workspace::finish(&mut workspace::cargo(&check))?;
         } else {
             left_out(folder, "what it depends on cannot be had");
         }
