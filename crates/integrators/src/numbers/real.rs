@@ -82,7 +82,7 @@ impl RealNumbers {
         dimensions: Dimensions,
     ) -> Self {
         let (sequence, number) = place(pass);
-        let count = u64::from(count);
+        let count = u64::from(count.max(1));
         let point = sobol::point(number * count + (u64::from(path) + rotation) % count);
         let key = hash(seed, [SHIFTS + Purpose::Light as u64, sequence, 0]);
         Self { point, key, shifts: 0, used: 0, purpose: Purpose::Light, dimensions }
