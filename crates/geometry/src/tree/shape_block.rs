@@ -25,24 +25,23 @@ use std::ops::ControlFlow;
 
 /// Shapes of one kind.
 pub(crate) trait ShapeBlock {
-    /// Tells where a ray meets them at 0 < t < `limit`, and the number of the shape, until it
-    /// is told to stop.
+    /// Those of the shapes.
+    fn numbers(&self) -> &[u32; LEAF];
+
+    /// Where a ray meets them at 0 < t < `limit`.
+    fn hits<E: Simd>(&self, line: &Line<E>, limit: f32) -> Hits<LEAF>;
+
+    /// Tells of each hit, and of the number of the shape, until it is told to stop.
+    #[inline(always)]
     fn each_hit<E: Simd>(
         &self,
         line: &Line<E>,
         limit: f32,
-        tell: impl FnMut(u32, ShapeHit) -> ControlFlow<()>,
-    ) -> ControlFlow<()>;
-}
-
-/// Tells of all hits with shapes of these numbers.
-#[inline(always)]
-fn tell_all(
-    hits: &Hits<LEAF>,
-    numbers: &[u32; LEAF],
-    mut tell: impl FnMut(u32, ShapeHit) -> ControlFlow<()>,
-) -> ControlFlow<()> {
-    ones(hits.mask).try_for_each(|lane| tell(numbers[lane % LEAF], hits.hit(lane)))
+        mut tell: impl FnMut(u32, ShapeHit) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let hits = self.hits(line, limit);
+        ones(hits.mask).try_for_each(|lane| tell(self.numbers()[lane % LEAF], hits.hit(lane)))
+    }
 }
 
 /// Three coordinates of four shapes, or the same of a ray four times.

@@ -1,13 +1,11 @@
 //! Four disks or rings.
 
-use super::{Line, NO_ROWS, Rows, ShapeBlock, contained, dot, hits_at, read, tell_all, write};
-use crate::ShapeHit;
+use super::{Line, NO_ROWS, Rows, ShapeBlock, contained, dot, hits_at, read, write};
 use crate::Sides;
 use crate::shape::ShapeKind;
 use crate::tree::intersector::Hits;
 use crate::tree::node::LEAF;
 use crate::tree::simd::{F64x4, Float, Simd};
-use std::ops::ControlFlow;
 
 /// Up to four disks; where there is none, its numbers are none.
 #[derive(Clone, Copy, Debug)]
@@ -45,18 +43,10 @@ impl DiskBlock {
 }
 
 impl ShapeBlock for DiskBlock {
-    #[inline(always)]
-    fn each_hit<E: Simd>(
-        &self,
-        line: &Line<E>,
-        limit: f32,
-        tell: impl FnMut(u32, ShapeHit) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        tell_all(&self.hits(line, limit), &self.numbers, tell)
+    fn numbers(&self) -> &[u32; LEAF] {
+        &self.numbers
     }
-}
 
-impl DiskBlock {
     /// [`Disk::intersect`](crate::Disk::intersect) of each.
     #[inline(always)]
     fn hits<E: Simd>(&self, line: &Line<E>, limit: f32) -> Hits<LEAF> {

@@ -1,15 +1,11 @@
 //! Four parallelograms.
 
-use super::{
-    Line, NO_ROWS, Rows, ShapeBlock, contained, cross, dot, hits_at, read, scaled, tell_all, write,
-};
-use crate::ShapeHit;
+use super::{Line, NO_ROWS, Rows, ShapeBlock, contained, cross, dot, hits_at, read, scaled, write};
 use crate::Sides;
 use crate::shape::ShapeKind;
 use crate::tree::intersector::Hits;
 use crate::tree::node::LEAF;
 use crate::tree::simd::{F32x4, F64x4, Float, Simd};
-use std::ops::ControlFlow;
 
 /// Up to four quads; where there is none, its numbers are none.
 #[derive(Clone, Copy, Debug)]
@@ -61,18 +57,10 @@ impl QuadBlock {
 }
 
 impl ShapeBlock for QuadBlock {
-    #[inline(always)]
-    fn each_hit<E: Simd>(
-        &self,
-        line: &Line<E>,
-        limit: f32,
-        tell: impl FnMut(u32, ShapeHit) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        tell_all(&self.hits(line, limit), &self.numbers, tell)
+    fn numbers(&self) -> &[u32; LEAF] {
+        &self.numbers
     }
-}
 
-impl QuadBlock {
     /// [`Quad::intersect`](crate::Quad::intersect) of each.
     #[inline(always)]
     fn hits<E: Simd>(&self, line: &Line<E>, limit: f32) -> Hits<LEAF> {

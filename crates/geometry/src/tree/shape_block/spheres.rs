@@ -1,16 +1,12 @@
 //! Four spheres.
 
-use super::{
-    Line, NO_ROWS, Rows, ShapeBlock, contained, cross, dot, hits_at, read, tell_all, write,
-};
-use crate::ShapeHit;
+use super::{Line, NO_ROWS, Rows, ShapeBlock, contained, cross, dot, hits_at, read, write};
 use crate::shape::ShapeKind;
 use crate::tree::intersector::Hits;
 use crate::tree::mask::ones;
 use crate::tree::node::LEAF;
 use crate::tree::simd::{F32x4, F64x4, Float, Simd};
 use crate::{Facing, Sides};
-use std::ops::ControlFlow;
 
 /// Up to four spheres; where there is none, its numbers are none.
 #[derive(Clone, Copy, Debug)]
@@ -47,18 +43,10 @@ impl SphereBlock {
 }
 
 impl ShapeBlock for SphereBlock {
-    #[inline(always)]
-    fn each_hit<E: Simd>(
-        &self,
-        line: &Line<E>,
-        limit: f32,
-        tell: impl FnMut(u32, ShapeHit) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        tell_all(&self.hits(line, limit), &self.numbers, tell)
+    fn numbers(&self) -> &[u32; LEAF] {
+        &self.numbers
     }
-}
 
-impl SphereBlock {
     /// [`Sphere::intersect`](crate::Sphere::intersect) of each.
     #[inline(always)]
     fn hits<E: Simd>(&self, line: &Line<E>, limit: f32) -> Hits<LEAF> {
