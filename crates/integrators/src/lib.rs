@@ -94,7 +94,7 @@ pub use control::Control;
 pub use directlight::DirectLight;
 pub use limits::{Limits, Roulette};
 pub use method::{Method, MethodError, MethodOption, MethodSetting, OptionValues};
-pub use numbers::{Dimensions, PathSampler, PointSet, SEQUENCES};
+pub use numbers::{Dimensions, PathSampler, PointSet};
 pub use particle::Particle;
 pub use pass::{Pass, RenderChunk};
 pub use puremc::PureMc;

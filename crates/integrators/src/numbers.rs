@@ -5,7 +5,8 @@ mod points;
 mod real;
 
 pub use path_sampler::PathSampler;
-pub use points::{PointSet, SEQUENCES};
+pub use points::PointSet;
+use points::SEQUENCES;
 pub use real::Dimensions;
 pub(crate) use real::{RealNumbers, rotation};
 

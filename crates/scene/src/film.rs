@@ -13,16 +13,17 @@ use traylib_math::{Grid, Rgb};
 
 /// The mean of many passes, and how much they differ.
 ///
-/// Passes are independent of one another; samples within a pass are not, once
-/// light paths splat. So the pass is what variance is estimated from.
+/// Samples within a pass depend on one another, once light paths splat. Passes do not as a
+/// rule, so the pass is what variance is estimated from. Those of quasi-random points do: they
+/// belong to sequences by turns, and variance is estimated from the means of these.
 ///
 /// Passes have numbers, and a film may hold any of them. Sums are made of two halves, those
 /// of halves again, as numbers say, whoever rendered what first: a film that is
 /// [merged](Self::merge) from parts has the bits of one that was rendered at once.
 ///
 /// Each sum that waits for its other half takes 48 bytes a pixel, and 24 more for each further
-/// picture; that of a single pass takes 24 and 24. Of the first n passes as many sums wait as
-/// n has binary ones.
+/// picture; that of a single pass or in one of several sequences takes 24 and 24. Of the first n
+/// passes of a sequence as many sums wait as n has binary ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     width: usize,
@@ -82,7 +83,8 @@ impl Film {
     /// Adds the passes of another film, in any order: the result is the same, bit for bit.
     ///
     /// # Errors
-    /// [`MergeError`] if the sizes differ or a pass is in both; then nothing is added.
+    /// [`MergeError`] if the sizes or the numbers of sequences differ, or a pass is in both; then
+    /// nothing is added.
     pub fn merge(&mut self, other: Self) -> Result<(), MergeError> {
         let sizes = [self, &other].map(|film| [film.width, film.height]);
         if sizes[0] != sizes[1] {
