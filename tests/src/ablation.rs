@@ -6,11 +6,10 @@ use crate::ledger::Finding;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use traylib_integrators::{
-    Bdpt, Control, Limits, Progress, Report, Roulette, Settings, Technique, TechniqueSet,
-    Weighting, render,
+    Bdpt, Control, Limits, Progress, Report, Roulette, Technique, TechniqueSet, Weighting, render,
 };
 use traylib_known::furnace::{glowing_ball, offset_light_wide};
-use traylib_known::{Case, samples_in_a_pass};
+use traylib_known::{Case, samples_in_a_pass, settings_by_pass};
 use traylib_materials::SurfaceModel;
 use traylib_math::{Heuristic, Sampler};
 use traylib_statistics::{Interval, mean_interval};
@@ -93,7 +92,7 @@ impl Pictures {
         let mut pictures: BTreeMap<(Pair, bool), Vec<f64>> = BTreeMap::new();
         for batch in 0..budget.batches {
             let seed = seed + u64::from(batch);
-            let settings = Settings { spp: budget.passes, seed, threads: 1, ..Settings::default() };
+            let settings = settings_by_pass(budget.passes, seed);
             let observe = &mut |_: &Progress<'_>| ControlFlow::Continue(());
             let rendering =
                 render(&spectrum.case.scene, &bdpt, &settings, &Control::default(), observe);

@@ -13,7 +13,7 @@
 use crate::ledger::Finding;
 use crate::methods;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings};
-use traylib_known::{each_pass, samples_in_a_pass};
+use traylib_known::{each_pass, samples_in_a_pass, settings_by_pass};
 use traylib_math::Vec2;
 use traylib_scene::Scene;
 use traylib_statistics::student::two_sided_quantile;
@@ -145,7 +145,7 @@ impl Tiles {
         let before = self.values[0].len() as u32;
         let place = methods::WALKING.iter().position(|&other| other == self.method);
         let seed = 1 + place.unwrap_or(0) as u64 + 1000 * u64::from(before);
-        let settings = Settings { spp: passes - before, seed, threads: 0, ..Settings::default() };
+        let settings = Settings { threads: 0, ..settings_by_pass(passes - before, seed) };
         let integrator = self.method.build();
         let (values, side) = (&mut self.values, self.side);
         let statistics = each_pass(subject.scene, integrator.as_ref(), &settings, |pass| {

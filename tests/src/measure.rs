@@ -2,7 +2,7 @@
 
 use crate::ledger::{Finding, settle};
 use traylib_integrators::{Method, PointSet, Settings, Statistics};
-use traylib_known::{Case, pass_means, samples_in_a_pass};
+use traylib_known::{Case, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_statistics::{Interval, mean_interval, sidak};
 
 /// How often the comparisons with known radiances, all of them together, raise
@@ -38,7 +38,7 @@ pub fn compare_within(
     seed: u64,
     equivalence: f64,
 ) -> Finding {
-    let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(passes, seed);
     let claim = format!("{}, {method}: mean radiance", case.name);
     judge(claim, &measure(case, method, &settings), case.truth, equivalence)
 }

@@ -148,6 +148,7 @@ impl<'a> Work<'a> {
                 reference: &reference,
                 budgets: &self.budgets,
                 threads: self.options.threads,
+                points: self.options.sampler,
                 stop: self.stop,
             },
             key: key_of(&(self.key, prepared.key, reference.picture.values())),

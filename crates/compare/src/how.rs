@@ -13,6 +13,7 @@ pub fn how(options: &Options, arguments: &[String]) -> How {
         commit: commit(traylib_demos::VERSION).map(String::from),
         processor: processor().unwrap_or_else(|| std::env::consts::ARCH.into()),
         threads: if options.threads == 0 { processors } else { options.threads },
+        sampler: options.sampler.to_string(),
         seeds: options.seeds(),
         first_seed: options.first_seed,
         budgets: options.budgets(),

@@ -5,7 +5,7 @@ use clap::Parser;
 use std::path::PathBuf;
 use std::time::Duration;
 use traylib_demos::{Failure, parse_duration, parse_resolution, parse_threads};
-use traylib_integrators::Method;
+use traylib_integrators::{Method, PointSet};
 
 /// Which method reaches which error in which time: renders each scene by each of
 /// them, many times and by turns, and charts error against time
@@ -56,6 +56,11 @@ pub struct Options {
     /// Threads, up to 1024, 0 for one a processor
     #[arg(short, long, value_name = "N", default_value_t = 0, value_parser = parse_threads)]
     pub threads: usize,
+
+    /// Where random numbers come from, as for the programs; references are always of
+    /// `independent` ones
+    #[arg(long, value_name = "NAME", default_value_t = PointSet::default())]
+    pub sampler: PointSet,
 
     /// Pictures of other programs to put on the chart: a JSON list of scene (its name
     /// here: of a file, that without folder and ending), name, seconds and picture

@@ -72,8 +72,8 @@ impl Field<'_> {
         seed: u64,
         warm: &mut bool,
     ) -> Result<Option<(Record, Picture)>, Failure> {
-        let Race { budgets, threads, .. } = self.race;
-        let key = key_of(&(self.key, method.to_string(), seed, budgets, threads));
+        let Race { budgets, threads, points, .. } = self.race;
+        let key = key_of(&(self.key, method.to_string(), seed, budgets, threads, points.name()));
         let found = self.store.numbers(key).zip(self.store.picture(key, "mean"));
         if found.is_some() {
             return Ok(found);

@@ -41,6 +41,8 @@ pub struct How {
     pub processor: String,
     /// Threads of each render.
     pub threads: usize,
+    /// Where the random numbers of the runs come from, as `--sampler` spells it.
+    pub sampler: String,
     /// Runs of each method.
     pub seeds: u32,
     /// Seed of the first.

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use traylib_integrators::Method;
 use traylib_integrators::{
-    Control, Progress, Rendering, Settings, Statistics, ThreadError, render,
+    Control, PointSet, Progress, Rendering, Settings, Statistics, ThreadError, render,
 };
 use traylib_scene::Scene;
 use traylib_statistics::PictureError;
@@ -63,6 +63,8 @@ pub struct Race<'a> {
     pub budgets: &'a [f64],
     /// Threads; 0 for one a processor.
     pub threads: usize,
+    /// Where random numbers come from.
+    pub points: PointSet,
     /// Raised when the user wants to stop.
     pub stop: &'a Control,
 }
@@ -74,8 +76,7 @@ impl Race<'_> {
     /// # Errors
     /// The system refuses threads.
     pub fn run(&self, method: Method, seed: u64) -> Result<Option<(Record, Picture)>, ThreadError> {
-        let settings =
-            Settings { spp: u32::MAX, seed, threads: self.threads, ..Settings::default() };
+        let settings = Settings { spp: u32::MAX, seed, threads: self.threads, points: self.points };
         let integrator = method.build();
         let mut watch = Watch::new(self);
         let (rendering, peak_bytes) = peak_during(|| {
@@ -96,7 +97,7 @@ impl Race<'_> {
     pub fn warm_up(&self, method: Method, time: Duration) -> Result<(), ThreadError> {
         let start = Instant::now();
         let settings =
-            Settings { spp: u32::MAX, seed: 0, threads: self.threads, ..Settings::default() };
+            Settings { spp: u32::MAX, seed: 0, threads: self.threads, points: self.points };
         let integrator = method.build();
         render(self.scene, integrator.as_ref(), &settings, self.stop, &mut |_| {
             if start.elapsed() >= time { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

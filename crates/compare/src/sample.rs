@@ -44,6 +44,7 @@ fn how() -> How {
         commit: Some("0123abc45678".into()),
         processor: "A processor with a rather long name @ 3.10GHz".into(),
         threads: 2,
+        sampler: "sobol".into(),
         seeds: SEEDS,
         first_seed: 1,
         budgets: BUDGETS.to_vec(),

@@ -46,8 +46,8 @@ impl<O: Args> CommandLine<O> {
 
 fn command<O: Args>(plain: Method) -> Command {
     let command = Command::new(plain.name()).version(VERSION).max_term_width(80);
-    let command =
-        RenderOptions::augment_args(command).args(plain.options().iter().copied().map(argument));
+    let own = plain.options().iter().map(|&option| argument(plain, option));
+    let command = RenderOptions::augment_args(command).args(own);
     let (about, more) = plain.about();
     // Set last: the texts of groups of options would stand there.
     let command = O::augment_args(command).about(about).long_about(None);
@@ -58,7 +58,7 @@ fn command<O: Args>(plain: Method) -> Command {
     }
 }
 
-fn argument(option: MethodOption) -> Arg {
+fn argument(method: Method, option: MethodOption) -> Arg {
     let argument = Arg::new(option.name()).long(option.name()).help(option.help());
     let argument = match option.values() {
         OptionValues::None => return argument.action(ArgAction::SetTrue),
@@ -71,7 +71,7 @@ fn argument(option: MethodOption) -> Arg {
             argument.value_name(name).value_parser(parser.try_map(move |word| option.read(&word)))
         }
     };
-    match option.default_value() {
+    match option.default_value(method) {
         Some(value) => argument.default_value(value),
         None => argument,
     }

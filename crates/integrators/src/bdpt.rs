@@ -126,8 +126,9 @@ impl Integrator for Bdpt {
         let pixels = scene.camera().width() * scene.camera().height();
         let light_paths = self.light_paths(pixels);
         let mut tracer = Tracer::new(scene, chunk.control);
-        let walker = Walker::new(self, light_paths);
-        let joiner = Joiner::new(self, light_paths);
+        let splats_in_weights = weight::splats_in_weights(light_paths, chunk.points);
+        let walker = Walker::new(self, splats_in_weights);
+        let joiner = Joiner::new(self, light_paths, splats_in_weights);
 
         // Light walks first: each is splatted, and kept for the camera paths.
         let mut light = LightPaths::with_room(chunk.light_paths.len());

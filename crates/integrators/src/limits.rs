@@ -47,8 +47,12 @@ impl Default for Roulette {
 const SMALLEST_CHANCE: f32 = 0.05;
 
 impl Roulette {
-    /// From the third edge on: direct light is always found.
-    pub const DEFAULT: Self = Self { from_edge: 3 };
+    /// From the fourth edge on, so that light by way of one surface more than direct light is
+    /// always found: of walks that are joined with no other.
+    pub const DEFAULT: Self = Self { from_edge: 4 };
+    /// From the third edge on, where every vertex is joined with those of another walk: an edge
+    /// more costs more there, and finds what others find, too.
+    pub const OF_JOINED_WALKS: Self = Self { from_edge: 3 };
     /// No roulette: paths end at a length limit, or never.
     pub const OFF: Self = Self { from_edge: u32::MAX };
 
@@ -90,10 +94,11 @@ mod tests {
     #[test]
     fn survivors_make_up_for_the_rest() {
         let roulette = Roulette::default();
+        let edge = roulette.from_edge;
         for weight in [0.0, 0.3, 0.9, 1.5] {
             let n = 10_000;
             let mean: f32 = (0..n)
-                .filter_map(|i| roulette.survive(3, Rgb::splat(weight), i as f32 / n as f32))
+                .filter_map(|i| roulette.survive(edge, Rgb::splat(weight), i as f32 / n as f32))
                 .map(|chance| 1.0 / chance)
                 .sum::<f32>()
                 / n as f32;
@@ -120,8 +125,11 @@ mod tests {
     #[test]
     fn early_edges_are_safe() {
         let last = 1.0 - f32::EPSILON;
-        assert_eq!(Roulette::default().survive(2, Rgb::BLACK, last), Some(1.0));
-        assert_eq!(Roulette::default().survive(3, Rgb::BLACK, last), None);
+        for roulette in [Roulette::DEFAULT, Roulette::OF_JOINED_WALKS] {
+            let edge = roulette.from_edge;
+            assert_eq!(roulette.survive(edge - 1, Rgb::BLACK, last), Some(1.0));
+            assert_eq!(roulette.survive(edge, Rgb::BLACK, last), None);
+        }
         assert_eq!(Roulette::OFF.survive(1000, Rgb::BLACK, last), Some(1.0));
     }
 

@@ -156,6 +156,16 @@ impl Method {
         }
     }
 
+    /// Limits that hold where none are given.
+    fn default_limits(self) -> Limits {
+        match self {
+            Self::Trace(_) | Self::PureMc(_) | Self::DirectLight(_) | Self::Particle(_) => {
+                Limits::NONE
+            }
+            Self::Bdpt(_) => BdptSettings::DEFAULT.limits,
+        }
+    }
+
     /// The same with these limits, where it has any.
     #[must_use]
     pub fn with_limits(self, limits: Limits) -> Self {
@@ -256,7 +266,7 @@ impl Method {
     /// nothing is weighted.
     pub fn with(self, given: &[MethodSetting]) -> Result<Self, MethodError> {
         let has = |setting| given.contains(&setting);
-        let limits = limits(given)?;
+        let limits = limits(given, self.default_limits())?;
         let heuristic = option::heuristic(given);
         Ok(match self {
             Self::Trace(_) => Self::Trace(Trace { jitter: has(MethodSetting::Jitter) }),
@@ -281,9 +291,8 @@ impl Method {
     }
 }
 
-/// The limits among settings, defaults where there are none.
-fn limits(given: &[MethodSetting]) -> Result<Limits, MethodError> {
-    let mut limits = Limits::NONE;
+/// The limits among settings, these where there are none.
+fn limits(given: &[MethodSetting], mut limits: Limits) -> Result<Limits, MethodError> {
     for setting in given {
         match *setting {
             MethodSetting::MaxDepth(edges) => limits.max_depth = Some(edges),

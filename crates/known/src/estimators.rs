@@ -1,9 +1,9 @@
 //! The estimators whose noise is known in A2, and single samples of them.
 
 use crate::analytic::disk;
-use crate::passes::each_pass;
+use crate::passes::{each_pass, settings_by_pass};
 use crate::variance::{mean, of_both, of_light_samples, of_walks};
-use traylib_integrators::{DirectLight, Method, Settings};
+use traylib_integrators::{DirectLight, Method};
 use traylib_math::Heuristic;
 use traylib_statistics::Moments;
 
@@ -56,7 +56,7 @@ impl Estimator {
     pub fn samples(self, radius: f64, passes: u32, seed: u64) -> Moments {
         let case = disk(radius);
         let unit = case.truth / mean(radius);
-        let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
+        let settings = settings_by_pass(passes, seed);
         let mut samples = Vec::new();
         let statistics =
             each_pass(&case.scene, self.method().build().as_ref(), &settings, |pass| {

@@ -21,15 +21,15 @@
 //! ([`cost`]).
 //!
 //! ```
-//! use traylib_integrators::{Method, Settings};
-//! use traylib_known::{analytic, pass_means};
+//! use traylib_integrators::Method;
+//! use traylib_known::{analytic, pass_means, settings_by_pass};
 //! use traylib_statistics::mean_interval;
 //!
 //! // A point light over a diffuse floor: ρ/π·I·cosθ/d².
 //! let case = analytic::point_light();
 //! let integrator = Method::DIRECT_LIGHT.build();
-//! let settings = Settings { spp: 4, seed: 1, threads: 1, ..Settings::default() };
-//! let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
+//! let passes = settings_by_pass(4, 1);
+//! let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &passes);
 //! assert_eq!(statistics.rejected, 0);
 //! let interval = mean_interval(&means, 1e-3);
 //! assert!((interval.mean / case.truth - 1.0).abs() < 1e-4);
@@ -58,7 +58,7 @@ pub mod tubes;
 pub mod variance;
 
 pub use case::{Case, mean_over_film, mean_over_floor};
-pub use passes::{each_pass, pass_means, samples_in_a_pass};
+pub use passes::{SAMPLER_VARIABLE, each_pass, pass_means, samples_in_a_pass, settings_by_pass};
 
 /// What the package says of itself is run as a test.
 #[cfg(doctest)]

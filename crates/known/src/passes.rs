@@ -1,9 +1,29 @@
 //! Renderings as numbers: pass by pass.
 
 use std::ops::ControlFlow;
-use traylib_integrators::{Control, Integrator, Settings, Statistics, render};
+use traylib_integrators::{Control, Integrator, PointSet, Settings, Statistics, render};
 use traylib_math::Grid;
 use traylib_scene::Scene;
+
+/// Names the points of [`settings_by_pass`], if they are others than independent ones.
+pub const SAMPLER_VARIABLE: &str = "TRAYLIB_SAMPLER";
+
+/// For a rendering of so many passes, each of which is evidence of its own: on one thread, by
+/// independent points, unless the variable [`SAMPLER_VARIABLE`] names others.
+///
+/// Passes of quasi-random points depend on one another so that means of many vary less than
+/// they would by the spread of single ones: intervals are wider than they had to be, and false
+/// alarms are rarer.
+///
+/// # Panics
+/// If the variable names no points.
+pub fn settings_by_pass(passes: u32, seed: u64) -> Settings {
+    let named = std::env::var(SAMPLER_VARIABLE).ok().map(|name| {
+        name.parse().unwrap_or_else(|wanted| panic!("{SAMPLER_VARIABLE}={name}: {wanted}"))
+    });
+    let points = named.unwrap_or(PointSet::Independent);
+    Settings { spp: passes, seed, threads: 1, points }
+}
 
 /// Renders and hands every pass, on its own, to `observe`.
 ///

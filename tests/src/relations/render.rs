@@ -12,9 +12,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 use traylib_integrators::{
-    Bdpt, Control, Integrator, Limits, Method, Progress, Roulette, Settings, TechniqueSet,
-    Weighting, render,
+    Bdpt, Control, Integrator, Limits, Method, Progress, Roulette, TechniqueSet, Weighting, render,
 };
+use traylib_known::settings_by_pass;
 use traylib_math::Heuristic;
 use traylib_scene::Scene;
 
@@ -161,7 +161,7 @@ impl Workshop {
         passes: u32,
     ) -> Result<Cells, Trouble> {
         let integrator = estimator.integrator(built.max_depth);
-        let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
+        let settings = settings_by_pass(passes, seed);
         let width = built.scene.camera().width() as usize;
         let mut sums = Sums::default();
         let observe = &mut |progress: &Progress<'_>| {

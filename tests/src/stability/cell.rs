@@ -1,8 +1,8 @@
 //! A method over a scene: sixteen runs, and what is kept of their passes.
 
 use crate::stability::reference::{Reference, values};
-use traylib_integrators::{Method, Settings};
-use traylib_known::each_pass;
+use traylib_integrators::Method;
+use traylib_known::{each_pass, settings_by_pass};
 use traylib_scene::Scene;
 use traylib_statistics::tail::Largest;
 use traylib_statistics::{Energy, PowerSums};
@@ -50,7 +50,7 @@ pub fn run(
     let integrator = method.up_to(max_depth).build();
     let mut kept = Kept { passes, ..Kept::default() };
     for seed in 1..=RUNS {
-        let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
+        let settings = settings_by_pass(passes, seed);
         let mut run = Run::default();
         let statistics = each_pass(scene, integrator.as_ref(), &settings, |pass| {
             let pass: Vec<f64> = values(&pass).collect();

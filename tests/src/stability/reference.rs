@@ -2,8 +2,8 @@
 
 use crate::stability::scene::{FailureScene, Truth};
 use traylib_geometry::Vec3;
-use traylib_integrators::{Method, Settings};
-use traylib_known::each_pass;
+use traylib_integrators::Method;
+use traylib_known::{each_pass, settings_by_pass};
 use traylib_math::{Grid, Vec2};
 use traylib_scene::{Camera, Scene};
 use traylib_statistics::{error_floor, own_rel_mse, rel_mse};
@@ -46,7 +46,7 @@ impl Reference {
 
     fn rendered(row: &FailureScene, scene: &Scene, by: Method, passes: u32) -> Self {
         let integrator = by.up_to(row.max_depth).build();
-        let settings = Settings { spp: passes, seed: SEED, threads: 1, ..Settings::default() };
+        let settings = settings_by_pass(passes, SEED);
         let size = (scene.camera().width() * scene.camera().height()) as usize;
         let (mut sums, mut squares) = (vec![0.0; size], vec![0.0; size]);
         each_pass(scene, integrator.as_ref(), &settings, |pass| {

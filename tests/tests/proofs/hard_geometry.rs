@@ -4,14 +4,14 @@
 
 use glam::DVec3;
 use traylib_geometry::{Primitive, Ray, Sides, Triangle, Vec3};
-use traylib_integrators::{DirectLight, Integrator, Settings};
+use traylib_integrators::{DirectLight, Integrator};
 use traylib_known::analytic::phong_disk;
 use traylib_known::exchange::corner;
 use traylib_known::hard::{
     bumpy_plate, close_lamp, cube_of_slivers, grazing_light, grazing_view, lit_cube, tiny_lamp,
 };
 use traylib_known::polygonal::standing;
-use traylib_known::{each_pass, pass_means, samples_in_a_pass};
+use traylib_known::{each_pass, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_math::{Heuristic, Sampler, warp};
 use traylib_statistics::normal::OUTSIDE_1E_3;
 use traylib_statistics::tail::{KEPT, Largest};
@@ -23,7 +23,7 @@ use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, P
 /// Every sample of the corner by itself.
 fn corner_samples(integrator: &dyn Integrator, passes: u32, mut look: impl FnMut(f64)) -> u64 {
     let scene = corner().scene;
-    let settings = Settings { spp: passes, seed: 302, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(passes, 302);
     let statistics = each_pass(&scene, integrator, &settings, |pass| {
         pass.values().iter().for_each(|bands| look(bands[1]));
     });
@@ -118,8 +118,7 @@ fn bumpy(passes: u32) -> Vec<Finding> {
     let samples: Vec<Sample> = (0..)
         .zip(methods)
         .map(|(i, method)| {
-            let settings =
-                Settings { spp: passes, seed: 320 + i, threads: 1, ..Settings::default() };
+            let settings = settings_by_pass(passes, 320 + i);
             let integrator = method.build();
             let (means, statistics) = pass_means(&scene, integrator.as_ref(), &settings);
             assert_eq!(statistics.rejected, 0, "{method}");
@@ -188,7 +187,7 @@ const FAR: Vec3 = Vec3::new(2e4, -2e4, 1e4);
 fn d11_far_from_the_origin() {
     let case = lit_cube("D11".into(), FAR, 1.0);
     let findings = [PURE_MC, BDPT].map(|method| {
-        let settings = Settings { spp: 160, seed: 341, threads: 1, ..Settings::default() };
+        let settings = settings_by_pass(160, 341);
         let integrator = method.build();
         let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
         let ratio = Sample::of(&means).mean / case.truth;

@@ -11,9 +11,9 @@
 //! 7000 times and can be of no help.
 
 use traylib_geometry::Vec3;
-use traylib_integrators::{Bdpt, DirectLight, Integrator, Limits, Settings, Techniques};
-use traylib_known::each_pass;
+use traylib_integrators::{Bdpt, DirectLight, Integrator, Limits, Techniques};
 use traylib_known::stage::{Stage, black, disk_facing_down, lambert, rectangle, spot};
+use traylib_known::{each_pass, settings_by_pass};
 use traylib_math::{Heuristic, Sampler, Vec2};
 use traylib_scene::Scene;
 use traylib_statistics::normal::two_sided_quantile;
@@ -66,7 +66,7 @@ fn office(floor: [u16; 2]) -> Scene {
 
 /// Single samples over ρ·Le: a pixel of a spot in one pass is one.
 fn samples(scene: &Scene, integrator: &dyn Integrator, passes: u32) -> Moments {
-    let settings = Settings { spp: passes, seed: 31, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(passes, 31);
     let mut samples = Vec::new();
     let unit = f64::from(REFLECTANCE);
     let statistics = each_pass(scene, integrator, &settings, |pass| {

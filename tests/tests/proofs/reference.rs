@@ -5,7 +5,7 @@
 use serde::Deserialize;
 use traylib_integrators::{Control, Method, Settings};
 use traylib_io::{LoadOptions, load_exr, load_scene_with};
-use traylib_known::each_pass;
+use traylib_known::{each_pass, settings_by_pass};
 use traylib_math::Grid;
 use traylib_statistics::{Sample, holm, welch};
 use traylib_tests::ledger::{Finding, settle};
@@ -53,7 +53,7 @@ fn passes(scene: &str, method: Method, side: u32, spp: u32) -> Vec<Vec<[f64; 3]>
     let options = LoadOptions { resolution: Some((side, side)), ..LoadOptions::default() };
     let loaded = load_scene_with(scene, options).unwrap();
     let integrator = method.up_to(MAX_DEPTH).build();
-    let settings = Settings { spp, seed: 2026, threads: 0, ..Settings::default() };
+    let settings = Settings { threads: 0, ..settings_by_pass(spp, 2026) };
     let mut passes = Vec::new();
     let statistics = each_pass(&loaded.scene, integrator.as_ref(), &settings, |pass| {
         passes.push(block_means(&pass));

@@ -3,9 +3,9 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 use traylib_geometry::Vec3;
-use traylib_integrators::{Settings, Trace};
+use traylib_integrators::Trace;
 use traylib_known::stage::{Stage, camera, lambert, rectangle, spot};
-use traylib_known::{Case, mean_over_floor, pass_means, samples_in_a_pass};
+use traylib_known::{Case, mean_over_floor, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_scene::{Camera, Scene, SpotCone};
 use traylib_tests::ledger::settle;
 use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, judge};
@@ -74,7 +74,7 @@ fn a_lit_floor_is_the_same_from_both_ends() {
     let view = camera(Vec3::new(-1.0, 0.0, 5.0), Vec3::new(-1.0, 0.0, 0.0), 60.0, 32);
     let truth = mean_over_floor(&view, radiance);
     let scene = lit(view);
-    let settings = Settings { spp: PASSES, seed: 61, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(PASSES, 61);
     let (means, statistics) = pass_means(&scene, &Trace { jitter: true }, &settings);
     let samples = u64::from(PASSES) * samples_in_a_pass(&scene);
     let traced = Measured { means, statistics, samples };

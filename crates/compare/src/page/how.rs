@@ -11,7 +11,8 @@ const METHOD: &str = "Each method renders each scene many times with different s
     building the tree, film output and the metrics themselves are left out. The error is relMSE, \
     the mean of (x − r)²/(r² + ε) over pixels and bands, and the reference's own noise is taken \
     off it. Where that noise is 5 % of a point or more, the point is hollow: it says less than \
-    it seems to. Averages of several runs stand for one longer run.";
+    it seems to. Averages of several runs stand for one longer run; by \
+    quasi-random points that would be better still.";
 
 /// The machine, the command and where the references come from.
 pub(crate) fn how(results: &Results) -> Markup {
@@ -35,6 +36,7 @@ fn facts(how: &How) -> Markup {
         ("commit", how.commit.clone().unwrap_or_else(|| "unknown".into())),
         ("processor", how.processor.clone()),
         ("threads", how.threads.to_string()),
+        ("sampler", how.sampler.clone()),
         ("runs of each method", how.seeds.to_string()),
         ("seeds", format!("{} to {last_seed}", how.first_seed)),
         ("budgets", budgets.join(", ")),

@@ -4,7 +4,7 @@ use crate::picture::{Picture, double, grey, single};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::time::Instant;
-use traylib_integrators::{Control, Method, Settings, ThreadError, render};
+use traylib_integrators::{Control, Method, PointSet, Settings, ThreadError, render};
 use traylib_math::Grid;
 use traylib_scene::Scene;
 use traylib_statistics::Sample;
@@ -82,7 +82,8 @@ impl Order<'_> {
             spp: u32::MAX,
             seed: self.seed,
             threads: self.threads,
-            ..Settings::default()
+            // Its error is known from the spread of its passes.
+            points: PointSet::Independent,
         };
         let rendering =
             render(self.scene, method.build().as_ref(), &settings, self.stop, &mut |progress| {

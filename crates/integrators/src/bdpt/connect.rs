@@ -23,6 +23,7 @@ use traylib_scene::Walk;
 pub(crate) struct Joiner<'a> {
     bdpt: &'a Bdpt,
     light_paths: u32,
+    splats_in_weights: f64,
 }
 
 /// A joined path that carries light, unless something stands between.
@@ -34,8 +35,8 @@ struct Found<'a> {
 }
 
 impl<'a> Joiner<'a> {
-    pub(crate) fn new(bdpt: &'a Bdpt, light_paths: u32) -> Self {
-        Self { bdpt, light_paths }
+    pub(crate) fn new(bdpt: &'a Bdpt, light_paths: u32, splats_in_weights: f64) -> Self {
+        Self { bdpt, light_paths, splats_in_weights }
     }
 
     /// t = 1: joins every vertex of a light path to the camera.
@@ -272,7 +273,7 @@ impl<'a> Joiner<'a> {
         let camera_pdf = splat.camera_pdf(&y.point);
         let pdf_back = splat.scattering.toward_light;
         let heuristic = self.bdpt.heuristic;
-        let weight = weight::splat(y, camera_pdf, pdf_back, self.light_paths, heuristic);
+        let weight = weight::splat(y, camera_pdf, pdf_back, self.splats_in_weights, heuristic);
         // Does anything stand between?
         if let Some(transmittance) = tracer.seen_by_camera(&y.point) {
             // The mean over all light paths of the pass.
@@ -296,7 +297,8 @@ impl<'a> Joiner<'a> {
         }
         // Other weights than the recursive one are formed from all densities of the path.
         let takes_part = |s, t| techniques.allow(s, t, path.is_point) && weighting.includes(s, t);
-        let all_weights = || path.path_densities().weights(self.light_paths, heuristic, takes_part);
+        let splats = self.splats_in_weights;
+        let all_weights = || path.path_densities().weights(splats, heuristic, takes_part);
         let weight = match weighting {
             Weighting::Recursive => *weight,
             Weighting::DirectSum | Weighting::Among(_) => all_weights()[s],

@@ -136,7 +136,7 @@ impl PathDensities {
     /// of s has t = k + 1 − s.
     pub(crate) fn weights(
         &self,
-        light_paths: u32,
+        splats: f64,
         heuristic: Heuristic,
         takes_part: impl Fn(usize, usize) -> bool,
     ) -> Vec<f64> {
@@ -145,7 +145,7 @@ impl PathDensities {
         let logs: Vec<f64> = (0..=k)
             .map(|s| {
                 if self.is_possible(s) && takes_part(s, k + 1 - s) {
-                    self.log_density(s, light_paths)
+                    self.log_density(s, splats)
                 } else {
                     f64::NEG_INFINITY
                 }
@@ -172,15 +172,15 @@ impl PathDensities {
         exists && !joins_delta
     }
 
-    fn log_density(&self, s: usize, light_paths: u32) -> f64 {
+    fn log_density(&self, s: usize, splats: f64) -> f64 {
         let k = self.forward.len() - 1;
-        // x₀ … x_{s−1} walked from the light, the others from the camera; each of the light
-        // paths could have been splatted.
+        // x₀ … x_{s−1} walked from the light, the others from the camera; any of so many
+        // light paths could have been splatted.
         let start = if s == 1 { self.toward } else { self.forward[0] };
         let forward: f64 =
             (0..s).map(|i| if i == 0 { start } else { self.forward[i] }).map(f64::ln).sum();
         let backward: f64 = self.backward[s..].iter().map(|pdf| pdf.ln()).sum();
-        let count = if s == k { f64::from(light_paths) } else { 1.0 };
+        let count = if s == k { splats } else { 1.0 };
         forward + backward + count.ln()
     }
 }

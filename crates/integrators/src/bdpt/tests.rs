@@ -68,15 +68,15 @@ fn weights_of_all_techniques_sum_to_one() {
     let scene = room();
     for heuristic in HEURISTICS {
         let bdpt = Bdpt { heuristic, ..Bdpt::default() };
-        let light_paths = 777;
-        let walker = Walker::new(&bdpt, light_paths);
+        let splats = 777.0;
+        let walker = Walker::new(&bdpt, splats);
         let (mut paths, mut with_mirrors, mut from_points, mut with_images) = (0, 0, 0, 0);
         for index in 0.. {
             if paths >= 50_000 {
                 break;
             }
             for path in random_paths(&scene, &walker, index) {
-                let weights = path.weights(&scene, &walker, &bdpt, light_paths);
+                let weights = path.weights(&scene, &walker, &bdpt, splats);
                 let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
                 assert!((sum - 1.0).abs() < 1e-4, "{heuristic:?}: {sum}, {path:?}");
                 paths += 1;
@@ -96,15 +96,15 @@ fn weights_of_all_techniques_sum_to_one() {
 fn walks_carry_the_weights_of_their_paths() {
     let scene = room();
     let bdpt = Bdpt::default();
-    let light_paths = 777;
-    let walker = Walker::new(&bdpt, light_paths);
+    let splats = 777.0;
+    let walker = Walker::new(&bdpt, splats);
     let (mut compared, mut different, mut with_images) = (0, 0, 0);
     for index in 0..4000 {
         let Some((start, light, camera)) = random_walks(&scene, &walker, index) else { continue };
         let path = FullPath::connected(&scene, &start, &light, &camera);
         let Some(path) = path else { continue };
         let again = path.light_vertices(&scene, &walker, &bdpt);
-        let back = path.camera_vertices(&scene, &bdpt, light_paths);
+        let back = path.camera_vertices(&scene, &bdpt, splats);
         for (walked, again) in light.iter().zip(&again).chain(camera.iter().zip(&back)) {
             // Directions are formed again from rounded positions: near corners they differ, and
             // may be on the other side of the edge of a cone.
@@ -125,8 +125,8 @@ fn walks_carry_the_weights_of_their_paths() {
 fn mirror_connections_find_what_nothing_else_does() {
     let scene = room();
     let bdpt = Bdpt::default();
-    let light_paths = 777;
-    let walker = Walker::new(&bdpt, light_paths);
+    let splats = 777.0;
+    let walker = Walker::new(&bdpt, splats);
     let (mut alone, mut shared) = (0, 0);
     for index in 0..8000 {
         let Some((_, _, camera)) = random_walks(&scene, &walker, index) else { continue };
@@ -137,7 +137,7 @@ fn mirror_connections_find_what_nothing_else_does() {
                 let f = x2.point.evaluate(x2.wo, image.wi).f;
                 let path = FullPath::by_way_of_mirror(&scene, &image, camera);
                 let Some(path) = path.filter(|_| f.max_band() > 1e-6) else { continue };
-                let weights = path.weights(&scene, &walker, &bdpt, light_paths);
+                let weights = path.weights(&scene, &walker, &bdpt, splats);
                 let others: f64 = weights.iter().map(|(_, weight)| weight).sum();
                 let own = f64::from(u8::from(weight::mirror_connection(x2)));
                 assert!((own + others - 1.0).abs() < 1e-4, "{own} {others}: {path:?}");
@@ -157,8 +157,8 @@ fn joined_vertices_have_the_weights_of_their_paths() {
     // The pictures of techniques as they are and as they count, whose ratio is the weight.
     let techniques = Techniques { mirror_connections: false, ..Techniques::ALL };
     let bdpt = Bdpt { techniques, report: Report::Techniques, ..Bdpt::default() };
-    let light_paths = 777;
-    let (walker, joiner) = (Walker::new(&bdpt, light_paths), Joiner::new(&bdpt, light_paths));
+    let splats = 777.0;
+    let (walker, joiner) = (Walker::new(&bdpt, splats), Joiner::new(&bdpt, 777, splats));
     let control = Control::default();
     let (mut compared, mut different, mut aimed) = (0, 0, 0);
     for index in 0..8000 {
@@ -180,7 +180,7 @@ fn joined_vertices_have_the_weights_of_their_paths() {
             let (light, camera) = (&light.vertices[..s - 1], &camera.vertices[..t - 1]);
             let path = FullPath::connected(&scene, &start, light, camera);
             let Some(path) = path else { continue };
-            let weights = path.weights(&scene, &walker, &bdpt, light_paths);
+            let weights = path.weights(&scene, &walker, &bdpt, splats);
             let Some((_, expected)) = weights.iter().find(|(own, _)| *own == s) else { continue };
             let found = f64::from(counted.max_band() / value.max_band());
             // As for what walks carry.

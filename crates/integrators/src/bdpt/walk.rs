@@ -2,7 +2,6 @@
 
 use super::subpath::Subpath;
 use super::vertex::{SubpathState, Vertex};
-use super::weight::splats_in_weights;
 use super::{Bdpt, Techniques};
 use crate::Limits;
 use crate::chunk::pixel_corner;
@@ -27,14 +26,14 @@ pub(crate) struct Walker {
     limits: Limits,
     heuristic: Heuristic,
     techniques: Techniques,
-    light_paths: u32,
+    splats_in_weights: f64,
     aims_at_images: bool,
 }
 
 impl Walker {
-    pub(crate) fn new(bdpt: &Bdpt, light_paths: u32) -> Self {
+    pub(crate) fn new(bdpt: &Bdpt, splats_in_weights: f64) -> Self {
         let Bdpt { limits, heuristic, techniques, aims_at_images, .. } = *bdpt;
-        Self { limits, heuristic, techniques, light_paths, aims_at_images }
+        Self { limits, heuristic, techniques, splats_in_weights, aims_at_images }
     }
 
     /// The vertices of a light subpath after x₀; nothing if it left the scene at
@@ -93,7 +92,7 @@ impl Walker {
             return;
         };
         // Only splats could have found x₁ otherwise: equation 31 for the camera.
-        let splats = if self.techniques.splats { splats_in_weights(self.light_paths) } else { 0.0 };
+        let splats = if self.techniques.splats { self.splats_in_weights } else { 0.0 };
         let state = SubpathState {
             position: camera.position(),
             cosine: 0.0,

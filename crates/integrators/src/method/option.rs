@@ -1,5 +1,6 @@
 //! The options of methods: how they are spelled, and how their values are read.
 
+use super::Method;
 use crate::Roulette;
 use std::fmt;
 use traylib_math::Heuristic;
@@ -92,10 +93,16 @@ impl MethodOption {
         }
     }
 
-    /// The value that holds where it is not given, if there is one.
-    pub fn default_value(self) -> Option<&'static str> {
+    /// The value that holds for a method where it is not given, if there is one.
+    pub fn default_value(self, method: Method) -> Option<&'static str> {
         match self {
-            Self::Roulette => Some("3"),
+            Self::Roulette => Some(match method {
+                Method::Bdpt(_) => "3",
+                Method::Trace(_)
+                | Method::PureMc(_)
+                | Method::DirectLight(_)
+                | Method::Particle(_) => "4",
+            }),
             Self::Heuristic => Some("power"),
             Self::Jitter
             | Self::MaxDepth

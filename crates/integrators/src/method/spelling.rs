@@ -29,7 +29,7 @@ impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())?;
         let mut settings = self.settings();
-        settings.retain(|own| own.option().default_value() != Some(own.value().as_str()));
+        settings.retain(|own| own.option().default_value(*self) != Some(own.value().as_str()));
         settings.iter().try_for_each(|setting| write!(f, " {setting}"))
     }
 }

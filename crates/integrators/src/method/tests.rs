@@ -12,7 +12,7 @@ fn method(text: &str) -> Method {
 fn many() -> Vec<Method> {
     let values = |option: MethodOption| match option {
         MethodOption::MaxDepth => vec!["1", "4294967295"],
-        MethodOption::Roulette => vec!["2", "3", "off"],
+        MethodOption::Roulette => vec!["2", "3", "4", "off"],
         MethodOption::Heuristic => vec!["balance", "power"],
         MethodOption::Jitter
         | MethodOption::Combine
@@ -104,6 +104,17 @@ fn old_spellings_name_the_new() {
     }
     for never in ["combined:no-connections", "bdpt:depth=0", "bdpt:", "pt:balance"] {
         assert_eq!(never.parse::<Method>(), Err(MethodError::Unknown(never.into())));
+    }
+}
+
+#[test]
+fn defaults_are_spelled_as_they_are() {
+    for method in Method::ALL {
+        let option = MethodOption::Roulette;
+        if method.options().contains(&option) {
+            let default = option.read(option.default_value(method).unwrap()).unwrap();
+            assert_eq!(method.with(&[default]), Ok(method));
+        }
     }
 }
 

@@ -7,11 +7,11 @@ use std::str::FromStr;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PointSet {
     /// Not at all: every path has random numbers of its own.
-    #[default]
     Independent,
     /// The first [dimensions](traylib_math::sobol::DIMENSIONS) of a path are a point of
     /// Sobol's sequence, which fills them more evenly from pass to pass; the rest is
     /// independent.
+    #[default]
     Sobol,
 }
 

@@ -4,11 +4,11 @@
 use super::{FAST, LONG, sampler};
 use std::f64::consts::PI;
 use traylib_geometry::{Vec2, Vec3};
-use traylib_integrators::{Method, Settings};
+use traylib_integrators::Method;
 use traylib_known::furnace::{diffuse_walls, glowing_ball};
 use traylib_known::grid::{Counts, SIDE, even};
 use traylib_known::stage::{Stage, black, camera_of_size, disk_facing_down, lambert, rectangle};
-use traylib_known::{each_pass, samples_in_a_pass};
+use traylib_known::{each_pass, samples_in_a_pass, settings_by_pass};
 use traylib_scene::{Camera, Scene};
 use traylib_tests::laws::chi_square::follows;
 use traylib_tests::laws::verdict::{Known, has_mean, same_bits, within, worse};
@@ -152,7 +152,7 @@ fn rays_fill_the_film_at_length() {
 /// Means of each column and each row, one number a pass.
 fn lines(scene: &Scene, max_depth: u32, passes: u32) -> Vec<Vec<f64>> {
     let integrator = methods::PARTICLE.up_to(Some(max_depth)).build();
-    let settings = Settings { spp: passes, seed: 181, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(passes, 181);
     let (width, height) = (scene.camera().width() as usize, scene.camera().height() as usize);
     let mut lines = vec![Vec::new(); width + height];
     let statistics = each_pass(scene, integrator.as_ref(), &settings, |pass| {
@@ -210,7 +210,7 @@ fn small_disk() -> Scene {
 /// Column and row of the middle of the light.
 fn centroid(scene: &Scene, method: Method, passes: u32) -> [f64; 2] {
     let integrator = method.up_to(Some(2)).build();
-    let settings = Settings { spp: passes, seed: 182, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(passes, 182);
     let (mut moments, mut total) = ([0.0; 2], 0.0);
     each_pass(scene, integrator.as_ref(), &settings, |pass| {
         for (i, bands) in pass.values().iter().enumerate() {

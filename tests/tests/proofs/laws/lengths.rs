@@ -7,11 +7,11 @@
 //! have no variance but that of splats, and one edge too many or too few stands
 //! out at any number of samples.
 
-use traylib_integrators::{Limits, Method, Roulette, Settings};
+use traylib_integrators::{Limits, Method, Roulette};
 use traylib_known::furnace::{
     central_light, diffuse_walls, glowing_ball, mirroring_walls, offset_light_wide,
 };
-use traylib_known::{Case, pass_means, samples_in_a_pass};
+use traylib_known::{Case, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_tests::laws::verdict::{Known, has_mean};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::methods;
@@ -24,7 +24,7 @@ const ROUNDING: f64 = 2e-5;
 fn finding(case: &Case, method: Method, roulette: Roulette, passes: u32, widest: f64) -> Finding {
     let limits = Limits { max_depth: case.max_depth, roulette };
     let integrator = method.with_limits(limits).build();
-    let settings = Settings { spp: passes, seed: 191, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(passes, 191);
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let claim = format!("{}, {method}, roulette from {}", case.name, roulette.from_edge);
     assert_eq!(statistics.rejected, 0, "{claim}");

@@ -104,11 +104,11 @@ impl FullPath {
         scene: &Scene,
         walker: &Walker,
         bdpt: &Bdpt,
-        light_paths: u32,
+        splats: f64,
     ) -> Vec<(usize, f64)> {
         let heuristic = bdpt.heuristic;
         let light = self.light_vertices(scene, walker, bdpt);
-        let camera = self.camera_vertices(scene, bdpt, light_paths);
+        let camera = self.camera_vertices(scene, bdpt, splats);
         let n = self.surfaces.len();
         let free = |i: usize| !self.is_delta[i];
         let mut weights = Vec::new();
@@ -137,7 +137,7 @@ impl FullPath {
                 );
                 let back = y.point.evaluate(y.wo, found.to_camera).pdf_reverse;
                 let camera_pdf = found.pdf.to_area(conversion).0;
-                let weight = weight::splat(y, camera_pdf, back, light_paths, heuristic);
+                let weight = weight::splat(y, camera_pdf, back, splats, heuristic);
                 weights.push((n + 1, weight));
             }
         }
@@ -197,12 +197,7 @@ impl FullPath {
         (0..self.surfaces.len()).map(event).collect()
     }
 
-    pub(super) fn camera_vertices(
-        &self,
-        scene: &Scene,
-        bdpt: &Bdpt,
-        light_paths: u32,
-    ) -> Vec<Vertex> {
+    pub(super) fn camera_vertices(&self, scene: &Scene, bdpt: &Bdpt, splats: f64) -> Vec<Vertex> {
         let mut events = self.events(scene);
         events.reverse();
         let camera = scene.camera();
@@ -212,7 +207,7 @@ impl FullPath {
             cosine: 0.0,
             pdf: camera.pdf(direction),
             is_delta: false,
-            d_vcm_factor: f64::from(light_paths),
+            d_vcm_factor: splats,
             d_vc_factor: 0.0,
         };
         walk(Walk::FromCamera, state, direction, &events, bdpt)
