@@ -1,9 +1,9 @@
 //! The project's own tasks: `cargo xtask TASK`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
+mod charts;
 mod check_data;
 mod ci;
-mod compare_integrators;
 mod count_instructions;
 mod faults;
 mod layers;
@@ -41,6 +41,9 @@ Usage: cargo xtask TASK [ARGUMENTS]
            every method over every failure scene, judged; --help for more
   compare-integrators [SCENE…] [OPTIONS]
            which method reaches which error in which time; --help for more
+  scaling [WHAT GROWS…] [OPTIONS]
+           how time and memory grow with triangles, lamps, the length of paths,
+           pixels and threads; --help for more
   count-instructions [PART…] [OPTIONS]
            instructions a ray and a triangle, by valgrind; --help for more
   package  packs the libraries, builds the packages, and tries to publish them
@@ -50,7 +53,7 @@ Usage: cargo xtask TASK [ARGUMENTS]
            step that fails
 
 Exit status: 0 done, 1 a task failed, 2 the command line was not understood;
-of compare-integrators also 3 a scene or picture makes no sense, 4 nothing can
+of compare-integrators and scaling also 3 a scene or picture makes no sense, 4 nothing can
 be written, 130 interrupted, 143 told to terminate.";
 
 fn main() -> ExitCode {
@@ -70,8 +73,8 @@ fn main() -> ExitCode {
         ["relations", ref arguments @ ..] => relations::run(arguments),
         ["stability", ref arguments @ ..] => stability::run(arguments),
         ["count-instructions", ref arguments @ ..] => count_instructions::run(arguments),
-        ["compare-integrators", ref arguments @ ..] => {
-            return compare_integrators::run(arguments).unwrap_or_else(|error| failed(&error));
+        [program @ ("compare-integrators" | "scaling"), ref arguments @ ..] => {
+            return charts::run(program, arguments).unwrap_or_else(|error| failed(&error));
         }
         ["help" | "-h" | "--help"] => {
             println!("{HELP}");

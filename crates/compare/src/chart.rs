@@ -16,6 +16,7 @@ mod oracle;
 mod palette;
 mod pareto;
 mod plot;
+mod scaling;
 
 pub(crate) use bars::{Bar, Baseline, bars};
 pub(crate) use convergence::convergence;
@@ -23,3 +24,4 @@ pub(crate) use lengths::lengths;
 pub(crate) use oracle::{Quantity, oracle};
 pub(crate) use palette::Palette;
 pub(crate) use pareto::{front, pareto};
+pub(crate) use scaling::scaling;

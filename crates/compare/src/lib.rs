@@ -9,6 +9,7 @@
 //! | [`results`], [`pictures`] | what was found, as plain data |
 //! | [`page`], [`table`], [`csv`] | what is shown of it |
 //! | [`folder`] | where it is left |
+//! | [`scaling`] | how time and memory grow |
 
 mod bootstrap;
 mod chart;
@@ -38,6 +39,7 @@ pub mod results;
 pub mod run;
 #[doc(hidden)]
 pub mod sample;
+pub mod scaling;
 pub mod store;
 pub mod table;
 pub mod techniques;

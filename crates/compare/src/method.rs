@@ -6,7 +6,7 @@ use traylib_math::Heuristic;
 /// Settings of the two best methods that may pay.
 const SETTINGS: [Method; 3] = [
     Method::DirectLight(DirectLight {
-        limits: Limits::NONE,
+        limits: Limits::OF_CAMERA_WALKS,
         combine: Some(Heuristic::Balance),
         no_images: false,
     }),

@@ -36,8 +36,7 @@ impl Store {
     /// # Errors
     /// It cannot be made, or nothing can be written into it.
     pub fn open(folder: PathBuf) -> Result<Self, StoreError> {
-        let text = |error| StoreError(format!("{}: cannot be made: {error}", folder.display()));
-        std::fs::create_dir_all(&folder).map_err(text)?;
+        make_folder(&folder)?;
         let store = Self { folder };
         check_file(&store.file(0)).map_err(|error| StoreError(error.to_string()))?;
         Ok(store)
@@ -111,6 +110,15 @@ pub fn write_json(path: &Path, numbers: &impl Serialize) -> Result<(), StoreErro
 /// The file cannot be written.
 pub fn write_text(path: &Path, text: &str) -> Result<(), StoreError> {
     write_file(path, text.as_bytes()).map_err(|error| StoreError(error.to_string()))
+}
+
+/// Makes a folder, and those it lies in, unless it is there.
+///
+/// # Errors
+/// It cannot be made.
+pub fn make_folder(folder: &Path) -> Result<(), StoreError> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| StoreError(format!("{}: cannot be made: {error}", folder.display())))
 }
 
 fn cannot_write(path: &Path, error: &dyn fmt::Display) -> StoreError {

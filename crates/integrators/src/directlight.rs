@@ -17,7 +17,7 @@ use traylib_scene::{Scene, SurfacePoint, Walk};
 /// sample could have been drawn: seen directly, or after a perfect mirror. (The
 /// paper does not count it there either, which leaves lamps black in mirrors.)
 /// With `combine`, both ways count everywhere, weighted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DirectLight {
     /// How long paths get.
     pub limits: Limits,
@@ -26,6 +26,12 @@ pub struct DirectLight {
     /// Do not look for images of lamps in mirrors: neither aim at those of small ones nor join
     /// those of point lights.
     pub no_images: bool,
+}
+
+impl Default for DirectLight {
+    fn default() -> Self {
+        Self { limits: Limits::OF_CAMERA_WALKS, combine: None, no_images: false }
+    }
 }
 
 /// How the walk came to where it is.

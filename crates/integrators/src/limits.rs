@@ -15,6 +15,8 @@ pub struct Limits {
 impl Limits {
     /// No longest path, and roulette where it usually begins: the default.
     pub const NONE: Self = Self { max_depth: None, roulette: Roulette::DEFAULT };
+    /// No longest path, and roulette where it begins for camera walks alone.
+    pub const OF_CAMERA_WALKS: Self = Self { max_depth: None, roulette: Roulette::OF_CAMERA_WALKS };
 
     /// Whether a path of this many edges may be rendered.
     pub fn allow(&self, edges: u32) -> bool {
@@ -47,12 +49,11 @@ impl Default for Roulette {
 const SMALLEST_CHANCE: f32 = 0.05;
 
 impl Roulette {
-    /// From the fourth edge on, so that light by way of one surface more than direct light is
-    /// always found: of walks that are joined with no other.
-    pub const DEFAULT: Self = Self { from_edge: 4 };
-    /// From the third edge on, where every vertex is joined with those of another walk: an edge
-    /// more costs more there, and finds what others find, too.
-    pub const OF_JOINED_WALKS: Self = Self { from_edge: 3 };
+    /// From the third edge on: direct light is always found.
+    pub const DEFAULT: Self = Self { from_edge: 3 };
+    /// From the fourth edge on, of walks from the camera that are joined with no others: what
+    /// they find by an edge more, nobody else does. See `docs/sampling.md` for what it buys.
+    pub const OF_CAMERA_WALKS: Self = Self { from_edge: 4 };
     /// No roulette: paths end at a length limit, or never.
     pub const OFF: Self = Self { from_edge: u32::MAX };
 
@@ -125,7 +126,7 @@ mod tests {
     #[test]
     fn early_edges_are_safe() {
         let last = 1.0 - f32::EPSILON;
-        for roulette in [Roulette::DEFAULT, Roulette::OF_JOINED_WALKS] {
+        for roulette in [Roulette::DEFAULT, Roulette::OF_CAMERA_WALKS] {
             let edge = roulette.from_edge;
             assert_eq!(roulette.survive(edge - 1, Rgb::BLACK, last), Some(1.0));
             assert_eq!(roulette.survive(edge, Rgb::BLACK, last), None);

@@ -43,13 +43,16 @@ impl Method {
     /// `trace --jitter`, as a mean of samples is.
     pub const JITTERED_TRACE: Self = Self::Trace(Trace { jitter: true });
     /// `puremc`.
-    pub const PURE_MC: Self = Self::PureMc(PureMc { limits: Limits::NONE });
+    pub const PURE_MC: Self = Self::PureMc(PureMc { limits: Limits::OF_CAMERA_WALKS });
     /// `directlight`, strict as in the paper.
-    pub const DIRECT_LIGHT: Self =
-        Self::DirectLight(DirectLight { limits: Limits::NONE, combine: None, no_images: false });
+    pub const DIRECT_LIGHT: Self = Self::DirectLight(DirectLight {
+        limits: Limits::OF_CAMERA_WALKS,
+        combine: None,
+        no_images: false,
+    });
     /// `directlight --combine`, weighted by the power heuristic.
     pub const COMBINED: Self = Self::DirectLight(DirectLight {
-        limits: Limits::NONE,
+        limits: Limits::OF_CAMERA_WALKS,
         combine: Some(Heuristic::Power),
         no_images: false,
     });
@@ -159,10 +162,8 @@ impl Method {
     /// Limits that hold where none are given.
     fn default_limits(self) -> Limits {
         match self {
-            Self::Trace(_) | Self::PureMc(_) | Self::DirectLight(_) | Self::Particle(_) => {
-                Limits::NONE
-            }
-            Self::Bdpt(_) => BdptSettings::DEFAULT.limits,
+            Self::PureMc(_) | Self::DirectLight(_) => Limits::OF_CAMERA_WALKS,
+            Self::Trace(_) | Self::Particle(_) | Self::Bdpt(_) => Limits::NONE,
         }
     }
 

@@ -12,10 +12,16 @@ use traylib_scene::{Scene, Walk};
 /// Walks from the camera and adds what the walk happens to hit.
 ///
 /// Point lights cannot be hit; they are sampled at every vertex.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PureMc {
     /// How long paths get.
     pub limits: Limits,
+}
+
+impl Default for PureMc {
+    fn default() -> Self {
+        Self { limits: Limits::OF_CAMERA_WALKS }
+    }
 }
 
 impl Integrator for PureMc {

@@ -39,14 +39,14 @@ pub(crate) fn methods(scene: &SceneResults, palette: &Palette) -> Vec<Key> {
     scene.methods.iter().map(key).collect()
 }
 
+/// A method by its name.
+pub(crate) fn named(name: &str, palette: &Palette) -> Key {
+    Key { words: name.into(), mark: palette.look(name).mark(), hollow: false }
+}
+
 /// All estimators of the oracle.
 pub(crate) fn curves(curves: &[OracleCurve], palette: &Palette) -> Vec<Key> {
-    let key = |curve: &OracleCurve| Key {
-        words: curve.method.clone(),
-        mark: palette.look(&curve.method).mark(),
-        hollow: false,
-    };
-    curves.iter().map(key).collect()
+    curves.iter().map(|curve| named(&curve.method, palette)).collect()
 }
 
 /// The document; `None` if the chart could not be drawn.

@@ -43,8 +43,13 @@ impl Palette {
     pub(crate) fn of(results: &Results) -> Self {
         let methods = results.scenes.iter().flat_map(|scene| &scene.methods).map(|m| &m.name);
         let curves = results.oracle.iter().flat_map(|oracle| &oracle.curves).map(|c| &c.method);
+        Self::of_names(methods.chain(curves))
+    }
+
+    /// Of methods by their names.
+    pub(crate) fn of_names<'a>(all: impl IntoIterator<Item = &'a String>) -> Self {
         let mut names: Vec<String> = Vec::new();
-        for name in methods.chain(curves) {
+        for name in all {
             if !names.contains(name) {
                 names.push(name.clone());
             }

@@ -174,7 +174,7 @@ fn a_picture_that_does_not_fit_into_memory() {
     }
     let all = "cornell --resolution 16384x16384 --techniques t --spp 5 -q";
     let said = fails(&folder, "bdpt", all, 4);
-    assert!(said.contains("2966.75 GB of memory, 11052 bytes each"), "{said}");
+    assert!(said.contains("7173.67 GB of memory, 26724 bytes each"), "{said}");
 }
 
 #[test]

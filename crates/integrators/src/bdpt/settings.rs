@@ -1,7 +1,7 @@
 //! What is chosen of bidirectional path tracing on a command line.
 
 use super::{Bdpt, Report, Techniques, Weighting};
-use crate::{Limits, Roulette};
+use crate::Limits;
 use traylib_math::Heuristic;
 
 /// The settings of [`Bdpt`] as a method.
@@ -22,7 +22,7 @@ pub struct BdptSettings {
 impl BdptSettings {
     /// All techniques, and weights by the power heuristic.
     pub const DEFAULT: Self = Self {
-        limits: Limits { roulette: Roulette::OF_JOINED_WALKS, ..Limits::NONE },
+        limits: Limits::NONE,
         heuristic: Heuristic::Power,
         direct_sum: false,
         no_connections: false,

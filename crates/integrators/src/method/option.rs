@@ -97,11 +97,8 @@ impl MethodOption {
     pub fn default_value(self, method: Method) -> Option<&'static str> {
         match self {
             Self::Roulette => Some(match method {
-                Method::Bdpt(_) => "3",
-                Method::Trace(_)
-                | Method::PureMc(_)
-                | Method::DirectLight(_)
-                | Method::Particle(_) => "4",
+                Method::PureMc(_) | Method::DirectLight(_) => "4",
+                Method::Trace(_) | Method::Particle(_) | Method::Bdpt(_) => "3",
             }),
             Self::Heuristic => Some("power"),
             Self::Jitter
