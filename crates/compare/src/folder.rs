@@ -1,10 +1,12 @@
 //! What a comparison leaves in its folder.
 
+use crate::chart;
 use crate::compare::Comparison;
 use crate::options::ORACLE;
 use crate::page::{charts, page};
 use crate::results::Results;
-use crate::store::{StoreError, write_json, write_text};
+use crate::scaling::{self, Scaling};
+use crate::store::{StoreError, make_folder, write_json, write_text};
 use serde_json::Value;
 use std::path::Path;
 use traylib_demos::say;
@@ -37,6 +39,20 @@ pub fn write(folder: &Path, comparison: &Comparison) -> Result<(), StoreError> {
         write_text(&folder.join(file), &chart)?;
     }
     write_text(&folder.join("index.html"), &page(results, pictures))
+}
+
+/// Writes `scaling.csv`, and a chart an axis beside it.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_scaling(folder: &Path, found: &Scaling) -> Result<(), StoreError> {
+    make_folder(folder)?;
+    for axis in &found.axes {
+        if let Some(chart) = chart::scaling(axis) {
+            write_text(&folder.join(format!("{}.svg", axis.axis.name())), &chart)?;
+        }
+    }
+    write_text(&folder.join("scaling.csv"), &scaling::csv(found))
 }
 
 /// What an earlier comparison found that this one has not looked at.

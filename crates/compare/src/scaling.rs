@@ -1,13 +1,11 @@
 //! How time and memory grow: with triangles, lamps, path length, pixels and threads.
 
 mod axis;
-mod files;
 mod measure;
 mod scenes;
 mod text;
 
 pub use axis::{Axis, AxisResults, Level};
-pub use files::write;
 pub use text::{csv, table};
 
 use serde::Serialize;

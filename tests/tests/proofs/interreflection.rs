@@ -2,10 +2,10 @@
 //! derivations stand in `traylib_tests::{rooms, concentric}`; the comparisons
 //! belong to one family with those of `analytic.rs`.
 
-use traylib_integrators::{Method, Settings, Statistics};
+use traylib_integrators::{Method, Statistics};
 use traylib_known::concentric::{Shell, concentric};
-use traylib_known::pass_means;
 use traylib_known::rooms::{glossy_ball, room_of_flux};
+use traylib_known::{pass_means, settings_by_pass};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, compare, judge};
 use traylib_tests::methods::{
@@ -77,7 +77,7 @@ fn all_walls(method: Method, passes: u32, seed: u64) -> Finding {
         samples: 6 * 1024 * u64::from(passes),
     };
     for (i, case) in (0..).zip(&cases) {
-        let settings = Settings { spp: passes, seed: seed + i, threads: 1, ..Settings::default() };
+        let settings = settings_by_pass(passes, seed + i);
         let integrator = method.up_to(case.max_depth).build();
         let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
         all.statistics += statistics;

@@ -4,13 +4,13 @@
 //! picture are a family of their own.
 
 use std::time::Instant;
-use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings, Statistics};
+use traylib_integrators::{BlindSpot, Method, SceneFacts, Statistics};
 use traylib_known::mirrored::{
     NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
     mirrored_point, mirrored_point_in_a_mirror, point_below_ball,
 };
 use traylib_known::stage::phong;
-use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass};
+use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_statistics::{Sample, mean_interval, sidak, tile_means};
 use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, FAMILY_LEVEL, Measured, judge};
@@ -27,7 +27,7 @@ struct Passes {
 
 fn render(picture: &Picture, method: Method, passes: u32, seed: u64) -> Passes {
     let integrator = method.up_to(picture.max_depth).build();
-    let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(passes, seed);
     let (mut blocks, mut means) = (vec![Vec::new(); blocks(picture).len()], Vec::new());
     let statistics = each_pass(&picture.scene, integrator.as_ref(), &settings, |pass| {
         let pass = pass.map(|bands| bands[1]);
@@ -148,7 +148,7 @@ fn c2(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
 
 fn measure(case: &Case, method: Method, passes: u32, seed: u64) -> Measured {
     let integrator = method.up_to(case.max_depth).build();
-    let settings = Settings { spp: passes, seed, threads: 1, ..Settings::default() };
+    let settings = settings_by_pass(passes, seed);
     let (means, statistics) = pass_means(&case.scene, integrator.as_ref(), &settings);
     let samples = u64::from(passes) * samples_in_a_pass(&case.scene);
     Measured { means, statistics, samples }

@@ -6,7 +6,7 @@ use traylib_integrators::{
     Bdpt, Control, DirectLight, Integrator, Limits, Method, Progress, Roulette, Settings,
     Statistics, render,
 };
-use traylib_known::each_pass;
+use traylib_known::{each_pass, settings_by_pass};
 use traylib_math::{Grid, Heuristic};
 use traylib_scene::Scene;
 use traylib_statistics::{Sample, sidak, tile_means, welch};
@@ -91,7 +91,8 @@ fn bdpt_with_the_techniques_of_another_method_is_that_method() {
         Method::DirectLight(DirectLight { combine, no_images: true, ..DirectLight::default() });
     for method in [methods::PURE_MC, combined, methods::PARTICLE] {
         let (techniques, other) = (method.techniques(), method.build());
-        let bdpt = Bdpt { techniques, heuristic, aims_at_images: false, ..Bdpt::default() };
+        let limits = method.limits().unwrap_or_default();
+        let bdpt = Bdpt { techniques, limits, heuristic, aims_at_images: false, ..Bdpt::default() };
         let [bdpt, other] = [&bdpt as &dyn Integrator, other.as_ref()]
             .map(|integrator| picture(&scene, integrator, settings));
         for (i, (a, b)) in bdpt.values().iter().zip(other.values()).enumerate() {
@@ -123,10 +124,7 @@ fn roulette_does_not_change_the_picture() {
     const PASSES: u32 = 96;
     let render = |roulette, seed| {
         let limits = Limits { max_depth: Some(12), roulette };
-        blocks(
-            &Bdpt { limits, ..Bdpt::default() },
-            Settings { spp: PASSES, seed, threads: 1, ..Settings::default() },
-        )
+        blocks(&Bdpt { limits, ..Bdpt::default() }, settings_by_pass(PASSES, seed))
     };
     let without = render(Roulette::OFF, 61);
     let level = sidak(1e-3, 2 * without.len());

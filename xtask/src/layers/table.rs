@@ -97,6 +97,7 @@ pub(super) const LAYERS: &[Layer] = &[
         &[
             "traylib-math",
             "traylib-statistics",
+            "traylib-geometry",
             "traylib-scene",
             "traylib-io",
             "traylib-integrators",

@@ -3,7 +3,8 @@
 use clap::Parser;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use traylib_compare::scaling::{Axis, measure, table, write};
+use traylib_compare::folder::write_scaling;
+use traylib_compare::scaling::{Axis, measure, table};
 use traylib_compare::target;
 use traylib_demos::{Failure, conclude, parse, say, tell, tell_name};
 
@@ -46,7 +47,7 @@ fn run(options: &Options) -> Result<(), Failure> {
     let told = |axis: Axis, size| say(format_args!("{size} {}", axis.name()));
     let scaling = measure(axes, options.largest, told).map_err(Failure::output)?;
     let folder = options.out.clone().unwrap_or_else(|| target().join("scaling"));
-    write(&folder, &scaling).map_err(Failure::output)?;
+    write_scaling(&folder, &scaling).map_err(Failure::output)?;
     tell(table(&scaling).trim_end())?;
     tell_name(&folder.join("scaling.csv"))
 }

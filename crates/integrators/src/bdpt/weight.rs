@@ -88,9 +88,10 @@ pub(crate) fn mirror_connection(x2: &Vertex) -> bool {
 /// paths find gets the better. Any number that is the same in all weights leaves their sum one.
 /// Of 1, 1/2, 1/4 and 1/10 of the paths the half had the least error; see `docs/sampling.md`.
 pub(crate) fn splats_in_weights(light_paths: u32, points: PointSet) -> f64 {
+    let light_paths = f64::from(light_paths);
     match points {
-        PointSet::Independent => f64::from(light_paths),
-        PointSet::Sobol => 0.5 * f64::from(light_paths),
+        PointSet::Independent => light_paths,
+        PointSet::Sobol => 0.5 * light_paths,
     }
 }
 
