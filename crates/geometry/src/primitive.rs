@@ -2,6 +2,7 @@
 
 mod touch;
 
+use crate::shape::{SphericalRectangle, SphericalTriangle, even_pdf};
 use crate::{
     Aabb, Cone, Disk, Error, Facing, Hit, Normals, Quad, Ray, Shape, ShapeHit, ShapeKind, Sides,
     Sphere, SurfaceSite, Triangle, Vec2, Vec3,
@@ -203,26 +204,49 @@ impl Primitive {
     /// A point to light `from` with, and its density per square metre.
     ///
     /// A sphere that faces outward, seen from outside, is sampled uniformly in
-    /// the cone of directions it fills; all else uniformly by area. At the rim
-    /// of a sphere rounding can turn a point away, which then has density zero
-    /// and sends no light.
+    /// the cone of directions it fills; a rectangle or a triangle uniformly in solid
+    /// angle if `from` is in front of it and no further away than it is wide; all else
+    /// uniformly by area. At the rim of a sphere, and next to what is flat, rounding can
+    /// turn a point away, which then has density zero and sends no light.
     pub fn sample_toward(&self, from: Vec3, u: Vec2) -> (SurfaceSite, AreaPdf) {
-        let in_cone = match self {
+        let by_solid_angle = match self {
+            Self::Triangle(triangle) => triangle.sample_seen(from, u),
+            Self::Quad(quad) => quad.sample_seen(from, u),
             Self::Sphere(sphere) => sphere.sample_cone(from, u),
-            Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) | Self::Cone(_) => None,
+            Self::Disk(_) | Self::Cone(_) => None,
         };
-        in_cone.unwrap_or_else(|| (self.sample_area(u), self.area_pdf()))
+        by_solid_angle.unwrap_or_else(|| (self.sample_area(u), self.area_pdf()))
+    }
+
+    /// The surface coordinates of the point that [`sample_toward`](Self::sample_toward)
+    /// makes of `u`, as a [`Hit`] has them: zero on shapes without any.
+    pub fn coordinates_toward(&self, from: Vec3, u: Vec2) -> Vec2 {
+        let by_solid_angle = match self {
+            Self::Triangle(triangle) => {
+                SphericalTriangle::seen(triangle, from).map(|seen| seen.sample(u))
+            }
+            Self::Quad(quad) => SphericalRectangle::seen(quad, from).map(|seen| seen.sample(u)),
+            Self::Sphere(_) | Self::Disk(_) | Self::Cone(_) => None,
+        };
+        by_solid_angle.unwrap_or_else(|| self.sample_coordinates(u))
     }
 
     /// The density per square metre with which
     /// [`sample_toward`](Self::sample_toward)`(from, ·)` gives the point of
     /// this surface with this position and front normal.
     pub fn pdf_toward(&self, from: Vec3, site_position: Vec3, site_normal: Vec3) -> AreaPdf {
-        let cone = match self {
+        let even = |solid_angle| even_pdf(solid_angle, from, site_position, site_normal);
+        let by_solid_angle = match self {
+            Self::Triangle(triangle) => {
+                SphericalTriangle::seen(triangle, from).map(|seen| even(seen.solid_angle()))
+            }
+            Self::Quad(quad) => {
+                SphericalRectangle::seen(quad, from).map(|seen| even(seen.solid_angle()))
+            }
             Self::Sphere(sphere) => sphere.pdf_cone(from, site_position, site_normal),
-            Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) | Self::Cone(_) => None,
+            Self::Disk(_) | Self::Cone(_) => None,
         };
-        cone.unwrap_or_else(|| self.area_pdf())
+        by_solid_angle.unwrap_or_else(|| self.area_pdf())
     }
 
     fn area_pdf(&self) -> AreaPdf {

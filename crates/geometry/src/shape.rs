@@ -6,6 +6,7 @@ mod facing;
 mod kind;
 mod list;
 mod quad;
+mod solid_angle;
 mod sphere;
 mod triangle;
 
@@ -15,6 +16,7 @@ pub use facing::Facing;
 pub use kind::{ShapeKind, SidedTriangle};
 pub use list::ShapeList;
 pub use quad::Quad;
+pub(crate) use solid_angle::{SphericalRectangle, SphericalTriangle, even_pdf};
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 

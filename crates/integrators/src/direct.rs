@@ -12,8 +12,8 @@ use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Wa
 pub struct LightSample {
     /// Which lamp.
     pub id: LightId,
-    /// The chance with which this lamp was drawn for the vertex.
-    chance: f32,
+    /// The density with which this point of this lamp was drawn for the vertex.
+    toward: f32,
     /// The point on it.
     pub x0: LightPoint,
     /// Unit direction from the vertex to the lamp.
@@ -52,8 +52,8 @@ pub fn sample_light(
     }
     // f·cos_s·Le·cos₀/d² over chance and density.
     let mut sample = aim(point, wo, choice.id, x0)?;
-    sample.radiance *= 1.0 / (choice.probability * pdf.0);
-    sample.chance = choice.probability;
+    sample.toward = choice.probability * pdf.0;
+    sample.radiance *= 1.0 / sample.toward;
     Some(sample)
 }
 
@@ -88,7 +88,7 @@ fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<Li
         scattering.f * x0.emitted * (cosine * solid_angle_per_area(falloff, distance_squared));
     (!radiance.is_black()).then_some(LightSample {
         id,
-        chance: 1.0,
+        toward: 1.0,
         x0,
         wi,
         distance_squared,
@@ -118,10 +118,9 @@ impl LightSample {
         self.scattering.toward_light.to_area(conversion).0
     }
 
-    /// The densities of the lamp's point for the vertex at `x1`, which it was drawn
-    /// for.
-    pub fn densities(&self, scene: &Scene, x1: Vec3) -> LightDensities {
-        scene.chosen_light_densities(self.id, self.chance, &self.x0, x1, -self.wi)
+    /// The densities of the lamp's point for the vertex, which it was drawn for.
+    pub fn densities(&self, scene: &Scene) -> LightDensities {
+        scene.sampled_light_densities(self.id, self.toward, &self.x0, -self.wi)
     }
 }
 

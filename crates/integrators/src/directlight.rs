@@ -85,7 +85,7 @@ impl DirectLight {
                 && let Some(transmittance) = light.visible(tracer, &point)
             {
                 light.mix(toward_light, &point);
-                let weight = self.light_weight(scene, &point, &light);
+                let weight = self.light_weight(scene, &light);
                 radiance += throughput * light.radiance * transmittance * weight;
             }
             // Point lights by way of a mirror, which no walk from the camera finds.
@@ -129,10 +129,10 @@ impl DirectLight {
     }
 
     /// The weight of a light sample against hitting the same point.
-    fn light_weight(&self, scene: &Scene, point: &SurfacePoint, light: &LightSample) -> f32 {
+    fn light_weight(&self, scene: &Scene, light: &LightSample) -> f32 {
         self.combine.map_or(1.0, |heuristic| {
             // The same two densities, of a point that was aimed at.
-            let toward = light.densities(scene, point.site.position).toward;
+            let toward = light.densities(scene).toward;
             heuristic.weight(toward, light.hit_pdf())
         })
     }

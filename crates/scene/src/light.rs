@@ -166,6 +166,15 @@ impl Light {
         }
     }
 
+    /// The surface coordinates of the point that [`sample_toward`](Self::sample_toward)
+    /// makes of `u`: zero on what has none.
+    pub(crate) fn coordinates_toward(&self, from: Vec3, u: Vec2) -> Vec2 {
+        match self {
+            Self::Area { primitive, .. } => primitive.coordinates_toward(from, u),
+            Self::Point(_) => Vec2::ZERO,
+        }
+    }
+
     /// Density with which [`sample_toward`](Self::sample_toward) chooses `point`
     /// of this lamp for `from`.
     pub fn toward_pdf(&self, from: Vec3, point: &LightPoint) -> AreaPdf {

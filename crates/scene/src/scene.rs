@@ -305,23 +305,22 @@ impl Scene {
         direction: Vec3,
     ) -> LightDensities {
         let chosen_for_x1 = self.stage.light_tree.probability(id.0, x1);
-        self.chosen_light_densities(id, chosen_for_x1, x0, x1, direction)
+        let toward = chosen_for_x1 * self.light(id).toward_pdf(x1, x0).0;
+        self.sampled_light_densities(id, toward, x0, direction)
     }
 
-    /// The same, where the chance is known with which
-    /// [`choose_light_for`](Self::choose_light_for) chooses this lamp for `x1`.
-    pub fn chosen_light_densities(
+    /// The same of a point that light sampling has drawn, with this density: the chance with
+    /// which [`choose_light_for`](Self::choose_light_for) chose the lamp times the density
+    /// that came from [`sample_light`](Self::sample_light).
+    pub fn sampled_light_densities(
         &self,
         id: LightId,
-        chosen_for_x1: f32,
+        toward: f32,
         x0: &LightPoint,
-        x1: Vec3,
         direction: Vec3,
     ) -> LightDensities {
-        let light = self.light(id);
         let emission =
-            self.stage.light_by_power.probability(id.0 as usize) * light.emission_pdf().0;
-        let toward = chosen_for_x1 * light.toward_pdf(x1, x0).0;
+            self.stage.light_by_power.probability(id.0 as usize) * self.light(id).emission_pdf().0;
         LightDensities { emission, direction: x0.direction_pdf(direction), toward }
     }
 }

@@ -125,6 +125,12 @@ pub const CORRECTIONS: &[Correction] = &[
     corrected("F15", methods::PARTICLE, V, HIT_OR_MISSED),
     corrected("F15", methods::BDPT, V, HIT_OR_MISSED),
     corrected(
+        "F10",
+        methods::DIRECT_LIGHT,
+        Ok,
+        "points of a lamp that is near are drawn by solid angle; by area the tail has the index 1.5",
+    ),
+    corrected(
         "F12p",
         methods::PARTICLE,
         V,

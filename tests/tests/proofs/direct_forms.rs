@@ -31,7 +31,7 @@ fn a4_cut_sphere_by_all_methods() {
 
 #[test]
 fn a6_standing_rectangle() {
-    all_hold(&standing(1.0, 1.0, 1.0), 61, &[(DIRECT_LIGHT, 80)]);
+    all_hold(&standing(1.0, 1.0, 1.0), 61, &[(DIRECT_LIGHT, 112)]);
     all_hold(&standing(2.0, 1.0, 0.5), 62, &[(BDPT, 192)]);
 }
 
@@ -40,7 +40,7 @@ fn a6_standing_rectangle() {
 #[test]
 fn a7_polygons() {
     all_hold(&tilted_triangle(), 71, &[(DIRECT_LIGHT, 64), (BDPT, 64)]);
-    all_hold(&sunk_pentagon(), 72, &[(COMBINED, 144), (BDPT, 144)]);
+    all_hold(&sunk_pentagon(), 72, &[(COMBINED, 192), (BDPT, 192)]);
 }
 
 /// No noise: whichever is drawn gives the same.

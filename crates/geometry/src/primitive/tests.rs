@@ -84,8 +84,13 @@ fn all_else_is_sampled_by_area() {
     let mut random = Random::new(1);
     for _ in 0..2000 {
         let shape = random.primitive(Vec3::ZERO);
-        let cone = matches!(shape, Primitive::Sphere(s) if s.facing() == Facing::Outward);
-        let from = if cone { shape.bounds().centre() } else { 3.0 * random.point() };
+        let place = 3.0 * random.point();
+        let from = match &shape {
+            Primitive::Sphere(ball) if ball.facing() == Facing::Outward => ball.centre(),
+            // From far away.
+            Primitive::Triangle(_) | Primitive::Quad(_) => 100.0 * random.direction(),
+            Primitive::Sphere(_) | Primitive::Disk(_) | Primitive::Cone(_) => place,
+        };
         let (site, pdf) = shape.sample_toward(from, random.square());
         assert_eq!(pdf.0, 1.0 / shape.area());
         assert!(shape.bounds().grown(site.error).contains(site.position));

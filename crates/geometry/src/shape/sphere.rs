@@ -1,11 +1,11 @@
 //! Spheres.
 
-use super::{Facing, ShapeHit, Sides, all_finite, bend, sound_area};
+use super::{Facing, ShapeHit, Sides, all_finite, bend, even_pdf, sound_area};
 use crate::precise::{DVec3, difference};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use std::f32::consts::TAU;
 use std::f64::consts::PI;
-use traylib_math::{AreaPdf, Frame, SolidAnglePdf, solid_angle_per_area, warp};
+use traylib_math::{AreaPdf, Frame, warp};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -180,11 +180,7 @@ impl Sight {
 
     /// Uniform over the cone, at a point of the sphere with this position and normal.
     fn pdf(&self, from: Vec3, position: Vec3, normal: Vec3) -> AreaPdf {
-        let back = from - position;
-        let distance_squared = back.length_squared();
-        let cosine = (back.dot(normal) / distance_squared.sqrt()).max(0.0);
-        let density = SolidAnglePdf(1.0 / (TAU * self.one_minus_cos));
-        density.to_area(solid_angle_per_area(cosine, distance_squared))
+        even_pdf(TAU * self.one_minus_cos, from, position, normal)
     }
 }
 

@@ -161,7 +161,7 @@ impl<'a> Joiner<'a> {
             return None;
         }
         // With what weight?
-        let densities = light.densities(scene, x1.point.site.position);
+        let densities = light.densities(scene);
         let cosine = x1.point.normal.dot(light.wi).abs();
         let end = End {
             scattering: light.scattering,

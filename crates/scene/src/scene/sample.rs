@@ -2,6 +2,7 @@
 
 use super::Scene;
 use crate::seat::Seat;
+use crate::surfaces::Surface;
 use crate::{Emission, LightId, LightPoint};
 use traylib_math::{AreaPdf, Vec2, Vec3};
 
@@ -11,7 +12,7 @@ impl Scene {
     #[inline]
     pub fn sample_light(&self, id: LightId, from: Vec3, u: Vec2) -> (LightPoint, AreaPdf) {
         let (mut point, pdf) = self.light(id).sample_toward(from, u);
-        self.seat(id, &mut point, u);
+        self.seat(id, &mut point, |_| self.light(id).coordinates_toward(from, u));
         (point, pdf)
     }
 
@@ -20,26 +21,31 @@ impl Scene {
     #[inline]
     pub fn sample_emission(&self, id: LightId, u_point: Vec2, u_direction: Vec2) -> Emission {
         let mut emission = self.light(id).sample_emission(u_point, u_direction);
-        self.seat(id, &mut emission.point, u_point);
+        self.seat(id, &mut emission.point, |surface| surface.sample_coordinates(u_point));
         emission
     }
 
-    /// Gives the point that `u` made of a lamp what the lamp lies on.
+    /// Gives a point of a lamp, drawn with these surface coordinates, what the lamp lies on.
     #[inline]
-    fn seat(&self, id: LightId, point: &mut LightPoint, u: Vec2) {
+    fn seat(
+        &self,
+        id: LightId,
+        point: &mut LightPoint,
+        coordinates: impl FnOnce(Surface<'_>) -> Vec2,
+    ) {
         match self.stage.seats.get(id.0 as usize) {
             None | Some(Seat::Plain) => {}
-            Some(Seat::Masked(surface)) => point.emitted *= self.coverage_of_sample(*surface, u),
+            Some(Seat::Masked(surface)) => {
+                let surface = self.surface_of(*surface);
+                point.emitted *= self.coverage(surface, coordinates(surface));
+            }
             Some(Seat::Within(site)) => point.site = *site,
         }
     }
 
-    /// How much of a surface is there at the point that
-    /// [`Primitive::sample_area`](traylib_geometry::Primitive::sample_area) makes of
-    /// `u`. What has texture coordinates is sampled by area in every technique.
-    fn coverage_of_sample(&self, index: u32, u: Vec2) -> f32 {
-        let surface = self.stage.tree.shapes().get(index);
-        let at = surface.sample_coordinates(u);
+    /// How much of a surface is there at these coordinates.
+    #[cold]
+    fn coverage(&self, surface: Surface<'_>, at: Vec2) -> f32 {
         self.stage.materials[surface.material()].opacity(|| surface.site_of_textures(at))
     }
 }

@@ -3,8 +3,8 @@
 use super::*;
 use crate::{CameraSettings, Object, ObjectShape, SceneBuilder};
 use traylib_geometry::{Facing, Mesh, Primitive, Quad, Sides, Sphere};
-use traylib_materials::{Lambert, SurfaceModel};
-use traylib_math::{Sampler, warp};
+use traylib_materials::{Lambert, Layer, Maps, SurfaceModel, Texture};
+use traylib_math::{Grid, Sampler, warp};
 
 const LEANING: Vec3 = Vec3::new(-0.8, 0.0, 0.6);
 
@@ -63,6 +63,40 @@ fn densities_are_those_of_the_draws() {
         drawn[choice.id.0 as usize] += 1;
     }
     assert!(drawn.iter().all(|&n| n > 1000), "{drawn:?}");
+}
+
+/// Black, and there as far as a picture says: less at the left than at the right.
+fn leaf() -> Material {
+    let pixels = Grid::from_values(2, 1, vec![Rgb::splat(0.25), Rgb::WHITE]).unwrap();
+    let opacity = Layer::new(Arc::new(Texture::new(pixels).unwrap()));
+    let maps = Maps { opacity: Some(opacity), ..Maps::default() };
+    let black = SurfaceModel::Lambert(Lambert::new(Rgb::BLACK).unwrap());
+    Material { maps: Some(Box::new(maps)), ..Material::from(black) }
+}
+
+/// A point of a lamp emits what is there of the lamp where a ray meets it, from near and from
+/// far, of a rectangle and of a slanting parallelogram.
+#[test]
+fn points_of_a_lamp_emit_by_the_opacity_where_they_are() {
+    let mut sampler = Sampler::numbered(2, 0);
+    for slant in [0.0, 0.3] {
+        let mut builder = builder();
+        let edge = Vec3::new(slant, 1.0, 0.0);
+        let quad = Quad::new(Vec3::ZERO, 2.0 * Vec3::X, edge).unwrap();
+        let shape = ObjectShape::Primitive(Primitive::Quad(quad));
+        let material = builder.add_material(leaf());
+        let emission = Rgb::splat(3.0);
+        builder.add_object(Object { shape, sides: Sides::Both, material, emission }).unwrap();
+        let scene = builder.build().unwrap();
+        for _ in 0..2000 {
+            let u = sampler.next_2d();
+            let from = Vec3::new(0.7, 0.2, 0.05 + 4.0 * sampler.next_1d());
+            let (point, _) = scene.sample_light(LightId(0), from, u);
+            let met = scene.intersect(&Ray::new(from, point.site.position - from)).unwrap();
+            let off = (point.emitted.g - 3.0 * met.opacity).abs();
+            assert!(off < 1e-4, "{from} {u}: {point:?}, {}", met.opacity);
+        }
+    }
 }
 
 /// No lamp has so little power that it starts no light path: each owns some of the

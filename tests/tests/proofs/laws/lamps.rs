@@ -28,11 +28,23 @@ fn views() -> Vec<View> {
     let corners = [at(0.0, 0.0, 1.0), at(0.1, 2.0, 1.5), at(-1.0, 0.2, 2.0)];
     let [a, b, c] = corners;
     let triangle = Primitive::Triangle(Triangle::new(a, b, c).unwrap());
+    let thin = Primitive::Triangle(Triangle::new(a, b, a.lerp(b, 0.4) + 0.01 * Vec3::X).unwrap());
+    // Facing down, of 1 m × 0.6 m.
+    let sheet = rectangle(centre, at(0.8, 0.6, 0.0), at(0.36, -0.48, 0.0));
+    let beside = |u: f32, v: f32, height: f32| {
+        centre + u * at(0.8, 0.6, 0.0) + v * at(0.36, -0.48, 0.0) + height * Vec3::NEG_Z
+    };
     let outside = |distance: f32| centre + distance * at(0.48, 0.6, -0.64);
     let view = |name, shape, from| View { name, shape, from };
     vec![
         view("quad", rectangle(centre, at(0.5, 0.2, 0.0), at(-0.3, 0.4, 0.1)), Vec3::ZERO),
+        view("rectangle from far", sheet, beside(0.5, 0.5, 2.0)),
+        view("rectangle from near", sheet, beside(0.3, 0.6, 0.25)),
+        view("rectangle from its corner", sheet, beside(0.0, 0.0, 0.1)),
+        view("rectangle from aside", sheet, beside(-0.2, 0.4, 0.1)),
         view("triangle", triangle, Vec3::ZERO),
+        view("triangle from near", triangle, at(0.05, 0.72, 1.45)),
+        view("thin triangle from near", thin, at(0.2, 0.8, 1.05)),
         view("tube", tube([centre, at(1.0, 0.1, 2.0)], [0.3, 0.3]), Vec3::ZERO),
         view("cone", tube([centre, at(1.0, 0.1, 2.0)], [0.5, 0.1]), Vec3::ZERO),
         view("disk", disk_facing_down(centre, 0.6), at(0.5, 0.0, 1.1)),
