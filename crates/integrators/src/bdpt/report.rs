@@ -1,7 +1,6 @@
 //! What to record beside the picture, for those who doubt it.
 
-use super::direct_sum::JoinedPath;
-use super::vertex::Vertex;
+use super::direct_sum::{JoinedPath, Joint};
 use crate::ChunkOutput;
 use std::fmt::Write;
 use traylib_math::Rgb;
@@ -66,31 +65,6 @@ impl Report {
             Self::None | Self::Pixel(_) => {}
         }
     }
-
-    /// Records what came from point lights by way of a mirror to the camera path's last vertex,
-    /// which counts in full. It shares the picture of s = 2: the light and the mirror.
-    pub(crate) fn record_mirror_connection(
-        self,
-        out: &mut ChunkOutput,
-        pixel: u32,
-        camera: &[Vertex],
-        value: Rgb,
-    ) {
-        match self {
-            Self::Techniques => add_layers(out, pixel, (2, camera.len() + 1), value, 1.0),
-            Self::Pixel(wanted) if wanted == pixel => {
-                let Rgb { r, g, b } = value;
-                let (t, last) = (camera.len() + 1, camera.last());
-                let place = last.map(|vertex| vertex.point.site.position.to_string());
-                out.notes.push(format!(
-                    "(s=2, t={t}, point lights by way of a mirror)  value {r:.6e} {g:.6e} {b:.6e}  \
-                     weight 1\n  x2  {}\n",
-                    place.unwrap_or_default()
-                ));
-            }
-            Self::None | Self::Pixel(_) => {}
-        }
-    }
 }
 
 /// The picture of a technique alone, and as much of it as counts.
@@ -112,6 +86,9 @@ fn describe(path: &JoinedPath<'_>, value: Rgb, weight: f64, all_weights: &[f64])
     // x₀ is a vertex of its own unless the camera path hit it.
     let first_surface = usize::from(s > 0);
     let mut positions = vec![String::from("on the lamp"); first_surface];
+    if let Joint::Mirror { at, .. } = path.joint {
+        positions.push(at.to_string());
+    }
     positions.extend(surfaces.map(|vertex| vertex.point.site.position.to_string()));
     positions.push(String::from("camera"));
     for (i, position) in positions.iter().enumerate() {
