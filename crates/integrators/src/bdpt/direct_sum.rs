@@ -67,6 +67,11 @@ impl JoinedPath<'_> {
         (s, self.camera.len() + 1)
     }
 
+    /// Whether the camera path was joined with a point light by way of a mirror.
+    pub(crate) fn is_joined_by_mirror(&self) -> bool {
+        matches!(self.joint, Joint::Mirror { .. })
+    }
+
     /// Whether technique (s, t) takes part in finding this path.
     pub(crate) fn allows(&self, techniques: Techniques, s: usize, t: usize) -> bool {
         if s == 2 && self.walked_by_mirror().is_some() {

@@ -162,8 +162,7 @@ fn mirror_connections_share_their_paths() {
 fn joined_vertices_have_the_weights_of_their_paths() {
     let scene = room();
     // The pictures of techniques as they are and as they count, whose ratio is the weight.
-    let techniques = Techniques { mirror_connections: false, ..Techniques::ALL };
-    let bdpt = Bdpt { techniques, report: Report::Techniques, ..Bdpt::default() };
+    let bdpt = Bdpt { report: Report::Techniques, ..Bdpt::default() };
     let light_paths = 777;
     let (walker, joiner) = (Walker::new(&bdpt, light_paths), Joiner::new(&bdpt, light_paths));
     let control = Control::default();
@@ -179,9 +178,9 @@ fn joined_vertices_have_the_weights_of_their_paths() {
         joiner.join_all(&mut tracer, 0, &camera, Some(partner), &mut sampler, &mut out);
         for pair in out.layers.chunks_exact(2) {
             let [(raw, _, value), (_, _, counted)] = pair else { continue };
-            let Technique { s, t, .. } = Technique::of_layer(*raw);
+            let Technique { s, t, by_mirror, .. } = Technique::of_layer(*raw);
             let [s, t] = [s, t].map(usize::from);
-            if s < 2 || value.max_band() < 1e-6 {
+            if s < 2 || by_mirror || value.max_band() < 1e-6 {
                 continue;
             }
             let (light, camera) = (&light.vertices[..s - 1], &camera.vertices[..t - 1]);

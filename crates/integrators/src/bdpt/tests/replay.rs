@@ -256,10 +256,12 @@ impl FullPath {
         let wi = -self.first_direction();
         let event = self.events(scene)[0];
         let state = x1.go_on(Walk::FromCamera, wi, &event, bdpt);
-        let mut at_x0 = x1.point;
-        at_x0.site = self.x0.site;
-        (at_x0.normal, at_x0.shading_normal) = (self.x0.site.normal, self.x0.site.normal);
-        let lamp = self.lamp.unwrap_or(at_x0);
+        let lamp = self.lamp.unwrap_or(SurfacePoint {
+            site: self.x0.site,
+            normal: self.x0.site.normal,
+            shading_normal: self.x0.site.normal,
+            ..x1.point
+        });
         Some(state.extend_to(lamp, -wi, Rgb::WHITE, numbers(), bdpt.heuristic))
     }
 
