@@ -99,7 +99,8 @@ impl Pictures {
             let rendering = rendering.expect("one thread");
             assert_eq!(rendering.statistics.rejected, 0);
             for (layer, mean) in rendering.film.develop_layers() {
-                let Technique { s, t, weighted } = Technique::of_layer(layer);
+                // No scene here has point lights and mirrors.
+                let Technique { s, t, weighted, .. } = Technique::of_layer(layer);
                 let values = pictures.entry(((s.into(), t.into()), weighted)).or_default();
                 // A batch in which a technique found nothing has no picture of it.
                 values.resize(batch as usize, 0.0);

@@ -23,13 +23,17 @@ pub fn technique_pictures(
     let limits = Limits { max_depth: Some(MOST_EDGES), ..Limits::default() };
     let settings = Settings { spp: passes, seed: 0, threads: 0, ..Settings::default() };
     let mut pictures = layers(scene, limits, &settings, |_| true)?;
-    let lit: Vec<(u8, u8)> = pictures
+    let pair = |technique: &Technique| (technique.s, technique.t, technique.by_mirror);
+    let lit: Vec<(u8, u8, bool)> = pictures
         .iter()
         .filter(|(_, picture)| picture.values().iter().any(|pixel| pixel.max_band() > 0.0))
-        .map(|(technique, _)| (technique.s, technique.t))
+        .map(|(technique, _)| pair(technique))
         .collect();
-    pictures.retain(|(technique, _)| lit.contains(&(technique.s, technique.t)));
-    pictures.sort_by_key(|&(technique, _)| (edges(technique), technique.s, technique.weighted));
+    pictures.retain(|(technique, _)| lit.contains(&pair(technique)));
+    pictures.sort_by_key(|&(technique, _)| {
+        let Technique { s, by_mirror, weighted, .. } = technique;
+        (edges(technique), s, by_mirror, weighted)
+    });
     Ok(pictures)
 }
 

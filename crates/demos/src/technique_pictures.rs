@@ -9,16 +9,18 @@ use traylib_integrators::Technique;
 use traylib_io::{PictureInfo, save_picture};
 
 /// Writes the pictures of all techniques into a folder that exists, as
-/// `s2-t3-weighted.png` and `s2-t3-raw.png`, and prints their names.
+/// `s2-t3-weighted.png` and `s2-t3-raw.png`, and prints their names; what is joined with
+/// point lights by way of mirrors is in `s2-t3-mirror-weighted.png` and its like.
 ///
 /// # Errors
 /// A picture cannot be written.
 pub fn save_techniques(folder: &Path, job: &Job<'_>, done: &Done) -> Result<(), Failure> {
     for (&layer, picture) in &done.layers {
-        let Technique { s, t, weighted } = Technique::of_layer(layer);
+        let Technique { s, t, by_mirror, weighted } = Technique::of_layer(layer);
         let kind = if weighted { "weighted" } else { "raw" };
-        let file = folder.join(format!("s{s}-t{t}-{kind}.png"));
-        let integrator = format!("{} s={s} t={t} {kind}", job.program);
+        let (way, told) = if by_mirror { ("-mirror", " by way of a mirror") } else { ("", "") };
+        let file = folder.join(format!("s{s}-t{t}{way}-{kind}.png"));
+        let integrator = format!("{} s={s} t={t}{told} {kind}", job.program);
         let info = PictureInfo { integrator, ..done.info(job) };
         save_picture(&file, picture, &info)?;
         tell_name(&file)?;

@@ -64,12 +64,24 @@ impl Chunk<'_> {
         out: &mut ChunkOutput,
         mut estimate: impl FnMut(&mut Tracer<'_>, Vec2, &mut PathSampler) -> Rgb,
     ) {
+        self.sample_each_pixel(scene, out, |tracer, _, film_point, sampler| {
+            estimate(tracer, film_point, sampler)
+        });
+    }
+
+    /// The same for an estimate that also wants the pixel's row-major index.
+    pub(crate) fn sample_each_pixel(
+        &self,
+        scene: &Scene,
+        out: &mut ChunkOutput,
+        mut estimate: impl FnMut(&mut Tracer<'_>, u32, Vec2, &mut PathSampler) -> Rgb,
+    ) {
         let mut tracer = Tracer::new(scene, self.control);
         for pixel in self.pixels.clone() {
             let mut sampler = self.camera_sampler(pixel);
             // Uniform in the pixel: the film has a box filter.
             let film_point = pixel_corner(scene, pixel) + sampler.pixel_point();
-            let radiance = estimate(&mut tracer, film_point, &mut sampler);
+            let radiance = estimate(&mut tracer, pixel, film_point, &mut sampler);
             out.add(pixel, radiance);
         }
         out.statistics += tracer.statistics;

@@ -1,5 +1,7 @@
 //! Lamps sampled at every vertex (sections 2.2 and 2.3 of the paper).
 
+mod pixel;
+
 use crate::direct::{LightSample, sample_light};
 use crate::mirrored_point::{MIRRORED_EDGES, light_through_mirrors};
 use crate::numbers::PathSampler;
@@ -7,6 +9,8 @@ use crate::step::next_step_toward_light;
 use crate::toward_light::{TowardLight, images_for};
 use crate::tracer::{SurfaceHit, Tracer};
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, Limits, SceneFacts};
+pub(crate) use pixel::DirectLightOfPixel;
+use pixel::{PathNotes, Way};
 use traylib_geometry::Ray;
 use traylib_math::{Heuristic, Rgb, SolidAnglePdf, Vec3, solid_angle_per_area};
 use traylib_scene::{Scene, SurfacePoint, Walk};
@@ -46,7 +50,7 @@ enum Arrival {
 impl Integrator for DirectLight {
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
         chunk.sample_pixels(scene, out, |tracer, film_point, sampler| {
-            self.radiance(tracer, scene.camera().ray(film_point), sampler)
+            self.radiance(tracer, scene.camera().ray(film_point), sampler, None)
         });
     }
 
@@ -56,7 +60,14 @@ impl Integrator for DirectLight {
 }
 
 impl DirectLight {
-    fn radiance(&self, tracer: &mut Tracer<'_>, mut ray: Ray, sampler: &mut PathSampler) -> Rgb {
+    /// What arrives over a ray from the camera; each path may be noted.
+    fn radiance(
+        &self,
+        tracer: &mut Tracer<'_>,
+        mut ray: Ray,
+        sampler: &mut PathSampler,
+        mut notes: Option<&mut PathNotes>,
+    ) -> Rgb {
         let scene = tracer.scene;
         let mut radiance = Rgb::BLACK;
         let mut throughput = Rgb::WHITE;
@@ -73,7 +84,12 @@ impl DirectLight {
             throughput *= transmittance;
             let wo = -ray.direction;
             // A lamp that the walk hit: s = 0.
-            radiance += throughput * self.hit_emission(scene, &point, wo, arrival);
+            let (emitted, weight) = self.hit_emission(scene, &point, wo, arrival);
+            radiance += throughput * (emitted * weight);
+            if let Some(notes) = notes.as_deref_mut() {
+                notes.came_to(point.site.position);
+                notes.found(Way::Hit, throughput * emitted, weight);
+            }
             if !self.limits.allow(edges + 1) {
                 break;
             }
@@ -86,11 +102,19 @@ impl DirectLight {
             {
                 light.mix(toward_light, &point);
                 let weight = self.light_weight(scene, &light);
-                radiance += throughput * light.radiance * transmittance * weight;
+                let value = throughput * light.radiance * transmittance;
+                radiance += value * weight;
+                if let Some(notes) = notes.as_deref_mut() {
+                    notes.found(Way::LightSample(light.x0.site.position), value, weight);
+                }
             }
             // Point lights by way of a mirror, which no walk from the camera finds.
             if joins && self.limits.allow(edges + MIRRORED_EDGES) {
-                radiance += throughput * light_through_mirrors(tracer, &point, wo, &numbers);
+                let value = throughput * light_through_mirrors(tracer, &point, wo, &numbers);
+                radiance += value;
+                if let Some(notes) = notes.as_deref_mut() {
+                    notes.found(Way::Mirrors, value, 1.0);
+                }
             }
             // On in that way, if roulette lets it.
             let roulette = self.limits.roulette;
@@ -110,10 +134,16 @@ impl DirectLight {
         radiance
     }
 
-    /// Emission of a lamp that the walk hit, times the weight of having hit it.
-    fn hit_emission(&self, scene: &Scene, point: &SurfacePoint, wo: Vec3, arrival: Arrival) -> Rgb {
+    /// Emission of a lamp that the walk hit, and the weight of having hit it.
+    fn hit_emission(
+        &self,
+        scene: &Scene,
+        point: &SurfacePoint,
+        wo: Vec3,
+        arrival: Arrival,
+    ) -> (Rgb, f32) {
         // Only the front of a lamp shines.
-        let Some((id, x0)) = scene.emitting_point(point) else { return Rgb::BLACK };
+        let Some((id, x0)) = scene.emitting_point(point) else { return (Rgb::BLACK, 0.0) };
         let weight = match (arrival, self.combine) {
             (Arrival::Alone, _) => 1.0,
             (Arrival::Sampled(..), None) => 0.0,
@@ -125,7 +155,7 @@ impl DirectLight {
                 heuristic.weight(pdf.to_area(conversion).0, toward)
             }
         };
-        x0.emitted * weight
+        (x0.emitted, weight)
     }
 
     /// The weight of a light sample against hitting the same point.

@@ -4,11 +4,13 @@ use crate::numbers::{PathSampler, VertexNumbers};
 use crate::tracer::{SurfaceHit, Tracer};
 use traylib_geometry::Ray;
 use traylib_math::{Rgb, Vec2, Vec3};
-use traylib_scene::{LightDensities, LightPoint, SurfacePoint};
+use traylib_scene::{LightDensities, LightId, LightPoint, SurfacePoint};
 
 /// The first edge of a light path and the surface it met.
 #[derive(Clone, Copy, Debug)]
 pub struct Emitted {
+    /// The lamp.
+    pub light: LightId,
     /// The point of the lamp where it starts.
     pub x0: LightPoint,
     /// The unit direction that it takes.
@@ -46,6 +48,7 @@ pub fn emit(tracer: &mut Tracer<'_>, sampler: &mut PathSampler) -> Option<Emitte
     let densities = tracer.scene.light_densities(choice.id, &x0, x1_position, direction);
     let density = densities.emission * densities.direction.0;
     Some(Emitted {
+        light: choice.id,
         x0,
         direction,
         x1,

@@ -12,6 +12,7 @@ pub use option::{MethodOption, MethodSetting, OptionValues};
 pub use spelling::MethodError;
 
 use crate::bdpt::BdptSettings;
+use crate::directlight::DirectLightOfPixel;
 use crate::{
     DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Roulette, Techniques,
     Trace,
@@ -221,12 +222,16 @@ impl Method {
         self.build_with(Report::None)
     }
 
-    /// The integrator that records this, too; only `bdpt` has anything to report.
+    /// The integrator that records this, too: `bdpt`, or `directlight` the paths of a pixel;
+    /// others have nothing to report.
     pub fn build_with(self, report: Report) -> Box<dyn Integrator> {
         match self {
             Self::Trace(trace) => Box::new(trace),
             Self::PureMc(pure_mc) => Box::new(pure_mc),
-            Self::DirectLight(direct_light) => Box::new(direct_light),
+            Self::DirectLight(own) => match report {
+                Report::Pixel(pixel) => Box::new(DirectLightOfPixel { own, pixel }),
+                Report::None | Report::Techniques => Box::new(own),
+            },
             Self::Particle(particle) => Box::new(particle),
             Self::Bdpt(settings) => Box::new(settings.integrator(report)),
         }

@@ -1,15 +1,75 @@
 //! Point lights by way of a mirror: a connection with one ideal reflection in its middle.
 
 use crate::numbers::VertexNumbers;
+use crate::path_scattering::PathScattering;
 use crate::tracer::Tracer;
 use traylib_math::{Rgb, Vec3};
-use traylib_scene::{PointImage, SurfacePoint, Walk};
+use traylib_scene::{LightDensities, PointImage, Scene, SurfacePoint, Walk};
 
 /// So many edges join a vertex with a light by way of a mirror.
 pub(crate) const MIRRORED_EDGES: u32 = 2;
 
+/// A point light that a vertex is joined with by way of a mirror.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MirroredLight {
+    pub(crate) image: PointImage,
+    /// What the vertex makes of the direction to the image.
+    pub(crate) scattering: PathScattering,
+    /// What it reflects of that light, unless something stands between.
+    pub(crate) radiance: Rgb,
+}
+
+/// The point lights in mirrors whose light a vertex seen from the unit direction `wo` may
+/// reflect, as far as [`Scene::point_images`] knows them.
+#[inline]
+pub(crate) fn mirrored_lights<'a>(
+    scene: &'a Scene,
+    point: &'a SurfacePoint,
+    wo: Vec3,
+    numbers: &VertexNumbers,
+) -> impl Iterator<Item = MirroredLight> + 'a {
+    // Numbers that area lamps alone use otherwise, and the one that chose a lamp.
+    let u = [numbers.light_pick, f64::from(numbers.light_point.x)];
+    let joins = scene.has_point_images() && point.model.has_smooth_part();
+    let images = joins.then(|| scene.point_images(point, u));
+    images.into_iter().flatten().filter_map(move |image| MirroredLight::of(image, point, wo))
+}
+
+impl MirroredLight {
+    /// Of an image that the surface makes anything of.
+    #[inline(never)]
+    fn of(image: PointImage, point: &SurfacePoint, wo: Vec3) -> Option<Self> {
+        let scattering = PathScattering::by_surface(point, Walk::FromCamera, wo, image.wi);
+        let cosine = point.cosine(Walk::FromCamera, wo, image.wi);
+        let radiance = scattering.f * image.irradiance * cosine;
+        (!radiance.is_black()).then_some(Self { image, scattering, radiance })
+    }
+
+    /// What both edges let through, asked from the side of the eye, if anything.
+    pub(crate) fn visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint) -> Option<Rgb> {
+        let PointImage { seen_at, x0, .. } = &self.image;
+        let to_mirror = tracer.sees(&point.site.segment_to(seen_at))?;
+        let to_light = tracer.sees(&x0.segment_from(seen_at))?;
+        Some(to_mirror * to_light)
+    }
+}
+
+/// The density with which a walk from a point light comes by way of a mirror to `x2`, in 1/m²,
+/// over the chance that `x2` is joined with the light by way of that mirror; `wi` is the unit
+/// direction from there to the mirror, `spread` that of
+/// [`Scene::mirrored_walk_spread`].
+pub(crate) fn walked_by_mirror(
+    densities: &LightDensities,
+    spread: f64,
+    x2: &SurfacePoint,
+    wi: Vec3,
+) -> f64 {
+    let start = f64::from(densities.emission) * f64::from(densities.direction.0);
+    start * spread * f64::from(x2.normal.dot(wi).abs())
+}
+
 /// The radiance that a vertex seen from the unit direction `wo` reflects of what point lights
-/// send it by way of one ideal mirror, as far as [`Scene::point_images`](traylib_scene::Scene::point_images) knows it.
+/// send it by way of one ideal mirror, as far as [`Scene::point_images`] knows it.
 ///
 /// A light walk may find the same paths, a walk from the camera never: a point light cannot be
 /// hit after a mirror, nor aimed at from it.
@@ -20,36 +80,11 @@ pub fn light_through_mirrors(
     wo: Vec3,
     numbers: &VertexNumbers,
 ) -> Rgb {
-    if tracer.scene.has_point_images() && point.model.has_smooth_part() {
-        join_images(tracer, point, wo, numbers)
-    } else {
-        Rgb::BLACK
-    }
-}
-
-/// Apart, so that scenes without such images pay for one question alone.
-#[inline(never)]
-fn join_images(
-    tracer: &mut Tracer<'_>,
-    point: &SurfacePoint,
-    wo: Vec3,
-    numbers: &VertexNumbers,
-) -> Rgb {
-    let scene = tracer.scene;
-    // Numbers that area lamps alone use otherwise, and the one that chose a lamp.
-    let u = [numbers.light_pick, f64::from(numbers.light_point.x)];
     let mut radiance = Rgb::BLACK;
-    for PointImage { wi, seen_at, x0, irradiance } in scene.point_images(point, u) {
-        // What the surface makes of it.
-        let cosine = point.cosine(Walk::FromCamera, wo, wi);
-        let reflected = point.evaluate(wo, wi).f * irradiance * cosine;
-        if reflected.is_black() {
-            continue;
+    for light in mirrored_lights(tracer.scene, point, wo, numbers) {
+        if let Some(transmittance) = light.visible(tracer, point) {
+            radiance += light.radiance * transmittance;
         }
-        // Both edges, asked from the side of the eye.
-        let Some(to_mirror) = tracer.sees(&point.site.segment_to(&seen_at)) else { continue };
-        let Some(to_light) = tracer.sees(&x0.segment_from(&seen_at)) else { continue };
-        radiance += reflected * to_mirror * to_light;
     }
     radiance
 }

@@ -46,6 +46,11 @@ impl Mirror {
         self.delta_chance > 0.0
     }
 
+    /// The chance that the mirror part is sampled.
+    pub(crate) fn delta_chance(&self) -> f32 {
+        self.delta_chance
+    }
+
     /// What goes into the mirror direction.
     pub(crate) fn reflectance(&self) -> Rgb {
         self.reflectance

@@ -113,6 +113,19 @@ impl SurfaceModel {
         }
     }
 
+    /// The chance with which [`sample`](Self::sample) reflects ideally, where
+    /// [`mirror_reflectance`](Self::mirror_reflectance) knows of it.
+    pub fn mirror_chance(&self) -> Option<f32> {
+        match self {
+            Self::Mirror(m) => m.has_delta_part().then_some(m.delta_chance()),
+            Self::Lambert(_)
+            | Self::Phong(_)
+            | Self::MaxPhong(_)
+            | Self::Sheet(_)
+            | Self::Dielectric(_) => None,
+        }
+    }
+
     /// Whether some of the light is scattered into all directions.
     pub fn has_diffuse_part(&self) -> bool {
         match self {

@@ -17,6 +17,7 @@ mod points;
 mod reflection;
 
 pub(crate) use points::NumberedMirror;
+pub(crate) use reflection::Reflection;
 
 use crate::surface_point::SHARP;
 use crate::surfaces::{Surface, Surfaces};

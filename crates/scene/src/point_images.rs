@@ -1,6 +1,6 @@
 //! Point lights as surfaces see them in ideal mirrors.
 
-use crate::images::NumberedMirror;
+use crate::images::{NumberedMirror, Reflection};
 use crate::{LightId, LightPoint, Scene, SurfacePoint};
 use traylib_geometry::{Hit, Ray, SurfaceSite};
 use traylib_math::{Rgb, Vec2, Vec3};
@@ -17,10 +17,14 @@ pub struct PointImage {
     pub seen_at: SurfaceSite,
     /// The light.
     pub x0: LightPoint,
+    /// Which light that is.
+    pub light: LightId,
     /// What arrives, unless something stands in the way, on a surface that faces the image, in
     /// W/m²; the mirror's reflectance and opacity are in it, and the chance to have looked for
     /// this image.
     pub irradiance: Rgb,
+    /// What walks from the light make of the same way: see [`Scene::mirrored_walk_spread`].
+    pub walk_spread: f64,
 }
 
 impl Scene {
@@ -49,17 +53,37 @@ impl Scene {
         })
     }
 
+    /// A walk from the point light `x0` met `x1`, was reflected ideally there, and came to `x2`:
+    /// the density of its first direction times this is that of its coming to `x2` that way, per
+    /// area that faces the image, over the chance with which [`point_images`](Self::point_images)
+    /// looks for that image; in sr/m². `None` where it does not look for it.
+    ///
+    /// So the weights of both know one another: the walk comes to x₂ with the density
+    /// p(w)·c·dw/dA, c the mirror's chance to reflect.
+    pub fn mirrored_walk_spread(
+        &self,
+        light: LightId,
+        x0: &LightPoint,
+        x1: &SurfacePoint,
+        x2: Vec3,
+    ) -> Option<f64> {
+        let points = self.stage.mirrored_lamps.points.as_ref()?;
+        let (mirror, look_chance) = points.pair_of(x1.surface, light)?;
+        let reflection = mirror.reflection(x2, x0.site.position)?;
+        walk_spread(&reflection, x1, look_chance)
+    }
+
     #[inline(never)]
     fn point_image(
         &self,
         point: &SurfacePoint,
         NumberedMirror { mirror, surface }: NumberedMirror,
-        id: LightId,
+        light: LightId,
         chance: f32,
     ) -> Option<PointImage> {
         // Where the image is seen.
         let from = point.site.position;
-        let (x0, _) = self.sample_light(id, from, Vec2::ZERO);
+        let (x0, _) = self.sample_light(light, from, Vec2::ZERO);
         let reflection = mirror.reflection(from, x0.site.position)?;
         let wi = reflection.toward.normalize_or_zero().as_vec3();
         if !point.may_scatter_to(wi) {
@@ -76,8 +100,17 @@ impl Scene {
         let falloff = x0.falloff((seen.site.position - x0.site.position).try_normalize()?);
         let spread = (reflection.spread / f64::from(chance)) as f32;
         let irradiance = x0.emitted * reflectance * (falloff * spread);
-        (!irradiance.is_black()).then_some(PointImage { wi, seen_at: seen.site, x0, irradiance })
+        let walk_spread = walk_spread(&reflection, &seen, chance)?;
+        let seen_at = seen.site;
+        let image = PointImage { wi, seen_at, x0, light, irradiance, walk_spread };
+        (!irradiance.is_black()).then_some(image)
     }
+}
+
+/// See [`Scene::mirrored_walk_spread`]; the mirror as it is where light meets it.
+fn walk_spread(reflection: &Reflection, mirror: &SurfacePoint, look_chance: f32) -> Option<f64> {
+    let reflected = f64::from(mirror.model.mirror_chance()?);
+    Some(reflected * reflection.spread / f64::from(look_chance))
 }
 
 #[cfg(test)]

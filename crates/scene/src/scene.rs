@@ -165,6 +165,7 @@ impl Scene {
             opacity,
             through,
             light: surface.light(),
+            surface: hit.primitive,
         })
     }
 

@@ -39,6 +39,8 @@ pub struct SurfacePoint {
     pub through: Rgb,
     /// The lamp this surface is.
     pub light: Option<LightId>,
+    /// Which of the scene's surfaces it is, by its number there.
+    pub surface: u32,
 }
 
 impl SurfacePoint {

@@ -81,11 +81,13 @@ fn edges(technique: Technique) -> u32 {
     (u32::from(technique.s) + u32::from(technique.t)).saturating_sub(1)
 }
 
-fn tile(Technique { s, t, .. }: Technique, grid: &Grid<Rgb>, exposure: f32) -> Markup {
+fn tile(technique: Technique, grid: &Grid<Rgb>, exposure: f32) -> Markup {
+    let Technique { s, t, by_mirror, .. } = technique;
+    let way = if by_mirror { " by way of a mirror" } else { "" };
     html! {
         figure.tile {
-            (picture(grid, exposure, &format!("Technique s = {s}, t = {t}"), None))
-            figcaption { "(" (s) ", " (t) ")" }
+            (picture(grid, exposure, &format!("Technique s = {s}, t = {t}{way}"), None))
+            figcaption { "(" (s) ", " (t) ")" @if by_mirror { " mirror" } }
         }
     }
 }
@@ -175,7 +177,7 @@ mod tests {
 
     #[test]
     fn dark_rows_are_brightened_by_powers_of_two() {
-        let technique = Technique { s: 0, t: 2, weighted: true };
+        let technique = Technique { s: 0, t: 2, by_mirror: false, weighted: true };
         let cases = [(0.5, 1.0), (0.2, 1.0), (0.04, 4.0), (0.0, 1.0), (1e-9, 4096.0)];
         for (light, factor) in cases {
             let picture = (technique, Grid::filled(2, 2, Rgb::splat(light)));

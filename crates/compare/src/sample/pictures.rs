@@ -65,7 +65,8 @@ fn techniques() -> Vec<(Technique, Grid<Rgb>)> {
             for weighted in [false, true] {
                 let share = if weighted { 1.0 / f32::from(edges + 1) } else { 1.0 };
                 let grid = picture(32, 24, |light, u| light * share * (1.0 + 0.3 * u));
-                all.push((Technique { s, t: edges + 1 - s, weighted }, grid));
+                let (t, by_mirror) = (edges + 1 - s, false);
+                all.push((Technique { s, t, by_mirror, weighted }, grid));
             }
         }
     }

@@ -1,11 +1,16 @@
-//! What only `bdpt` can show: techniques and single pixels.
+//! What `bdpt` shows beside a picture, and `directlight` a part of: techniques and single
+//! pixels.
 
 use crate::common::Folder;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use traylib_integrators::{Bdpt, Control, Report, Settings, Technique, render};
+use traylib_integrators::{Bdpt, Control, Method, Progress, Report, Settings, Technique, render};
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_math::{Grid, Rgb};
+
+/// A point light in a mirror.
+const F15: &str =
+    concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/failure/f15-point-caustic.ron");
 
 #[test]
 fn weighted_techniques_add_up_to_the_picture() {
@@ -60,7 +65,8 @@ fn number_after(line: &str, word: &str) -> Option<f64> {
 #[test]
 fn the_weights_of_every_path_of_a_pixel_sum_to_one() {
     let folder = Folder::new();
-    for options in ["cornell --pixel 5,9", "plates --pixel 16,12 --heuristic balance"] {
+    let mirrored = format!("{F15} --pixel 16,12");
+    for options in ["cornell --pixel 5,9", "plates --pixel 16,12 --heuristic balance", &mirrored] {
         let run = folder.run("bdpt", &format!("{options} --resolution 32x24 --spp 4"));
         assert_eq!(run.status, Some(0), "{}", run.err);
         let paths: Vec<&str> = run.out.split("\n\n").filter(|path| !path.is_empty()).collect();
@@ -81,4 +87,27 @@ fn the_weights_of_every_path_of_a_pixel_sum_to_one() {
         }
     }
     assert_eq!(folder.names(), [""; 0], "no picture was asked for");
+}
+
+/// The paths that `directlight` tells of a pixel are what the pixel is made of, and telling them
+/// changes no picture.
+#[test]
+fn the_paths_of_a_pixel_add_up_to_it() {
+    let options = LoadOptions { resolution: Some((32, 24)), ..LoadOptions::default() };
+    for (scene, method) in
+        [("cornell", Method::COMBINED), ("plates", Method::DIRECT_LIGHT), (F15, Method::COMBINED)]
+    {
+        let scene = load_scene_with(scene, options).unwrap().scene;
+        let settings = Settings { spp: 4, seed: 1, threads: 1, ..Settings::default() };
+        let [told, plain] = [Report::Pixel(15 * 32 + 20), Report::None].map(|report| {
+            let integrator = method.build_with(report);
+            let observe = &mut |_: &Progress<'_>| ControlFlow::Continue(());
+            render(&scene, integrator.as_ref(), &settings, &Control::default(), observe).unwrap()
+        });
+        assert_eq!(told.film.develop().values(), plain.film.develop().values());
+        let number = |note: &str, word| number_after(note, word).unwrap();
+        let parts = told.notes.iter().map(|note| number(note, "value ") * number(note, "weight "));
+        let (sum, whole) = (parts.sum::<f64>() / 4.0, plain.film.develop().values()[15 * 32 + 20]);
+        assert!(sum > 0.0 && (sum / f64::from(whole.r) - 1.0).abs() < 1e-4, "{method}: {sum}");
+    }
 }

@@ -10,14 +10,14 @@ use super::vertex::{End, Vertex};
 use super::walk::LightStart;
 use super::{Bdpt, LightPath, Weighting, weight};
 use crate::direct::sample_light;
-use crate::mirrored_point::{MIRRORED_EDGES, light_through_mirrors};
+use crate::mirrored_point::{MIRRORED_EDGES, mirrored_lights, walked_by_mirror};
 use crate::path_scattering::PathScattering;
 use crate::splat::aim_at_camera;
 use crate::toward_light::{TowardLight, images_for};
 use crate::tracer::Tracer;
 use crate::{ChunkOutput, Limits};
 use traylib_math::{Rgb, Sampler, solid_angle_per_area};
-use traylib_scene::Walk;
+use traylib_scene::{PointImage, Walk};
 
 /// Joins subpaths and adds what they carry.
 pub(crate) struct Joiner<'a> {
@@ -81,7 +81,7 @@ impl<'a> Joiner<'a> {
                     self.light_sample(tracer, pixel, camera, toward_light, out).unwrap_or_default();
             }
             if self.limits().allow(last as u32 + 1 + MIRRORED_EDGES) {
-                found += self.mirror_connection(tracer, pixel, camera, out).unwrap_or_default();
+                found += self.mirror_connections(tracer, pixel, camera, out);
             }
         }
         let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { return };
@@ -178,31 +178,36 @@ impl<'a> Joiner<'a> {
         Some(self.add(pixel, &Found { path, value, weight }, out))
     }
 
-    /// Point lights by way of one mirror, joined with the camera path's last vertex, where
-    /// nothing else finds them.
-    fn mirror_connection(
+    /// s = 2 by way of a mirror: point lights that the camera path's last vertex sees in one.
+    fn mirror_connections(
         &self,
         tracer: &mut Tracer<'_>,
         pixel: u32,
         camera: &[Vertex],
         out: &mut ChunkOutput,
-    ) -> Option<Rgb> {
-        let x2 = camera.last()?;
-        let Bdpt { techniques, weighting, report, .. } = *self.bdpt;
-        // x₀ and x₁ stand for the light path.
-        let (s, t) = (2, camera.len() + 1);
-        let alone = weight::mirror_connection(x2);
-        if !(techniques.mirror_connections && alone && weighting.includes(s, t)) {
-            return None;
+    ) -> Rgb {
+        let mut found = Rgb::BLACK;
+        let Some(x2) = camera.last().filter(|_| self.bdpt.techniques.mirror_connections) else {
+            return found;
+        };
+        let scene = tracer.scene;
+        for light in mirrored_lights(scene, &x2.point, x2.wo, &x2.numbers) {
+            // With what weight?
+            let PointImage { wi, seen_at, x0, light: id, walk_spread, .. } = light.image;
+            let at = seen_at.position;
+            let direction = (at - x0.site.position).normalize();
+            let densities = scene.light_densities(id, &x0, at, direction);
+            let walked = walked_by_mirror(&densities, walk_spread, &x2.point, wi);
+            let pdf_back = light.scattering.toward_camera;
+            let weight = weight::mirror_connection(x2, walked, pdf_back, self.bdpt.heuristic);
+            // Does anything stand between?
+            let Some(transmittance) = light.visible(tracer, &x2.point) else { continue };
+            let joint = Joint::Mirror { at, walked, pdf_back };
+            let path = JoinedPath { light: &[], camera, densities, is_point: true, joint };
+            let value = x2.throughput * light.radiance * transmittance;
+            found += self.add(pixel, &Found { path, value, weight }, out);
         }
-        let light = light_through_mirrors(tracer, &x2.point, x2.wo, &x2.numbers);
-        let value = x2.throughput * light;
-        if value.is_black() {
-            return None;
-        }
-        out.add(pixel, value);
-        report.record_mirror_connection(out, pixel, camera, value);
-        Some(value)
+        found
     }
 
     /// s ≥ 2, t ≥ 2: an edge between the last vertices of both subpaths.
@@ -296,7 +301,7 @@ impl<'a> Joiner<'a> {
             return alone;
         }
         // Other weights than the recursive one are formed from all densities of the path.
-        let takes_part = |s, t| techniques.allow(s, t, path.is_point) && weighting.includes(s, t);
+        let takes_part = |s, t| path.allows(techniques, s, t) && weighting.includes(s, t);
         let splats = self.splats_in_weights;
         let all_weights = || path.path_densities().weights(splats, heuristic, takes_part);
         let weight = match weighting {

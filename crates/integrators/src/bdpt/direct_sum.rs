@@ -4,8 +4,9 @@
 //! Technique s has density q_s = n_s·Π_{i<s} F_i·Π_{i≥s} B_i, with pN₀ in place of
 //! F₀ if s = 1. Sums of logarithms keep any number of factors in range.
 
+use super::Techniques;
 use super::vertex::{End, Vertex};
-use traylib_math::{Heuristic, SolidAnglePdf};
+use traylib_math::{Heuristic, SolidAnglePdf, Vec3};
 use traylib_scene::LightDensities;
 
 /// Two subpaths and how they were joined.
@@ -31,6 +32,10 @@ pub(crate) enum Joint {
     LightSample { end: End, hit_pdf: f32 },
     /// From the last light vertex to the last camera vertex.
     Connection { light: End, camera: End },
+    /// s = 2: from the last camera vertex x₂ to a point light by way of a mirror, seen `at` there;
+    /// light walks would have come that way with the density `walked` for each time that this is
+    /// tried, and gone back to the camera with `pdf_back`.
+    Mirror { at: Vec3, walked: f64, pdf_back: SolidAnglePdf },
     /// t = 1: from the last light vertex to the camera, which would have found
     /// it with density `camera_pdf`.
     Splat { pdf_back: SolidAnglePdf, camera_pdf: f32 },
@@ -44,6 +49,9 @@ pub(crate) struct PathDensities {
     pub(crate) is_delta: Vec<bool>,
     pub(crate) toward: f64,
     pub(crate) is_point: bool,
+    /// Where x₂ may be joined with a point light by way of the mirror x₁, which takes the place of
+    /// s = 2: the density with which light walks come to x₂, for each time that this is tried.
+    pub(crate) walked_by_mirror: Option<f64>,
 }
 
 impl JoinedPath<'_> {
@@ -51,11 +59,44 @@ impl JoinedPath<'_> {
     pub(crate) fn technique(&self) -> (usize, usize) {
         let s = match self.joint {
             Joint::Hit => 0,
+            Joint::Mirror { .. } => 2,
             Joint::LightSample { .. } | Joint::Connection { .. } | Joint::Splat { .. } => {
                 self.light.len() + 1
             }
         };
         (s, self.camera.len() + 1)
+    }
+
+    /// Whether the camera path was joined with a point light by way of a mirror.
+    pub(crate) fn is_joined_by_mirror(&self) -> bool {
+        matches!(self.joint, Joint::Mirror { .. })
+    }
+
+    /// Whether technique (s, t) takes part in finding this path.
+    pub(crate) fn allows(&self, techniques: Techniques, s: usize, t: usize) -> bool {
+        if s == 2 && self.walked_by_mirror().is_some() {
+            techniques.mirror_connections
+        } else {
+            techniques.allow(s, t, self.is_point)
+        }
+    }
+
+    /// See [`PathDensities::walked_by_mirror`].
+    fn walked_by_mirror(&self) -> Option<f64> {
+        match (self.joint, self.light) {
+            (Joint::Mirror { walked, .. }, _) => Some(walked),
+            // M of x₂ stands for nothing else, and is zero where nothing is joined so.
+            (_, [_, x2, ..]) if self.is_point && x2.after_delta => {
+                Some(1.0 / x2.d_vcm).filter(|walked| walked.is_finite())
+            }
+            (
+                Joint::Hit
+                | Joint::LightSample { .. }
+                | Joint::Connection { .. }
+                | Joint::Splat { .. },
+                _,
+            ) => None,
+        }
     }
 
     /// The densities of every vertex from both sides.
@@ -68,6 +109,7 @@ impl JoinedPath<'_> {
             is_delta: vec![false; k + 1],
             toward: f64::from(self.densities.toward),
             is_point: self.is_point,
+            walked_by_mirror: self.walked_by_mirror(),
         };
         // x_k is the pinhole, which is there for certain.
         path.backward[k] = 1.0;
@@ -103,6 +145,7 @@ impl JoinedPath<'_> {
             Joint::Connection { light, camera } => {
                 (light.scattering.toward_light, camera.scattering.toward_camera)
             }
+            Joint::Mirror { pdf_back, .. } => (none, pdf_back),
             Joint::Splat { pdf_back, .. } => (pdf_back, none),
         }
     }
@@ -112,6 +155,8 @@ impl JoinedPath<'_> {
             |pdf: SolidAnglePdf, conversion: f32| f64::from(pdf.0) * f64::from(conversion);
         match self.joint {
             Joint::Hit => {}
+            // That of x₀ to x₂ is known as a whole.
+            Joint::Mirror { .. } => path.is_delta[1] = true,
             Joint::LightSample { end, hit_pdf } => {
                 path.backward[0] = f64::from(hit_pdf);
                 path.forward[1] = product(self.densities.direction, end.conversion);
@@ -168,7 +213,8 @@ impl PathDensities {
         let k = self.forward.len() - 1;
         // A light path does not hit a pinhole, nor see it from the lamp itself.
         let exists = s < k || (s == k && k > 1);
-        let joins_delta = s > 0 && (self.is_delta[s - 1] || self.is_delta[s]);
+        let by_mirror = s == 2 && self.walked_by_mirror.is_some();
+        let joins_delta = s > 0 && (self.is_delta[s - 1] && !by_mirror || self.is_delta[s]);
         exists && !joins_delta
     }
 
@@ -177,8 +223,14 @@ impl PathDensities {
         // x₀ … x_{s−1} walked from the light, the others from the camera; any of so many
         // light paths could have been splatted.
         let start = if s == 1 { self.toward } else { self.forward[0] };
-        let forward: f64 =
-            (0..s).map(|i| if i == 0 { start } else { self.forward[i] }).map(f64::ln).sum();
+        let forward: f64 = match self.walked_by_mirror {
+            None => (0..s).map(|i| if i == 0 { start } else { self.forward[i] }).map(f64::ln).sum(),
+            // All that begin at the light come by way of x₁ to x₂, one of them for certain.
+            Some(_) if s <= 2 => 0.0,
+            Some(walked) => {
+                walked.ln() + self.forward[3..s].iter().map(|pdf| pdf.ln()).sum::<f64>()
+            }
+        };
         let backward: f64 = self.backward[s..].iter().map(|pdf| pdf.ln()).sum();
         let count = if s == k { splats } else { 1.0 };
         forward + backward + count.ln()

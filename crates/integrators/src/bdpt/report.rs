@@ -1,7 +1,6 @@
 //! What to record beside the picture, for those who doubt it.
 
-use super::direct_sum::JoinedPath;
-use super::vertex::Vertex;
+use super::direct_sum::{JoinedPath, Joint};
 use crate::ChunkOutput;
 use std::fmt::Write;
 use traylib_math::Rgb;
@@ -25,6 +24,9 @@ pub struct Technique {
     pub s: u8,
     /// Vertices from the camera.
     pub t: u8,
+    /// Whether the last vertex from the camera is joined with a point light by way of a mirror:
+    /// s = 2 then stands for the light and the mirror.
+    pub by_mirror: bool,
     /// Whether its paths carry their weights, so that all pictures add up to the
     /// whole, or stand for themselves.
     pub weighted: bool,
@@ -35,13 +37,21 @@ const MOST_VERTICES: usize = 127;
 
 impl Technique {
     fn layer(self) -> u16 {
-        u16::from(self.s) << 8 | u16::from(self.t) << 1 | u16::from(self.weighted)
+        u16::from(self.by_mirror) << 15
+            | u16::from(self.s) << 8
+            | u16::from(self.t) << 1
+            | u16::from(self.weighted)
     }
 
     /// The technique whose picture is this layer of a
     /// [`Rendering`](crate::Rendering).
     pub fn of_layer(layer: u16) -> Self {
-        Self { s: (layer >> 8) as u8, t: (layer >> 1 & 0x7f) as u8, weighted: layer & 1 == 1 }
+        Self {
+            s: (layer >> 8 & 0x7f) as u8,
+            t: (layer >> 1 & 0x7f) as u8,
+            by_mirror: layer >> 15 == 1,
+            weighted: layer & 1 == 1,
+        }
     }
 }
 
@@ -58,7 +68,7 @@ impl Report {
     ) {
         match self {
             Self::Techniques => {
-                add_layers(out, pixel, path.technique(), value, weight as f32);
+                add_layers(out, pixel, path, value, weight as f32);
             }
             Self::Pixel(wanted) if wanted == pixel => {
                 out.notes.push(describe(path, value, weight, &all_weights()));
@@ -66,38 +76,15 @@ impl Report {
             Self::None | Self::Pixel(_) => {}
         }
     }
-
-    /// Records what came from point lights by way of a mirror to the camera path's last vertex,
-    /// which counts in full. It shares the picture of s = 2: the light and the mirror.
-    pub(crate) fn record_mirror_connection(
-        self,
-        out: &mut ChunkOutput,
-        pixel: u32,
-        camera: &[Vertex],
-        value: Rgb,
-    ) {
-        match self {
-            Self::Techniques => add_layers(out, pixel, (2, camera.len() + 1), value, 1.0),
-            Self::Pixel(wanted) if wanted == pixel => {
-                let Rgb { r, g, b } = value;
-                let (t, last) = (camera.len() + 1, camera.last());
-                let place = last.map(|vertex| vertex.point.site.position.to_string());
-                out.notes.push(format!(
-                    "(s=2, t={t}, point lights by way of a mirror)  value {r:.6e} {g:.6e} {b:.6e}  \
-                     weight 1\n  x2  {}\n",
-                    place.unwrap_or_default()
-                ));
-            }
-            Self::None | Self::Pixel(_) => {}
-        }
-    }
 }
 
 /// The picture of a technique alone, and as much of it as counts.
-fn add_layers(out: &mut ChunkOutput, pixel: u32, (s, t): (usize, usize), value: Rgb, weight: f32) {
+fn add_layers(out: &mut ChunkOutput, pixel: u32, path: &JoinedPath<'_>, value: Rgb, weight: f32) {
+    let (s, t) = path.technique();
     let [s, t] = [s, t].map(|n| n.min(MOST_VERTICES) as u8);
+    let by_mirror = path.is_joined_by_mirror();
     for (weighted, factor) in [(false, 1.0), (true, weight)] {
-        let layer = Technique { s, t, weighted }.layer();
+        let layer = Technique { s, t, by_mirror, weighted }.layer();
         out.layers.push((layer, pixel, value * factor));
     }
 }
@@ -107,11 +94,16 @@ fn describe(path: &JoinedPath<'_>, value: Rgb, weight: f64, all_weights: &[f64])
     let (s, t) = path.technique();
     let densities = path.path_densities();
     let Rgb { r, g, b } = value;
-    let mut text = format!("(s={s}, t={t})  value {r:.6e} {g:.6e} {b:.6e}  weight {weight:.6}\n");
+    let way = if path.is_joined_by_mirror() { ", by way of a mirror" } else { "" };
+    let mut text =
+        format!("(s={s}, t={t}{way})  value {r:.6e} {g:.6e} {b:.6e}  weight {weight:.6}\n");
     let surfaces = path.light.iter().chain(path.camera.iter().rev());
     // x₀ is a vertex of its own unless the camera path hit it.
     let first_surface = usize::from(s > 0);
     let mut positions = vec![String::from("on the lamp"); first_surface];
+    if let Joint::Mirror { at, .. } = path.joint {
+        positions.push(at.to_string());
+    }
     positions.extend(surfaces.map(|vertex| vertex.point.site.position.to_string()));
     positions.push(String::from("camera"));
     for (i, position) in positions.iter().enumerate() {
@@ -134,9 +126,10 @@ mod tests {
     #[test]
     fn layers_name_their_technique() {
         for technique in [
-            Technique { s: 0, t: 2, weighted: false },
-            Technique { s: 127, t: 127, weighted: true },
-            Technique { s: 5, t: 1, weighted: true },
+            Technique { s: 0, t: 2, by_mirror: false, weighted: false },
+            Technique { s: 127, t: 127, by_mirror: false, weighted: true },
+            Technique { s: 5, t: 1, by_mirror: false, weighted: true },
+            Technique { s: 2, t: 2, by_mirror: true, weighted: false },
         ] {
             assert_eq!(Technique::of_layer(technique.layer()), technique);
         }

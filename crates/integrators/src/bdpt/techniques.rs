@@ -24,7 +24,7 @@ pub struct Techniques {
     pub connections: bool,
     /// t = 1: a vertex of the light path is joined to the camera.
     pub splats: bool,
-    /// Point lights are joined by way of a mirror where nothing else finds them.
+    /// s = 2, t ≥ 2: point lights are joined by way of a mirror.
     pub mirror_connections: bool,
 }
 

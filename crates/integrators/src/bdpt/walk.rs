@@ -6,17 +6,19 @@ use super::{Bdpt, Techniques};
 use crate::Limits;
 use crate::chunk::pixel_corner;
 use crate::emission::{Emitted, emit};
+use crate::mirrored_point::walked_by_mirror;
 use crate::numbers::PathSampler;
 use crate::step::next_step_toward_light;
 use crate::toward_light::{TowardLight, images_for};
 use crate::tracer::{SurfaceHit, Tracer};
 use traylib_materials::BsdfSample;
 use traylib_math::{Heuristic, SolidAnglePdf};
-use traylib_scene::{LightDensities, LightPoint, Scene, SurfacePoint, Walk};
+use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
 /// Where a light subpath started: x₀.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightStart {
+    pub(crate) light: LightId,
     pub(crate) x0: LightPoint,
     pub(crate) densities: LightDensities,
 }
@@ -47,12 +49,12 @@ impl Walker {
         // x₀, the direction from it, and x₁.
         let emitted = emit(tracer, sampler)?;
         let state = self.light_state(&emitted);
-        let Emitted { x0, direction, x1, numbers, throughput, densities } = emitted;
-        path.vertices.push(state.extend_to(x1, -direction, throughput, numbers, self.heuristic));
-        // One more edge must fit behind each vertex, to join it to the camera.
-        self.walk_on(Walk::FromLight, 1, tracer, sampler, path);
+        let Emitted { light, x0, direction, x1, numbers, throughput, densities } = emitted;
         // x₀ itself is a vertex of every technique that begins there.
-        Some(LightStart { x0, densities })
+        let start = LightStart { light, x0, densities };
+        path.vertices.push(state.extend_to(x1, -direction, throughput, numbers, self.heuristic));
+        self.walk_on(Some(&start), tracer, sampler, path);
+        Some(start)
     }
 
     /// What the first surface needs to know of x₀: the techniques that could have
@@ -108,20 +110,21 @@ impl Walker {
             numbers,
             self.heuristic,
         ));
-        self.walk_on(Walk::FromCamera, 0, tracer, sampler, path);
+        self.walk_on(None, tracer, sampler, path);
     }
 
-    /// Extends a subpath whose first edge is walked. `joining` edges must still
-    /// fit behind its last vertex.
+    /// Extends a subpath whose first edge is walked, from a light or from the camera.
     fn walk_on(
         &self,
-        walk: Walk,
-        joining: u32,
+        from_light: Option<&LightStart>,
         tracer: &mut Tracer<'_>,
         sampler: &mut PathSampler,
         path: &mut Subpath,
     ) {
         let roulette = self.limits.roulette;
+        let walk = if from_light.is_some() { Walk::FromLight } else { Walk::FromCamera };
+        // One more edge must fit behind each vertex of a light path, to join it to the camera.
+        let joining = u32::from(from_light.is_some());
         for edge in 2.. {
             let Some(last) = path.vertices.last() else { return };
             // There must be room for this edge and for those that join it.
@@ -143,12 +146,35 @@ impl Walker {
             let (wo, throughput) = (-step.sample.wi, last.throughput * step.weight);
             let throughput = throughput * hit.transmittance;
             let aims = self.aims_at_images && walk == Walk::FromCamera && last.is_sharp;
-            let next = state.extend_to(hit.point, wo, throughput, numbers, self.heuristic);
+            let mut next = state.extend_to(hit.point, wo, throughput, numbers, self.heuristic);
+            if let (Some(start), 2) = (from_light, edge) {
+                self.note_mirror(tracer.scene, start, &last.point, &mut next);
+            }
             path.vertices.push(next);
             // What the camera sees by way of something sharp aims at images.
             if aims {
                 path.aim(tracer.scene);
             }
+        }
+    }
+
+    /// Where x₁ reflected a point light's path ideally to x₂: the edge between them cannot be
+    /// connected, but x₂ may be joined with the light by way of that mirror, and M stands for
+    /// that.
+    pub(crate) fn note_mirror(
+        &self,
+        scene: &Scene,
+        start: &LightStart,
+        x1: &SurfacePoint,
+        x2: &mut Vertex,
+    ) {
+        let LightStart { light, x0, densities } = start;
+        if !(self.techniques.mirror_connections && x0.is_point && x2.after_delta) {
+            return;
+        }
+        let spread = scene.mirrored_walk_spread(*light, x0, x1, x2.point.site.position);
+        if let Some(spread) = spread {
+            x2.d_vcm = 1.0 / walked_by_mirror(densities, spread, &x2.point, x2.wo);
         }
     }
 

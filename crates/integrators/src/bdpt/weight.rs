@@ -67,18 +67,19 @@ pub(crate) fn connection(
     1.0 / (1.0 + light_side + camera_side)
 }
 
-/// Whether a point light is joined with `x2` by way of a mirror: then with weight one, and else
-/// not at all.
+/// A point light was joined with `x2` by way of a mirror, where light walks would have come over
+/// that mirror with the density `walked` for each time that it is joined so.
 ///
-/// So the weights sum to one. Of a path x₀ (a point), x₁ (ideally reflecting), x₂ … no other
-/// technique joins anything up to x₂: nothing hits x₀, and what reflects ideally can be joined with
-/// nothing. Those that join beyond x₂ are the ones that M and C of x₂ stand for: a splat of x₂ or a
-/// later vertex that the camera sees, or a connection between two neighbours neither of which is
-/// ideal. If there are any, they find the path among them with weights that sum to one, as light
-/// paths come by way of x₁ like anywhere else; if there are none, M and C are zero, and this one
-/// finds it.
-pub(crate) fn mirror_connection(x2: &Vertex) -> bool {
-    x2.d_vcm == 0.0 && x2.d_vc == 0.0
+/// No other technique joins anything up to x₂: a point is not hit, and what reflects ideally is
+/// joined with nothing. So only those compete that walk from the light over x₂, as at s = 1 those
+/// do that walk over x₁.
+pub(crate) fn mirror_connection(
+    x2: &Vertex,
+    walked: f64,
+    pdf_back: SolidAnglePdf,
+    heuristic: Heuristic,
+) -> f64 {
+    1.0 / (1.0 + x2.competition(walked, pdf_back, heuristic))
 }
 
 /// How many light paths count in the weights as having been able to find a vertex that the

@@ -56,20 +56,37 @@ impl MirroredPoints {
 
     /// How many pairs are looked at.
     pub(crate) fn looks(&self) -> usize {
-        let pairs = self.mirrors.len() * self.lights.len();
-        if pairs <= MOST_PAIRS { pairs } else { 1 }
+        if self.looks_at_all() { self.mirrors.len() * self.lights.len() } else { 1 }
+    }
+
+    fn looks_at_all(&self) -> bool {
+        self.mirrors.len() * self.lights.len() <= MOST_PAIRS
     }
 
     /// A pair to look at, and the chance to do so; `u` is uniform.
     pub(crate) fn pair(&self, look: usize, u: [f64; 2]) -> (NumberedMirror, LightId, f32) {
         let count = self.lights.len();
-        if self.mirrors.len() * count <= MOST_PAIRS {
+        if self.looks_at_all() {
             return (self.mirrors[look / count], self.lights[look % count], 1.0);
         }
         // By how much light there may be: many mirrors are parts of one as a rule.
         let (mirror, of_mirrors) = self.mirror_by_area.choose(u[0]);
         let (light, of_lights) = self.light_by_power.choose(u[1]);
         (self.mirrors[mirror], self.lights[light], of_mirrors * of_lights)
+    }
+
+    /// The mirror that is this surface, and the chance to look at its pair with this light;
+    /// `None` of what is none, or no such light.
+    pub(crate) fn pair_of(&self, surface: u32, light: LightId) -> Option<(Mirror, f32)> {
+        // Both lists are in order.
+        let mirror = self.mirrors.binary_search_by_key(&surface, |it| it.surface).ok()?;
+        let light = self.lights.binary_search_by_key(&light.0, |it| it.0).ok()?;
+        let chance = if self.looks_at_all() {
+            1.0
+        } else {
+            self.mirror_by_area.probability(mirror) * self.light_by_power.probability(light)
+        };
+        Some((self.mirrors[mirror].mirror, chance))
     }
 }
 

@@ -39,6 +39,7 @@ fn bump(model: SurfaceModel, slope: f32, sampler: &mut Sampler) -> SurfacePoint 
         opacity: 1.0,
         through: Rgb::BLACK,
         light: None,
+        surface: 0,
     }
 }
 

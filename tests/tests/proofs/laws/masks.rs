@@ -23,7 +23,7 @@ fn pictures(techniques: Techniques) -> Rendering {
 /// techniques (`Worth`), so connections are left out; light samples are, where
 /// only some lamps are sampled.
 fn must_stay(technique: Technique, techniques: Techniques) -> bool {
-    let Technique { s, t, weighted } = technique;
+    let Technique { s, t, weighted, .. } = technique;
     let all_lamps = techniques.light_samples == LightSampling::All;
     !weighted && (s == 0 || t == 1 || (s == 1 && all_lamps))
 }

@@ -4,6 +4,7 @@ use super::super::vertex::{End, SubpathState, Vertex};
 use super::super::walk::{LightStart, Walker};
 use super::super::{Bdpt, weight};
 use crate::emission::Emitted;
+use crate::mirrored_point::walked_by_mirror;
 use crate::numbers::VertexNumbers;
 use crate::path_scattering::PathScattering;
 use crate::toward_light::{TowardLight, images_for};
@@ -119,6 +120,9 @@ impl FullPath {
         if free(0) {
             weights.push((1, self.light_sample(scene, &camera[n - 1], bdpt)));
         }
+        if let Some(weight) = self.mirror_connection(scene, &camera, bdpt) {
+            weights.push((2, weight));
+        }
         for s in 1..n {
             // Connects surfaces s − 1 and s.
             if free(s - 1) && free(s) {
@@ -144,6 +148,27 @@ impl FullPath {
         weights
     }
 
+    /// The weight of joining x₂ with the light by way of the mirror x₁, if that is possible.
+    fn mirror_connection(&self, scene: &Scene, camera: &[Vertex], bdpt: &Bdpt) -> Option<f64> {
+        let x2 = &camera[camera.len().checked_sub(2)?];
+        if !(self.x0.is_point && self.is_delta[0] && !self.is_delta[1]) {
+            return None;
+        }
+        let image = self.image(scene, &x2.point)?;
+        let walked =
+            walked_by_mirror(&self.densities(scene), image.walk_spread, &x2.point, image.wi);
+        let back = x2.scattering(Walk::FromCamera, image.wi, None).toward_camera;
+        Some(weight::mirror_connection(x2, walked, back, bdpt.heuristic))
+    }
+
+    /// The image of x₀ that is seen at x₁.
+    fn image(&self, scene: &Scene, x2: &SurfacePoint) -> Option<PointImage> {
+        let x1 = self.surfaces[0].site.position;
+        scene
+            .point_images(x2, [0.5; 2])
+            .find(|image| image.light == self.id && (image.seen_at.position - x1).length() < 1e-4)
+    }
+
     fn first_direction(&self) -> Vec3 {
         (self.surfaces[0].site.position - self.x0.site.position).normalize()
     }
@@ -160,16 +185,20 @@ impl FullPath {
         bdpt: &Bdpt,
     ) -> Vec<Vertex> {
         let direction = self.first_direction();
+        let (light, x0, densities) = (self.id, self.x0, self.densities(scene));
+        let start = LightStart { light, x0, densities };
         let emitted = Emitted {
-            x0: self.x0,
+            light,
+            x0,
             direction,
             x1: self.surfaces[0],
             numbers: numbers(),
             throughput: Rgb::WHITE,
-            densities: self.densities(scene),
+            densities,
         };
         let state = walker.light_state(&emitted);
-        walk(Walk::FromLight, state, direction, &self.events(scene), bdpt)
+        let note = |x1: &SurfacePoint, x2: &mut Vertex| walker.note_mirror(scene, &start, x1, x2);
+        walk(Walk::FromLight, state, direction, &self.events(scene), bdpt, note)
     }
 
     /// What a walk from the camera would aim at from surface i.
@@ -210,7 +239,7 @@ impl FullPath {
             d_vcm_factor: splats,
             d_vc_factor: 0.0,
         };
-        walk(Walk::FromCamera, state, direction, &events, bdpt)
+        walk(Walk::FromCamera, state, direction, &events, bdpt, |_, _| {})
     }
 
     /// x₀ as the camera subpath would have reached it.
@@ -322,17 +351,21 @@ fn walk(
     first_direction: Vec3,
     events: &[Event],
     bdpt: &Bdpt,
+    note_second: impl Fn(&SurfacePoint, &mut Vertex),
 ) -> Vec<Vertex> {
     let mut direction = first_direction;
-    let mut vertices = Vec::new();
+    let mut vertices: Vec<Vertex> = Vec::new();
     for (i, event) in events.iter().enumerate() {
-        let mut vertex = state.extend_to(
+        let mut vertex: Vertex = state.extend_to(
             seen_from(event.point, -direction),
             -direction,
             Rgb::WHITE,
             numbers(),
             bdpt.heuristic,
         );
+        if let (1, [x1]) = (i, &vertices[..]) {
+            note_second(&x1.point, &mut vertex);
+        }
         if let Some(next) = events.get(i + 1) {
             direction = (next.point.site.position - event.point.site.position).normalize();
             state = vertex.go_on(walk, direction, event, bdpt);
