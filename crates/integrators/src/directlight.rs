@@ -80,11 +80,11 @@ impl DirectLight {
             // The next vertex, and what the edge to it lets through.
             let numbers = sampler.vertex();
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
-            let Some(SurfaceHit { point, transmittance }) = hit else { break };
-            throughput *= transmittance;
+            let Some(SurfaceHit { point, transmittance }) = &hit else { break };
+            throughput *= *transmittance;
             let wo = -ray.direction;
             // A lamp that the walk hit: s = 0.
-            let (emitted, weight) = self.hit_emission(scene, &point, wo, arrival);
+            let (emitted, weight) = self.hit_emission(scene, point, wo, arrival);
             radiance += throughput * (emitted * weight);
             if let Some(notes) = notes.as_deref_mut() {
                 notes.came_to(point.site.position);
@@ -94,13 +94,13 @@ impl DirectLight {
                 break;
             }
             // How the walk looks for light from here.
-            let images = if aims { images_for(scene, &point) } else { None };
+            let images = if aims { images_for(scene, point) } else { None };
             let toward_light = TowardLight::of(images.as_ref());
             // A point of a lamp that is aimed at: s = 1.
-            if let Some(mut light) = sample_light(scene, &point, wo, &numbers)
-                && let Some(transmittance) = light.visible(tracer, &point)
+            if let Some(mut light) = sample_light(scene, point, wo, &numbers)
+                && let Some(transmittance) = light.visible(tracer, point)
             {
-                light.mix(toward_light, &point);
+                light.mix(toward_light, point);
                 let weight = self.light_weight(scene, &light);
                 let value = throughput * light.radiance * transmittance;
                 radiance += value * weight;
@@ -110,7 +110,7 @@ impl DirectLight {
             }
             // Point lights by way of a mirror, which no walk from the camera finds.
             if joins && self.limits.allow(edges + MIRRORED_EDGES) {
-                let value = throughput * light_through_mirrors(tracer, &point, wo, &numbers);
+                let value = throughput * light_through_mirrors(tracer, point, wo, &numbers);
                 radiance += value;
                 if let Some(notes) = notes.as_deref_mut() {
                     notes.found(Way::Mirrors, value, 1.0);
@@ -120,7 +120,7 @@ impl DirectLight {
             let roulette = self.limits.roulette;
             let (walk, edge) = (Walk::FromCamera, edges + 1);
             let step =
-                next_step_toward_light(walk, toward_light, &point, wo, &numbers, roulette, edge);
+                next_step_toward_light(walk, toward_light, point, wo, &numbers, roulette, edge);
             let Some(step) = step else { break };
             throughput *= step.weight;
             // Where the next hit could have been aimed at from, and with what density.

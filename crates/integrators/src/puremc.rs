@@ -45,24 +45,24 @@ impl PureMc {
             // The next vertex, and what the edge to it lets through.
             let numbers = sampler.vertex();
             let hit = tracer.edge_from_camera(edges, &ray, numbers.pass_through);
-            let Some(SurfaceHit { point, transmittance }) = hit else { break };
-            throughput *= transmittance;
+            let Some(SurfaceHit { point, transmittance }) = &hit else { break };
+            throughput *= *transmittance;
             let wo = -ray.direction;
             // What the walk happens to hit.
-            radiance += throughput * scene.emitted(&point);
+            radiance += throughput * scene.emitted(point);
             if !self.limits.allow(edges + 1) {
                 break;
             }
             // Point lights alone: lamps with an area are hit.
-            if let Some(light) = sample_light(scene, &point, wo, &numbers)
+            if let Some(light) = sample_light(scene, point, wo, &numbers)
                 && light.x0.is_point
-                && let Some(transmittance) = light.visible(tracer, &point)
+                && let Some(transmittance) = light.visible(tracer, point)
             {
                 radiance += throughput * light.radiance * transmittance;
             }
             // On by the surface's own sampling, if roulette lets it.
             let roulette = self.limits.roulette;
-            let step = next_step(Walk::FromCamera, &point, wo, &numbers, roulette, edges + 1);
+            let step = next_step(Walk::FromCamera, point, wo, &numbers, roulette, edges + 1);
             let Some(step) = step else { break };
             throughput *= step.weight;
             ray = step.ray;

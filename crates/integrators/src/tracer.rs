@@ -126,12 +126,15 @@ impl<'scene> Tracer<'scene> {
         let (mut transmittance, mut rest) = (Rgb::WHITE, *ray);
         for _ in 0..MOST_PASSAGES {
             count(&mut self.statistics);
-            let point = self.scene.intersect(&rest)?;
+            // In the place from where it is returned: a point is large.
+            let met = self.scene.intersect(&rest);
+            let mut hit = met.map(|point| SurfaceHit { point, transmittance });
+            let SurfaceHit { point, transmittance: passed } = hit.as_mut()?;
             // One number decides for all: what is left of it is uniform again.
             let chance = point.through.max_band();
             if pass_through >= chance {
-                let weight = point.opacity / (1.0 - chance);
-                return Some(SurfaceHit { point, transmittance: transmittance * weight });
+                *passed *= point.opacity / (1.0 - chance);
+                return hit;
             }
             transmittance = transmittance * point.through / chance;
             pass_through /= chance;
