@@ -91,7 +91,7 @@ fn nameless() -> PictureInfo {
         scene: String::new(),
         seed: 0,
         spp: 0,
-        seconds: 0.0,
+        seconds: Some(0.0),
         rejected_samples: 0,
     }
 }

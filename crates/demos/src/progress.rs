@@ -17,6 +17,8 @@ pub(crate) struct Line {
     bar: ProgressBar,
     start: Instant,
     time_limit: Option<Duration>,
+    /// Passes of runs before.
+    before: u32,
     quiet: bool,
     last_update: Cell<Option<Instant>>,
     last_pass: Arc<LastPass>,
@@ -38,15 +40,16 @@ const LONG_PASS: Duration = Duration::from_secs(1);
 
 impl Line {
     /// A line that starts with `title`, about a rendering that `stop` can end and that
-    /// ends at the `time_limit`.
+    /// ends at the `time_limit`; so many passes were done `before`.
     pub(crate) fn new(
         title: &str,
         stop: &Arc<Stop>,
         time_limit: Option<Duration>,
+        before: u32,
         quiet: bool,
     ) -> Self {
         let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::no_length() };
-        let last_pass = Arc::new(LastPass::default());
+        let last_pass = Arc::new(LastPass { number: before.into(), ..LastPass::default() });
         if let Ok(style) = ProgressStyle::with_template("{prefix}  {gone} gone{pass}  {wide_msg}") {
             // The worst is a line without its clock.
             let gone = |state: &ProgressState, out: &mut dyn Write| {
@@ -65,7 +68,7 @@ impl Line {
             bar.enable_steady_tick(BETWEEN_UPDATES);
         }
         let last_update = Cell::new(None);
-        Self { bar, start: Instant::now(), time_limit, quiet, last_update, last_pass }
+        Self { bar, start: Instant::now(), time_limit, before, quiet, last_update, last_pass }
     }
 
     /// Shows how far it is after a pass.
@@ -100,7 +103,9 @@ impl Line {
         let elapsed = self.start.elapsed();
         let passes = progress.film.passes();
         let done = fraction_done(f64::from(passes), progress.spp, elapsed, self.time_limit);
-        let left = clock(elapsed.mul_f64((1.0 / done - 1.0).clamp(0.0, LONGEST)));
+        let now = f64::from(passes - self.before);
+        let wanted = f64::from(progress.spp - self.before.min(progress.spp));
+        let left = clock(time_left(now, wanted, elapsed, self.time_limit));
         let percent = (100.0 * done) as u32;
         let of =
             if progress.spp == u32::MAX { String::new() } else { format!("/{}", progress.spp) };
@@ -143,6 +148,13 @@ fn fraction_done(passes: f64, spp: u32, elapsed: Duration, limit: Option<Duratio
     (passes / f64::from(spp)).max(of_time).min(1.0)
 }
 
+/// How long it will take, as long as nothing changes: after `now` of the passes that were
+/// wanted when the clock began.
+fn time_left(now: f64, wanted: f64, elapsed: Duration, limit: Option<Duration>) -> Duration {
+    let of_passes = elapsed.mul_f64((wanted / now - 1.0).clamp(0.0, LONGEST));
+    limit.map_or(of_passes, |limit| of_passes.min(limit.saturating_sub(elapsed)))
+}
+
 /// Minutes and seconds, with hours where there are any.
 pub fn clock(time: Duration) -> String {
     let seconds = time.as_secs();
@@ -165,6 +177,16 @@ mod tests {
         assert_eq!(fraction_done(8.0, 16, second, limit), 0.5);
         assert_eq!(fraction_done(1.0, 16, second, limit), 0.25);
         assert_eq!(fraction_done(1.0, u32::MAX, 5 * second, limit), 1.0);
+    }
+
+    /// Of what was done before the clock tells nothing.
+    #[test]
+    fn time_left_is_that_of_this_run() {
+        let (second, limit) = (Duration::from_secs(1), Some(Duration::from_secs(4)));
+        assert_eq!(time_left(1.0, 8.0, second, None), 7 * second);
+        assert_eq!(time_left(1.0, 8.0, second, limit), 3 * second);
+        assert_eq!(time_left(4.0, 8.0, second, limit), second);
+        assert_eq!(time_left(4.0, 8.0, 5 * second, limit), Duration::ZERO);
     }
 
     #[test]

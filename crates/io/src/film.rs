@@ -36,20 +36,29 @@ pub struct FilmAbout {
 }
 
 impl FilmAbout {
-    /// The first setting that is not as in another film, with the words of both.
+    /// The first setting that is not as in another film, with the words of both. A note of the
+    /// same name stands beside it.
     pub fn difference(&self, other: &Self) -> Option<FilmDifference> {
-        let word = |about: &Self, name: &str| {
-            let found = about.settings.iter().find(|(own, _)| own == name);
-            found.map_or_else(|| "none".to_string(), |(_, word)| word.clone())
-        };
         let names = self.settings.iter().chain(&other.settings).map(|(name, _)| name);
-        names
-            .map(|name| FilmDifference {
-                name: name.clone(),
-                words: [self, other].map(|about| word(about, name)),
-            })
-            .find(|difference| difference.words[0] != difference.words[1])
+        let differs = |name: &&String| self.setting(name) != other.setting(name);
+        let name = names.into_iter().find(differs)?;
+        let words = [self, other].map(|about| about.words(name));
+        Some(FilmDifference { name: name.clone(), words })
     }
+
+    fn setting(&self, name: &str) -> Option<&str> {
+        text_of(&self.settings, name)
+    }
+
+    /// A setting with the note that explains it.
+    fn words(&self, name: &str) -> String {
+        let note = text_of(&self.notes, name).map_or_else(String::new, |note| format!(" ({note})"));
+        format!("{}{note}", self.setting(name).unwrap_or("none"))
+    }
+}
+
+fn text_of<'a>(texts: &'a [(String, String)], name: &str) -> Option<&'a str> {
+    texts.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
 }
 
 /// A setting in which two films differ.
