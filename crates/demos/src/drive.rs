@@ -59,7 +59,7 @@ pub(crate) fn render_job(
     };
     let stop = Arc::new(Stop::default());
     let passes_before = before.unwrap_or_default().passes;
-    let line = Line::new(&title, &stop, options.time_limit, passes_before, options.quiet);
+    let line = Line::new(&title, &stop, passes_before, options);
     stop.on_interrupt(line.answer_to_interrupt());
     options.time_limit.map_or(Ok(()), |time| stop.after(time))?;
     let (mut is_full, mut fault) = (false, None);
