@@ -5,6 +5,8 @@ mod charts;
 mod check_data;
 mod ci;
 mod count_instructions;
+#[cfg(unix)]
+mod engines;
 mod faults;
 mod layers;
 mod package;
@@ -46,6 +48,8 @@ Usage: cargo xtask TASK [ARGUMENTS]
            pixels and threads; --help for more
   count-instructions [PART…] [OPTIONS]
            instructions a ray and a triangle, by valgrind; --help for more
+  engines  a rendering in parts by Slurm, GNU parallel and Open Job Description, those
+           that are installed; the bytes of one run must come of it
   package  packs the libraries, builds the packages, and tries to publish them
            in their order, all but the upload
   ci       format, clippy, layers, licences, other features and systems, tests,
@@ -63,6 +67,8 @@ fn main() -> ExitCode {
         ["layers"] => layers::run(),
         ["check-data", folder] => check_data::run(folder),
         ["ci"] => ci::run(),
+        #[cfg(unix)]
+        ["engines"] => engines::run(),
         ["package"] => package::publish_dry(),
         ["prove"] => prove::run(),
         ["faults"] => faults::run(&[]),

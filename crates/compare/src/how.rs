@@ -1,8 +1,8 @@
 //! What a comparison tells of the machine and the program it was made with.
 
-use crate::hash::Fnv;
 use crate::options::Options;
 use crate::results::How;
+use traylib_math::Fnv;
 
 /// Everything about how it is made, but for how long it takes.
 pub fn how(options: &Options, arguments: &[String]) -> How {

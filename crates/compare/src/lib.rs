@@ -16,7 +16,6 @@ mod chart;
 pub mod compare;
 pub mod csv;
 pub mod folder;
-mod hash;
 pub mod how;
 pub mod judge;
 pub mod lengths;

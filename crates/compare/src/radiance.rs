@@ -50,7 +50,7 @@ mod tests {
             scene: scene.into(),
             seed: 0,
             spp: 1,
-            seconds: 1.0,
+            seconds: Some(1.0),
             rejected_samples: 0,
         }
     }

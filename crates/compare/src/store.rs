@@ -4,13 +4,13 @@
 //! lie in `KEY.json` and its pictures in `KEY-NAME.exr`. The numbers are written
 //! last: where they are, the piece is whole.
 
-use crate::hash::Fnv;
 use crate::picture::{Picture, double, single};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::{self, Debug, Write};
 use std::path::{Path, PathBuf};
 use traylib_io::{PictureInfo, check_file, load_exr, save_picture, write_file};
+use traylib_math::Fnv;
 
 /// A folder of finished work.
 #[derive(Clone, Debug)]
@@ -90,7 +90,7 @@ fn nameless() -> PictureInfo {
         scene: String::new(),
         seed: 0,
         spp: 0,
-        seconds: 0.0,
+        seconds: Some(0.0),
         rejected_samples: 0,
     }
 }

@@ -22,25 +22,38 @@ pub struct Done {
     pub layers: BTreeMap<u16, Grid<Rgb>>,
     /// Text that was asked for.
     pub notes: Vec<String>,
-    /// Tally of the work.
+    /// Tally of the work of this run.
     pub statistics: Statistics,
     /// Time that it took.
     pub elapsed: Duration,
+    /// What was done in runs before; `None` if nothing is kept from run to run.
+    pub before: Option<Before>,
+}
+
+/// What was done in the runs that this one goes on from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Before {
+    /// Passes.
+    pub passes: u32,
+    /// Samples that were left out.
+    pub rejected: u64,
 }
 
 impl Done {
     /// What a picture of this job says of itself.
     pub fn info(&self, job: &Job<'_>) -> PictureInfo {
+        let before = self.before.unwrap_or_default();
         PictureInfo {
             exposure: self.loaded.settings.exposure,
             program: format!("TrayLib {VERSION}"),
             integrator: job.program.into(),
-            command: recipe::command(job, &self.loaded, self.passes),
+            command: recipe::with_spp(&recipe::command(job, &self.loaded), self.passes),
             scene: self.loaded.name.clone(),
             seed: job.options.seed,
             spp: u64::from(self.passes),
-            seconds: self.elapsed.as_secs_f64(),
-            rejected_samples: self.statistics.rejected,
+            // Several runs have no time in common, and their picture is the same as that of one.
+            seconds: self.before.is_none().then_some(self.elapsed.as_secs_f64()),
+            rejected_samples: self.statistics.rejected + before.rejected,
         }
     }
 }

@@ -28,7 +28,7 @@ impl End {
     }
 
     /// Why nothing is written: it came when this part of the first pass was done.
-    pub(crate) fn without_picture(self, part: f64) -> Failure {
+    pub(crate) fn without_pass(self, part: f64) -> Failure {
         let percent = (100.0 * part) as u32;
         let nothing = format!("the first pass was done to {percent} %; nothing is written");
         match self {

@@ -1,5 +1,5 @@
-//! The program `film`: what picture files hold, how far two are apart, and one
-//! format made another.
+//! The program `film`: what picture files hold, how far two are apart, one format made
+//! another, and one film of many.
 
 mod any;
 mod bias;
@@ -7,10 +7,12 @@ mod comparison;
 mod convert;
 mod diff;
 mod info;
+mod merge;
 
 pub use convert::ConvertOptions;
 pub use diff::DiffOptions;
 pub use info::InfoOptions;
+pub use merge::MergeOptions;
 
 use crate::conclude::conclude;
 use clap::Subcommand;
@@ -25,6 +27,8 @@ pub enum FilmCommand {
     Info(InfoOptions),
     /// Write a picture in another format
     Convert(ConvertOptions),
+    /// Make one film of the films of parts (--shard)
+    Merge(MergeOptions),
 }
 
 impl FilmCommand {
@@ -35,6 +39,7 @@ impl FilmCommand {
             Self::Diff(options) => diff::diff(options),
             Self::Info(options) => info::info(options),
             Self::Convert(options) => convert::convert(options),
+            Self::Merge(options) => merge::merge(options),
         })
     }
 }

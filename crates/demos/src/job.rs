@@ -56,6 +56,11 @@ impl<'a> Job<'a> {
         self.method.and_then(Method::limits).unwrap_or_default()
     }
 
+    /// Whether pictures come of it; a part of a rendering is kept for others.
+    pub(crate) fn makes_pictures(&self) -> bool {
+        self.options.keep.shard.is_none()
+    }
+
     /// How many passes are asked for; `None` if it is the time that ends them.
     pub(crate) fn spp(&self, loaded: &Loaded) -> Option<u32> {
         let default = self.default_spp.unwrap_or(loaded.settings.spp);

@@ -5,6 +5,7 @@
 
 mod black;
 mod bug;
+mod checkpoint;
 mod command_line;
 mod conclude;
 mod done;
@@ -14,15 +15,18 @@ mod end;
 mod film;
 mod interrupt;
 mod job;
+mod keep_options;
 mod memory;
 mod messages;
 mod options;
 mod outcome;
 mod outputs;
+mod plan;
 mod progress;
 mod recipe;
 mod run;
 mod say;
+mod shard;
 mod signals;
 mod stats;
 mod technique_pictures;
@@ -31,15 +35,17 @@ pub use command_line::{CommandLine, parse};
 pub use conclude::conclude;
 pub use done::Done;
 pub use duration::parse_duration;
-pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions};
+pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions, MergeOptions};
 pub use interrupt::on_interrupt;
 pub use job::Job;
+pub use keep_options::KeepOptions;
 pub use messages::print_notes;
 pub use options::{PixelName, RenderOptions, parse_resolution, parse_threads};
 pub use outcome::Failure;
 pub use progress::clock;
 pub use run::{render_by, run};
 pub use say::{say, tell, tell_name};
+pub use shard::Shard;
 pub use signals::Signal;
 pub use technique_pictures::save_techniques;
 
@@ -67,7 +73,8 @@ prints it.
 
 Ends with 0, 2 if the command line was not understood, 3 if a scene cannot be
 read or makes no sense, 4 if the picture cannot be written, does not fit into
-memory or the time was up in the first pass, 130 after Ctrl-C, 143 if it was
+memory or the time was up in the first pass, 6 if a checkpoint is of another
+rendering, 130 after Ctrl-C, 143 if it was
 told to terminate, 129 if the terminal was closed. The second time Ctrl-C ends
 at once."
     )

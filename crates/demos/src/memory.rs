@@ -2,6 +2,7 @@
 
 use crate::job::Job;
 use crate::outcome::Failure;
+use crate::plan::Plan;
 use std::fs;
 use std::path::{Path, PathBuf};
 use traylib_integrators::PointSet;
@@ -15,11 +16,13 @@ use traylib_scene::Camera;
 ///
 /// # Errors
 /// It does not fit.
-pub(crate) fn check(job: &Job<'_>, loaded: &Loaded) -> Result<(), Failure> {
+pub(crate) fn check(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> Result<(), Failure> {
     let camera = loaded.scene.camera();
     let (width, height) = (camera.width(), camera.height());
-    let passes = if job.options.time_limit.is_some() { None } else { job.spp(loaded) };
-    let per_pixel = bytes_per_pixel(passes.unwrap_or(1), job.options.sampler, job.layers);
+    let passes = if job.options.time_limit.is_some() { 1 } else { plan.passes.len() as u32 };
+    // Those of a part wait on both sides of what has been added up.
+    let passes = if plan.passes.start == 0 { passes } else { passes.saturating_mul(passes) };
+    let per_pixel = bytes_per_pixel(passes, job.options.sampler, job.layers);
     let needed = u64::from(width) * u64::from(height) * per_pixel;
     match available() {
         Some(available) if needed > available => Err(Failure::output(format_args!(

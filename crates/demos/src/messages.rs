@@ -67,7 +67,13 @@ pub(crate) fn summarise(program: &str, done: &Done, end: &str) {
         Some(error) => format!("estimated error {:.2} %", 100.0 * error),
         None => String::from("error unknown"),
     };
-    say(format_args!("{program} {name}: {passes} spp in {seconds:.2} s, {error}; ended by {end}"));
+    let before = match done.before.unwrap_or_default().passes {
+        0 => String::new(),
+        before => format!(", {before} of them before,"),
+    };
+    say(format_args!(
+        "{program} {name}: {passes} spp{before} in {seconds:.2} s, {error}; ended by {end}"
+    ));
     say(format_args!(
         "  rays: {} camera, {} bounce, {} shadow; {} a second",
         count(statistics.camera_rays),
@@ -81,7 +87,7 @@ pub(crate) fn summarise(program: &str, done: &Done, end: &str) {
         count(statistics.light_paths),
         count((statistics.camera_paths as f64 / seconds) as u64),
     ));
-    let rejected = statistics.rejected;
+    let rejected = statistics.rejected + done.before.unwrap_or_default().rejected;
     if rejected > 0 {
         say(format_args!(
             "warning: {rejected} samples were negative or not finite and were left out; please report the scene"

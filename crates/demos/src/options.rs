@@ -1,6 +1,7 @@
 //! Options that all programs understand.
 
 use crate::duration::parse_duration;
+use crate::keep_options::KeepOptions;
 use crate::outcome::Failure;
 use clap::Args;
 use std::path::PathBuf;
@@ -56,6 +57,10 @@ pub struct RenderOptions {
     /// [default: none]
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
     pub time_limit: Option<Duration>,
+
+    /// What to keep of the rendering
+    #[command(flatten)]
+    pub keep: KeepOptions,
 
     /// Print errors alone
     #[arg(short, long)]

@@ -28,6 +28,11 @@ impl Failure {
         Self::new(4, message)
     }
 
+    /// Films do not fit together, or to what is wanted: status 6.
+    pub(crate) fn unfit(message: impl Display) -> Self {
+        Self::new(6, message)
+    }
+
     /// Two pictures differ by more than is allowed: status 7.
     pub(crate) fn different(message: impl Display) -> Self {
         Self::new(7, message)
@@ -57,6 +62,9 @@ impl From<traylib_io::Error> for Failure {
         match error {
             traylib_io::Error::PictureFormat(_) => Self::usage(error),
             traylib_io::Error::Write { .. } => Self::output(error),
+            traylib_io::Error::FilmsDiffer { .. } | traylib_io::Error::FilmsOverlap { .. } => {
+                Self::unfit(error)
+            }
             _ => Self::scene(error),
         }
     }

@@ -13,12 +13,15 @@ use traylib_scene::Camera;
 pub(crate) struct Outputs<'a> {
     files: Vec<PathBuf>,
     folder: Option<&'a Path>,
+    checkpoint: Option<&'a Path>,
 }
 
 impl<'a> Outputs<'a> {
     /// Of this job.
     pub(crate) fn of(job: &Job<'a>) -> Self {
-        Self { files: outfiles(job), folder: job.folder }
+        // A part of a rendering makes no picture.
+        let folder = job.folder.filter(|_| job.makes_pictures());
+        Self { files: outfiles(job), folder, checkpoint: job.options.keep.checkpoint.as_deref() }
     }
 
     /// Finds out before the work whether its result can be kept.
@@ -29,6 +32,7 @@ impl<'a> Outputs<'a> {
         for file in &self.files {
             check_picture(file, camera.width(), camera.height())?;
         }
+        self.checkpoint.map_or(Ok(()), check_file)?;
         let Some(folder) = self.folder else { return Ok(()) };
         // What is not there yet will be made, where the first folder above it is.
         let above = folder.ancestors().find(|above| above.exists()).unwrap_or(Path::new(""));
@@ -66,7 +70,7 @@ impl<'a> Outputs<'a> {
 }
 
 fn outfiles(job: &Job<'_>) -> Vec<PathBuf> {
-    if !job.wants_picture {
+    if !job.wants_picture || !job.makes_pictures() {
         Vec::new()
     } else if job.options.outfile.is_empty() {
         vec![PathBuf::from(format!("{}.png", job.program))]

@@ -1,7 +1,8 @@
 //! The line that moves while a picture is rendered.
 
 use crate::interrupt::Stop;
-use crate::say::{count, say};
+use crate::options::RenderOptions;
+use crate::say::{count, say, tell};
 use crate::signals::Signal;
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::cell::Cell;
@@ -17,9 +18,13 @@ pub(crate) struct Line {
     bar: ProgressBar,
     start: Instant,
     time_limit: Option<Duration>,
+    /// Passes of runs before.
+    before: u32,
     quiet: bool,
     last_update: Cell<Option<Instant>>,
     last_pass: Arc<LastPass>,
+    /// When a queue was told last, if it wants that.
+    last_told: Option<Cell<Option<Instant>>>,
 }
 
 /// The pass that was done last, as the line's own thread sees it.
@@ -33,20 +38,20 @@ struct LastPass {
 /// The film's error is asked for no more often than this.
 const BETWEEN_UPDATES: Duration = Duration::from_millis(200);
 
+/// A queue is told no more often than this.
+const BETWEEN_LINES: Duration = Duration::from_secs(1);
+
 /// How far a pass is, is shown of those that take longer than this.
 const LONG_PASS: Duration = Duration::from_secs(1);
 
 impl Line {
-    /// A line that starts with `title`, about a rendering that `stop` can end and that
-    /// ends at the `time_limit`.
-    pub(crate) fn new(
-        title: &str,
-        stop: &Arc<Stop>,
-        time_limit: Option<Duration>,
-        quiet: bool,
-    ) -> Self {
+    /// A line that starts with `title`, about a rendering that `stop` can end, and
+    /// that ends as the options say; so many passes were done `before`.
+    pub(crate) fn new(title: &str, stop: &Arc<Stop>, before: u32, options: &RenderOptions) -> Self {
+        let RenderOptions { quiet, time_limit, .. } = *options;
+        let last_told = options.keep.openjd.then(Cell::default);
         let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::no_length() };
-        let last_pass = Arc::new(LastPass::default());
+        let last_pass = Arc::new(LastPass { number: before.into(), ..LastPass::default() });
         if let Ok(style) = ProgressStyle::with_template("{prefix}  {gone} gone{pass}  {wide_msg}") {
             // The worst is a line without its clock.
             let gone = |state: &ProgressState, out: &mut dyn Write| {
@@ -65,11 +70,23 @@ impl Line {
             bar.enable_steady_tick(BETWEEN_UPDATES);
         }
         let last_update = Cell::new(None);
-        Self { bar, start: Instant::now(), time_limit, quiet, last_update, last_pass }
+        Self {
+            bar,
+            start: Instant::now(),
+            time_limit,
+            before,
+            quiet,
+            last_update,
+            last_pass,
+            last_told,
+        }
     }
 
     /// Shows how far it is after a pass.
     pub(crate) fn update(&self, progress: &Progress<'_>) {
+        if let Some(last) = &self.last_told {
+            self.tell_queue(progress, last);
+        }
         let recently = |last: Instant| last.elapsed() < BETWEEN_UPDATES;
         self.last_pass.number.store(progress.film.passes(), Ordering::Relaxed);
         self.last_pass.end.store(self.elapsed().as_millis() as u64, Ordering::Relaxed);
@@ -79,6 +96,28 @@ impl Line {
         self.bar.set_message(self.describe(progress));
         // What it takes to tell is not counted.
         self.last_update.set(Some(Instant::now()));
+    }
+
+    /// As `https://github.com/OpenJobDescription` wants it, in "How Jobs Are Run".
+    fn tell_queue(&self, progress: &Progress<'_>, last: &Cell<Option<Instant>>) {
+        let passes = progress.film.passes();
+        let recently = |last: Instant| last.elapsed() < BETWEEN_LINES;
+        if passes < progress.spp && last.get().is_some_and(recently) {
+            return;
+        }
+        last.set(Some(Instant::now()));
+        let elapsed = self.elapsed();
+        let done = fraction_done(f64::from(passes), progress.spp, elapsed, self.time_limit);
+        // Who does not listen need not.
+        let _ = tell(format_args!("openjd_progress: {:.1}", 100.0 * done));
+        let left = clock(self.time_left(progress, elapsed));
+        let _ = tell(format_args!("openjd_status: {passes} spp are done, {left} left"));
+    }
+
+    fn time_left(&self, progress: &Progress<'_>, elapsed: Duration) -> Duration {
+        let now = f64::from(progress.film.passes() - self.before);
+        let wanted = f64::from(progress.spp - self.before.min(progress.spp));
+        time_left(now, wanted, elapsed, self.time_limit)
     }
 
     /// What is said to whoever asks for the end, at once and from any thread.
@@ -100,7 +139,7 @@ impl Line {
         let elapsed = self.start.elapsed();
         let passes = progress.film.passes();
         let done = fraction_done(f64::from(passes), progress.spp, elapsed, self.time_limit);
-        let left = clock(elapsed.mul_f64((1.0 / done - 1.0).clamp(0.0, LONGEST)));
+        let left = clock(self.time_left(progress, elapsed));
         let percent = (100.0 * done) as u32;
         let of =
             if progress.spp == u32::MAX { String::new() } else { format!("/{}", progress.spp) };
@@ -143,6 +182,13 @@ fn fraction_done(passes: f64, spp: u32, elapsed: Duration, limit: Option<Duratio
     (passes / f64::from(spp)).max(of_time).min(1.0)
 }
 
+/// How long it will take, as long as nothing changes: after `now` of the passes that were
+/// wanted when the clock began.
+fn time_left(now: f64, wanted: f64, elapsed: Duration, limit: Option<Duration>) -> Duration {
+    let of_passes = elapsed.mul_f64((wanted / now - 1.0).clamp(0.0, LONGEST));
+    limit.map_or(of_passes, |limit| of_passes.min(limit.saturating_sub(elapsed)))
+}
+
 /// Minutes and seconds, with hours where there are any.
 pub fn clock(time: Duration) -> String {
     let seconds = time.as_secs();
@@ -165,6 +211,16 @@ mod tests {
         assert_eq!(fraction_done(8.0, 16, second, limit), 0.5);
         assert_eq!(fraction_done(1.0, 16, second, limit), 0.25);
         assert_eq!(fraction_done(1.0, u32::MAX, 5 * second, limit), 1.0);
+    }
+
+    /// Of what was done before the clock tells nothing.
+    #[test]
+    fn time_left_is_that_of_this_run() {
+        let (second, limit) = (Duration::from_secs(1), Some(Duration::from_secs(4)));
+        assert_eq!(time_left(1.0, 8.0, second, None), 7 * second);
+        assert_eq!(time_left(1.0, 8.0, second, limit), 3 * second);
+        assert_eq!(time_left(4.0, 8.0, second, limit), second);
+        assert_eq!(time_left(4.0, 8.0, 5 * second, limit), Duration::ZERO);
     }
 
     #[test]

@@ -6,15 +6,15 @@ use std::path::Path;
 use traylib_integrators::Method;
 use traylib_io::Loaded;
 
-/// The command that makes a picture of so many passes again, from the same scene: every
-/// option that changes the picture, also those that were not given. Of the scene's file
-/// only the name, as folders tell of people.
-pub(crate) fn command(job: &Job<'_>, loaded: &Loaded, passes: u32) -> String {
+/// The command that makes a picture again, from the same scene: every option that changes the
+/// picture but [`--spp`](with_spp), also those that were not given. Of the scene's file only
+/// the name, as folders tell of people.
+pub(crate) fn command(job: &Job<'_>, loaded: &Loaded) -> String {
     let options = job.options;
     let scene = Path::new(&options.scene).file_name().map(|name| name.to_string_lossy());
     let camera = loaded.scene.camera();
     let mut command = format!(
-        "{} {} --resolution {}x{} --spp {passes} --seed {} --sampler {} --exposure {}",
+        "{} {} --resolution {}x{} --seed {} --sampler {} --exposure {}",
         job.program,
         quoted(&scene.unwrap_or_default()),
         camera.width(),
@@ -31,6 +31,11 @@ pub(crate) fn command(job: &Job<'_>, loaded: &Loaded, passes: u32) -> String {
         let _ = write!(command, " {setting}");
     }
     command
+}
+
+/// A command for so many passes.
+pub(crate) fn with_spp(command: &str, passes: u32) -> String {
+    format!("{command} --spp {passes}")
 }
 
 /// A word as a shell takes it.

@@ -4,15 +4,17 @@ use crate::black::{self, Picture};
 use crate::command_line::CommandLine;
 use crate::conclude::conclude;
 use crate::done::Done;
-use crate::drive::render_job;
+use crate::drive::{Outcome, render_job};
 use crate::end::End;
 use crate::job::Job;
 use crate::memory;
 use crate::messages::{announce, describe, suggest, summarise};
 use crate::outcome::Failure;
 use crate::outputs::Outputs;
-use crate::say::{say, tell};
+use crate::plan::Plan;
+use crate::say::{say, tell, tell_name};
 use crate::stats::stats;
+use std::collections::BTreeMap;
 use std::process::ExitCode;
 use traylib_integrators::{Integrator, Method, Rendering};
 use traylib_io::{LoadOptions, Loaded, load_scene_with};
@@ -42,6 +44,9 @@ fn try_run(
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let options = job.options;
+    if !job.wants_picture && options.keep.checkpoint.is_some() {
+        return Err(Failure::usage("--checkpoint keeps pictures; paths of a --pixel are not kept"));
+    }
     if let Some(file) = &options.stats {
         return stats(options, file);
     }
@@ -51,30 +56,43 @@ fn try_run(
     if !options.quiet {
         announce(job.program, &loaded, integrator, job.limits());
     }
-    memory::check(job, &loaded)?;
+    let plan = Plan::of(job, &loaded)?;
+    memory::check(job, &loaded, &plan)?;
     let outputs = Outputs::of(job);
     outputs.check(loaded.scene.camera())?;
     if options.check {
         return tell(describe(&loaded.name, &loaded.scene));
     }
     outputs.make_folder()?;
-    let (rendering, elapsed, end) = render_job(job, &loaded, integrator)?;
+    let Outcome { rendering, elapsed, end, before } = render_job(job, &loaded, integrator, &plan)?;
     let Rendering { film, notes, statistics } = rendering;
-    let (passes, error, layers) = (film.passes(), film.relative_error(), film.develop_layers());
-    let done = Done { loaded, passes, error, layers, notes, statistics, elapsed };
-    // A picture that just fits has no room for the film.
-    let picture = film.into_picture();
-    outputs.save(&picture, &done.info(job))?;
-    finish(&done)?;
+    let (passes, error) = (film.passes(), film.relative_error());
+    let layers = if job.makes_pictures() { film.develop_layers() } else { BTreeMap::new() };
+    let done = Done { loaded, passes, error, layers, notes, statistics, elapsed, before };
+    if job.makes_pictures() {
+        // A picture that just fits has no room for the film.
+        let picture = film.into_picture();
+        outputs.save(&picture, &done.info(job))?;
+        finish(&done)?;
+        if !options.quiet {
+            warn_if_black(job, &done, integrator, &picture);
+        }
+    } else {
+        options.keep.checkpoint.as_deref().map_or(Ok(()), tell_name)?;
+    }
     if !options.quiet {
-        warn_if_black(job, &done, integrator, &picture);
         summarise(job.program, &done, &end.words());
         suggest(options);
     }
+    conclusion(end, passes)
+}
+
+/// How a program ends that has written what it has.
+fn conclusion(end: End, passes: u32) -> Result<(), Failure> {
     match end {
         End::Interrupt(signal) => Err(Failure::interrupted(
             signal,
-            format_args!("interrupted; what is written has {} spp", done.passes),
+            format_args!("interrupted; what is written has {passes} spp"),
         )),
         End::Spp | End::TimeLimit | End::Memory => Ok(()),
     }

@@ -33,6 +33,7 @@ use build::Quality;
 use extents::QuantisedExtents;
 use node::{BlockKind, Child, LEAF, Node};
 use shape_block::{DiskBlock, QuadBlock, SphereBlock};
+use std::fmt;
 use visitor::Visitor;
 
 /// Blocks, or triangles, that a thread takes at once.
@@ -48,7 +49,7 @@ const CACHED: usize = 1 << 20;
 const LARGE: usize = 16 << 20;
 
 /// Boxes in boxes, with numbers in the innermost.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Tree {
     pub(crate) nodes: Vec<Node>,
     pub(crate) triangles: Vec<Block>,
@@ -68,6 +69,13 @@ pub(crate) struct Tree {
     pub(crate) kernel: Kernel,
     /// Bytes on the heap.
     pub(crate) memory: usize,
+}
+
+/// How large it is. All else follows from the shapes and, in part, from the processor.
+impl fmt::Debug for Tree {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Tree").field("nodes", &self.nodes.len()).finish_non_exhaustive()
+    }
 }
 
 impl Tree {

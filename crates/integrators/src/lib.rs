@@ -98,7 +98,9 @@ pub use numbers::{Dimensions, PathSampler, PointSet};
 pub use particle::Particle;
 pub use pass::{Pass, RenderChunk};
 pub use puremc::PureMc;
-pub use render::{Progress, Renderer, Rendering, Settings, ThreadError, render, render_to_end};
+pub use render::{
+    Part, Progress, Renderer, Rendering, Settings, ThreadError, render, render_part, render_to_end,
+};
 pub use trace::Trace;
 pub use tracer::Statistics;
 

@@ -5,7 +5,7 @@ mod renderer;
 pub use renderer::Renderer;
 
 use crate::{Control, Integrator, PointSet, Statistics};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use traylib_scene::{Film, Scene};
 
 /// How to render, whatever the algorithm.
@@ -72,19 +72,57 @@ pub fn render(
     control: &Control,
     observe: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Rendering, ThreadError> {
+    let part = Part { passes: 0..settings.spp, film: None };
+    render_part(scene, integrator, settings, part, control, observe)
+}
+
+/// Passes of a rendering, some of which may be done.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The numbers of the passes that are wanted.
+    pub passes: Range<u32>,
+    /// What there is of them; nothing if it is `None`.
+    pub film: Option<Film>,
+}
+
+/// [`render`] of a part: the passes that its film does not have, in the order of their numbers,
+/// whatever `settings.spp` is. The film is that of the part, the tally that of the passes that
+/// were rendered here. Films of all parts make that of the whole by [`Film::merge`].
+///
+/// # Errors
+/// As `render`.
+///
+/// # Panics
+/// If the film has another size than the scene's pictures, or other sequences than the
+/// points.
+pub fn render_part(
+    scene: &Scene,
+    integrator: &dyn Integrator,
+    settings: &Settings,
+    part: Part,
+    control: &Control,
+    observe: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
+) -> Result<Rendering, ThreadError> {
     // Threads of its own, so that the number asked for is kept.
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(settings.threads)
         .build()
         .map_err(|error| ThreadError(error.to_string()))?;
     let mut renderer = Renderer::new(scene, integrator, settings.seed, settings.points);
-    for pass in 0..settings.spp {
+    if let Some(film) = part.film {
+        renderer = renderer.going_on_from(film);
+    }
+    let spp = part.passes.len() as u32;
+    for pass in part.passes {
+        if renderer.rendering().film.has_pass(pass) {
+            continue;
+        }
         // A pass that was given up leaves no trace.
         if !pool.install(|| renderer.render_pass(pass, control)) {
             break;
         }
         let Rendering { film, statistics, .. } = renderer.rendering();
-        let progress = Progress { film, statistics: *statistics, spp: settings.spp };
+        let progress = Progress { film, statistics: *statistics, spp };
         if observe(&progress).is_break() {
             break;
         }

@@ -85,6 +85,34 @@ pub enum Error {
         /// The system's or the encoder's reason.
         cause: Box<dyn std::error::Error + Send + Sync>,
     },
+    /// Two films are not of the same rendering.
+    #[error(
+        "{}: does not fit to {}: its {} is {}, not {}",
+        .files[1].display(), .files[0].display(), .difference.name,
+        .difference.words[1], .difference.words[0]
+    )]
+    FilmsDiffer {
+        /// Both.
+        files: [PathBuf; 2],
+        /// The first setting in which they differ.
+        difference: crate::FilmDifference,
+    },
+    /// Two films have the same pass, whose light would count twice.
+    #[error("{}: has pass {pass}, and so has {}", .files[1].display(), .files[0].display())]
+    FilmsOverlap {
+        /// Both.
+        files: [PathBuf; 2],
+        /// The number of the pass.
+        pass: u64,
+    },
+    /// A film cannot be read.
+    #[error("{}: cannot be read as a film: {cause}", .file.display())]
+    ReadFilm {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        cause: crate::FilmFault,
+    },
     /// A picture cannot be read.
     #[error("{}: cannot be read as a picture: {cause}", .file.display())]
     ReadPicture {

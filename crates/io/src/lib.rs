@@ -18,6 +18,7 @@
 mod builtin;
 mod chromaticities;
 mod error;
+mod film;
 mod import;
 mod inventory;
 mod limit;
@@ -40,6 +41,10 @@ pub mod three_ds;
 
 pub use builtin::builtin_names;
 pub use error::{Error, Warning};
+pub use film::{
+    FilmAbout, FilmDifference, FilmFault, FilmReader, check_films_fit, load_film, merge_films,
+    save_film,
+};
 pub use inventory::{Inventory, SceneCounts, inventory};
 pub use limit::{Limit, MAX_PIXELS};
 pub use load::{Loaded, load_scene, load_scene_with};
@@ -50,6 +55,7 @@ pub use picture::{
 };
 pub use printable::{printable, printable_json};
 pub use read_limits::ReadLimits;
+pub(crate) use replace::write_file_by;
 pub use replace::{check_file, discard_unfinished, write_file};
 pub use texture::{Coding, Texture, TextureLimits, load_texture, texture_from_bytes};
 pub use texture_error::{Fault, TextureError};

@@ -41,16 +41,17 @@ pub struct PictureInfo {
     pub seed: u64,
     /// Samples per pixel.
     pub spp: u64,
-    /// Seconds the render took.
-    pub seconds: f64,
+    /// Seconds the render took, if that is to be told.
+    pub seconds: Option<f64>,
     /// Samples left out because they were not finite or negative.
     pub rejected_samples: u64,
 }
 
 impl PictureInfo {
     /// Names and texts for [`write_picture`]: `software`, `integrator`, `command`,
-    /// `scene`, `seed`, `spp`, `exposure`, `seconds`, `rejectedSamples`.
+    /// `scene`, `seed`, `spp`, `exposure`, `seconds`, `rejectedSamples`, those that are there.
     pub fn attributes(&self) -> Vec<(String, String)> {
+        let seconds = self.seconds.map(|seconds| ("seconds", seconds.to_string()));
         let texts = [
             ("software", self.program.clone()),
             ("integrator", self.integrator.clone()),
@@ -59,10 +60,10 @@ impl PictureInfo {
             ("seed", self.seed.to_string()),
             ("spp", self.spp.to_string()),
             ("exposure", self.exposure.to_string()),
-            ("seconds", self.seconds.to_string()),
-            ("rejectedSamples", self.rejected_samples.to_string()),
         ];
-        texts.map(|(name, text)| (name.to_string(), text)).to_vec()
+        let rejected = ("rejectedSamples", self.rejected_samples.to_string());
+        let texts = texts.into_iter().chain(seconds).chain([rejected]);
+        texts.map(|(name, text)| (name.to_string(), text)).collect()
     }
 }
 

@@ -8,8 +8,8 @@ mod target;
 use crate::Error;
 use beside::Beside;
 pub use beside::discard_unfinished;
-use std::fs::{self, OpenOptions};
-use std::io::{self, Write};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use target::Target;
 
@@ -24,7 +24,20 @@ use target::Target;
 /// [`Error::Write`]: a folder, a file that may not be written, a link that leads
 /// nowhere, or what the system says.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    replace(path, bytes).map_err(|cause| error(path, cause))
+    replace(path, None, &mut |out| out.write_all(bytes)).map_err(|cause| error(path, cause))
+}
+
+/// [`write_file`] of what `write` writes, bit by bit, which need not fit into memory. A file
+/// that is replaced becomes `kept`, if that is given.
+///
+/// # Errors
+/// As `write_file`, or what `write` says.
+pub(crate) fn write_file_by(
+    path: &Path,
+    kept: Option<&Path>,
+    write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Error> {
+    replace(path, kept, write).map_err(|cause| error(path, cause))
 }
 
 /// Whether [`write_file`] will be able to write there, as far as can be known before.
@@ -40,17 +53,45 @@ pub fn check_file(path: &Path) -> Result<(), Error> {
     check().map_err(|cause| error(path, cause))
 }
 
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+fn replace(
+    path: &Path,
+    kept: Option<&Path>,
+    write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
     match Target::of(path)? {
         Target::Replace { place, before } => {
-            let mut beside = Beside::create(&place, before.as_ref())?;
-            beside.file.write_all(bytes)?;
+            let beside = Beside::create(&place, before.as_ref())?;
+            buffered(&beside.file, write)?;
             beside.file.sync_all()?;
+            if let (Some(kept), Some(_)) = (kept, &before) {
+                fs::rename(&place, kept)?;
+            }
             // `beside` goes out of scope only afterwards: it finds nothing to remove.
-            fs::rename(&beside.path, place)
+            fs::rename(&beside.path, &place)?;
+            sync_folder_of(&place);
+            Ok(())
         }
-        Target::WriteInto => OpenOptions::new().write(true).open(path)?.write_all(bytes),
+        Target::WriteInto => buffered(&OpenOptions::new().write(true).open(path)?, write),
     }
+}
+
+/// Bytes that are handed to the system at once.
+const BUFFER: usize = 1 << 20;
+
+fn buffered(
+    file: &File,
+    write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut buffer = BufWriter::with_capacity(BUFFER, file);
+    write(&mut buffer)?;
+    buffer.flush()
+}
+
+/// Makes a new name outlive a power cut, where the system can.
+fn sync_folder_of(place: &Path) {
+    let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty());
+    // Not every system opens folders; the file itself is safe.
+    let _ = File::open(folder.unwrap_or(Path::new("."))).and_then(|folder| folder.sync_all());
 }
 
 fn error(path: &Path, cause: io::Error) -> Error {

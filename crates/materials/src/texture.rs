@@ -1,6 +1,7 @@
 //! Pictures to look colours up in.
 
-use traylib_math::{Grid, Rgb, Vec2};
+use std::fmt;
+use traylib_math::{Fnv, Grid, Rgb, Vec2};
 
 /// What is beyond the edges of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -16,10 +17,21 @@ pub enum Tiling {
 
 /// A picture of linear values over the unit square: u grows to the right, v
 /// upward, and (0, 0) is the bottom left corner of the picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Texture {
     /// Row 0 is at the top.
     pixels: Grid<Rgb>,
+}
+
+/// Its size, and a hash of its pixels, which are too many to print.
+impl fmt::Debug for Texture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut hash = Fnv::default();
+        let bands = self.pixels.values().iter().flat_map(|pixel| pixel.to_array());
+        bands.for_each(|band| hash.add(&band.to_bits().to_le_bytes()));
+        let size = [self.pixels.width(), self.pixels.height()];
+        f.debug_struct("Texture").field("size", &size).field("hash", &hash.finish()).finish()
+    }
 }
 
 impl Texture {

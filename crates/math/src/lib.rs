@@ -12,6 +12,7 @@
 //! ```
 
 pub mod discrete;
+pub mod fnv;
 pub mod frame;
 pub mod grid;
 pub mod measure;
@@ -22,6 +23,7 @@ pub mod sobol;
 pub mod warp;
 
 pub use discrete::DiscreteDistribution;
+pub use fnv::Fnv;
 pub use frame::Frame;
 pub use glam::{self, Vec2, Vec3};
 pub use grid::Grid;

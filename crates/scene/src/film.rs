@@ -4,9 +4,9 @@ mod block;
 mod pass_image;
 mod sequence;
 
+pub use block::{FilmBlock, FilmSquares};
 pub use pass_image::PassImage;
 
-use block::Block;
 use sequence::Sequence;
 use std::collections::{BTreeMap, BTreeSet};
 use traylib_math::{Grid, Rgb};
@@ -45,6 +45,15 @@ pub enum MergeError {
     /// Both have this pass, whose light would count twice.
     #[error("both films have pass {0}")]
     SamePass(u64),
+    /// A block cannot be part of such a film: its size, the numbers of its passes, or which
+    /// squares it keeps.
+    #[error("a block of {passes} passes from {first} on cannot be part of this film")]
+    Block {
+        /// The first of its passes.
+        first: u64,
+        /// How many there are.
+        passes: u64,
+    },
 }
 
 impl Film {
@@ -71,7 +80,7 @@ impl Film {
     pub fn add_pass(&mut self, number: u32, pass: PassImage) {
         let (width, height) = (pass.light.width(), pass.light.height());
         let (sequence, place) = self.place(number);
-        let block = Block::of_pass(place, pass, self.sequences.len() == 1);
+        let block = FilmBlock::of_pass(place, pass, self.sequences.len() == 1);
         let mut film =
             Self { width, height, sequences: vec![Sequence::default(); self.sequences.len()] };
         film.sequences[sequence].insert(block);
@@ -105,10 +114,58 @@ impl Film {
         Ok(())
     }
 
+    /// Adds passes that were summed up elsewhere to a sequence.
+    ///
+    /// # Errors
+    /// [`MergeError::Block`] if no film like this has such sums, [`MergeError::SamePass`] if one
+    /// of the passes is there; then nothing is added.
+    ///
+    /// # Panics
+    /// If there is no such sequence.
+    pub fn add_block(&mut self, sequence: usize, block: FilmBlock) -> Result<(), MergeError> {
+        let sequences = self.sequences.len();
+        if !block.is_sound(sequences, self.width, self.height) {
+            return Err(MergeError::Block { first: block.first, passes: block.passes });
+        }
+        if let Some(pass) = self.sequences[sequence].first_of(&block.passes()) {
+            return Err(MergeError::SamePass(pass * sequences as u64 + sequence as u64));
+        }
+        self.sequences[sequence].insert(block);
+        Ok(())
+    }
+
+    /// The blocks of each sequence, in the order of their passes: all that there is.
+    pub fn sequences(&self) -> impl ExactSizeIterator<Item = impl Iterator<Item = &FilmBlock>> {
+        self.sequences.iter().map(Sequence::blocks)
+    }
+
+    /// Columns.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
     /// Whether it has the pass of this number.
     pub fn has_pass(&self, number: u32) -> bool {
         let (sequence, pass) = self.place(number);
         self.sequences[sequence].has(pass)
+    }
+
+    /// The numbers of its passes, in their order.
+    pub fn pass_numbers(&self) -> Vec<u32> {
+        let number =
+            |place: u64, sequence: usize| place * self.sequences.len() as u64 + sequence as u64;
+        let of = |(sequence, passes): (usize, &Sequence)| {
+            let places = passes.blocks().flat_map(FilmBlock::passes).collect::<Vec<u64>>();
+            places.into_iter().map(move |place| number(place, sequence) as u32)
+        };
+        let mut numbers: Vec<u32> = self.sequences.iter().enumerate().flat_map(of).collect();
+        numbers.sort_unstable();
+        numbers
     }
 
     /// How many passes there are.
@@ -122,7 +179,7 @@ impl Film {
         (number % self.sequences.len(), (number / self.sequences.len()) as u64)
     }
 
-    fn blocks(&self) -> impl Iterator<Item = &Block> {
+    fn blocks(&self) -> impl Iterator<Item = &FilmBlock> {
         self.sequences.iter().flat_map(Sequence::blocks)
     }
 
@@ -151,7 +208,7 @@ impl Film {
 
     /// The means of further pictures, by number, of those into which any light fell.
     pub fn develop_layers(&self) -> BTreeMap<u16, Grid<Rgb>> {
-        let numbers: BTreeSet<u16> = self.blocks().flat_map(Block::layers).collect();
+        let numbers: BTreeSet<u16> = self.blocks().flat_map(FilmBlock::layers).collect();
         let n = f64::from(self.passes().max(1));
         let mean = |number, pixel| {
             let sums = self.blocks().map(|block| block.layer_pixel(number, pixel));
@@ -219,7 +276,6 @@ impl Film {
     }
 }
 
-/// The sum of vectors, one after the other.
 /// From the means of sequences, each counted by its passes.
 fn variance_between_sequences(sequences: &[Sequence], pixel: usize, mean: [f64; 3]) -> [f64; 3] {
     let passes: u32 = sequences.iter().map(Sequence::passes).sum();
@@ -236,6 +292,7 @@ fn variance_between_sequences(sequences: &[Sequence], pixel: usize, mean: [f64; 
     squares.map(|square| square / (count - 1.0))
 }
 
+/// The sum of vectors, one after the other.
 fn total(values: impl Iterator<Item = [f64; 3]>) -> [f64; 3] {
     values.fold([0.0; 3], |sum, value| [0, 1, 2].map(|band| sum[band] + value[band]))
 }

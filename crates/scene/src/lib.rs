@@ -54,7 +54,7 @@ pub use builder::{MaterialId, Object, ObjectShape, SceneBuilder};
 pub use camera::{Camera, CameraSettings, Projection};
 pub use coincidence::Coincidences;
 pub use error::Error;
-pub use film::{Film, MergeError, PassImage};
+pub use film::{Film, FilmBlock, FilmSquares, MergeError, PassImage};
 pub use images::ImageDirections;
 pub use light::{Emission, Light, LightPoint, PointLight, SpotCone};
 pub use light_id::LightId;

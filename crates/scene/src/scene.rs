@@ -8,10 +8,11 @@ use crate::light_tree::LightTree;
 use crate::seat::{self, Seat};
 use crate::surfaces::{Surface, Surfaces};
 use crate::{Camera, Light, LightId, LightPoint, SurfacePoint};
+use std::fmt::Write;
 use std::sync::Arc;
 use traylib_geometry::{Bvh, Hit, Ray, ShapeList, Shapes, SurfaceSite};
 use traylib_materials::{Material, Shading};
-use traylib_math::{DiscreteDistribution, Rgb, SolidAnglePdf, Vec2, Vec3};
+use traylib_math::{DiscreteDistribution, Fnv, Rgb, SolidAnglePdf, Vec2, Vec3};
 
 /// Camera, lamps and surfaces, ready to be rendered. Immutable.
 ///
@@ -88,6 +89,16 @@ impl Scene {
     #[must_use]
     pub fn seen_by(&self, camera: Camera) -> Self {
         Self::new(Arc::clone(&self.stage), camera)
+    }
+
+    /// A hash of all that is in the scene, its camera included: another scene has another, but
+    /// by a chance of 5·10⁻²⁰. It stays the same from one processor to the next, not from
+    /// one version of this package to the next.
+    pub fn content_hash(&self) -> u64 {
+        let mut hash = Fnv::default();
+        // What is derived from all of it; hashing takes everything.
+        let _ = write!(hash, "{self:?}");
+        hash.finish()
     }
 
     /// The camera.

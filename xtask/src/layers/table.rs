@@ -32,6 +32,7 @@ pub(super) const LAYERS: &[Layer] = &[
             "traylib-materials",
             "traylib-scene",
             "annotate-snippets",
+            "crc32fast",
             "exr",
             "image",
             "pcx",

@@ -1,4 +1,4 @@
-//! What picture files hold, how far two are apart, and one format made another.
+//! What picture files hold, how far two are apart, one format made another, and one film of many.
 
 use clap::Parser;
 use std::process::ExitCode;
@@ -11,6 +11,7 @@ Examples:
   film diff a.exr b.exr --max-relmse 1e-3        status 7 if they differ by more
   film info bdpt.png                             PNG says how it was made, too
   film convert bdpt.exr bdpt.png --exposure 2    formats by content and by ending
+  film merge part-*.film -o all.film             of `bdpt --shard 0/7` and so on
 
 Light is channels R, G and B, or Y alone: without a prefix, or of a layer named
 as beauty or Combined, or the only ones there are. Pixels that are not finite in
@@ -20,7 +21,8 @@ Numbers of other formats than EXR and HDR are on the sRGB curve; as light, which
 `info` and `diff` tell of, they go from 0 to 1.
 
 Ends with 0, 2 if the command line was not understood, 3 if a picture cannot be
-read or sizes differ, 4 if the result cannot be written, 7 if pictures differ by
+read or sizes differ, 4 if the result cannot be written, 6 if films do not fit
+together or passes are missing, 7 if pictures differ by
 more than --max-relmse, 130 after Ctrl-C.";
 
 /// Looks into pictures of any renderer, compares and converts them

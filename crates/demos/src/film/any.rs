@@ -6,8 +6,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 use traylib_io::{
-    ExrChannel, ExrFile, ExrLayer, MAX_PIXELS, Texture, TextureLimits, load_exr, load_texture,
-    open_exr, png_texts,
+    ExrChannel, ExrFile, ExrLayer, MAX_PIXELS, Texture, TextureLimits, load_exr, load_film,
+    load_texture, open_exr, png_texts,
 };
 use traylib_math::{Grid, Rgb};
 
@@ -17,7 +17,13 @@ const LIMITS: TextureLimits = TextureLimits { pixels: MAX_PIXELS, file_bytes: 1 
 
 /// The light of a picture.
 pub(super) fn load(path: &Path) -> Result<Grid<Rgb>, Failure> {
-    if is_exr(path) { Ok(load_exr(path)?) } else { Ok(load_texture_aloud(path)?.pixels) }
+    if is_film(path) {
+        Ok(load_film(path)?.0.into_picture())
+    } else if is_exr(path) {
+        Ok(load_exr(path)?)
+    } else {
+        Ok(load_texture_aloud(path)?.pixels)
+    }
 }
 
 /// The light of a picture with its opacity; tells what was repaired.
@@ -53,10 +59,23 @@ pub(super) fn open(path: &Path) -> Result<ExrFile, Failure> {
     Ok(ExrFile { width, height, chromaticities: None, layers: vec![layer] })
 }
 
+/// By content; what is damaged may be one all the same.
+pub(super) fn is_film(path: &Path) -> bool {
+    starts_with(path, b"\x89FILM").unwrap_or_else(|| ends_with(path, "film"))
+}
+
 /// By content; by the name where there is none to see.
 fn is_exr(path: &Path) -> bool {
+    starts_with(path, &[0x76, 0x2f, 0x31, 0x01]).unwrap_or_else(|| ends_with(path, "exr"))
+}
+
+/// `None` where there is nothing to see.
+fn starts_with(path: &Path, bytes: &[u8]) -> Option<bool> {
     let mut begin = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(4).read_to_end(&mut begin));
-    let named = || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("exr"));
-    if read.is_ok() && !begin.is_empty() { begin == [0x76, 0x2f, 0x31, 0x01] } else { named() }
+    let read = File::open(path).and_then(|file| file.take(8).read_to_end(&mut begin));
+    (read.is_ok() && !begin.is_empty()).then(|| begin.starts_with(bytes))
+}
+
+fn ends_with(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
 }

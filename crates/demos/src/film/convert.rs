@@ -1,17 +1,20 @@
 //! `film convert`.
 
-use super::any::load_texture_aloud;
+use super::any::{is_film, load_texture_aloud};
 use crate::VERSION;
+use crate::checkpoint::picture_info;
 use crate::outcome::Failure;
 use crate::say::{say, say_line, tell_name};
 use clap::Args;
 use std::path::{Path, PathBuf};
-use traylib_io::{check_writable, losses, open_exr, write_picture};
+use traylib_io::{
+    PictureInfo, check_writable, load_film, losses, open_exr, save_picture, write_picture,
+};
 
 /// A picture to write anew.
 #[derive(Args, Clone, Debug)]
 pub struct ConvertOptions {
-    /// Picture: EXR, HDR, PNG, JPEG, GIF (first frame), BMP, TGA or PCX
+    /// Picture: EXR, HDR, PNG, JPEG, GIF (first frame), BMP, TGA or PCX; or a film
     #[arg(value_name = "IN")]
     pub input: PathBuf,
 
@@ -20,9 +23,9 @@ pub struct ConvertOptions {
     pub output: PathBuf,
 
     /// Factor on the light in .png, .tga and .pcx; .exr and .hdr keep the light
-    /// itself
-    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = parse_exposure)]
-    pub exposure: f32,
+    /// itself [default: 1, of a film its own]
+    #[arg(long, value_name = "X", value_parser = parse_exposure)]
+    pub exposure: Option<f32>,
 }
 
 fn parse_exposure(text: &str) -> Result<f32, &'static str> {
@@ -33,6 +36,9 @@ fn parse_exposure(text: &str) -> Result<f32, &'static str> {
 pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
     let ConvertOptions { input, output, exposure } = options;
     check_writable(output)?;
+    if is_film(input) {
+        return convert_film(options);
+    }
     let picture = load_texture_aloud(input)?;
     if picture.alpha.is_some() && !picture.alpha_is_undefined {
         say(format_args!("warning: {}: opacity left out, no format has it here", input.display()));
@@ -40,7 +46,17 @@ pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
     if let Some(warning) = losses(output, &picture.pixels)? {
         say_line("warning", warning);
     }
-    write_picture(output, &picture.pixels, *exposure, &attributes(input))?;
+    write_picture(output, &picture.pixels, exposure.unwrap_or(1.0), &attributes(input))?;
+    tell_name(output)
+}
+
+/// The picture of a film, with the same bytes as that of the program which rendered it.
+fn convert_film(options: &ConvertOptions) -> Result<(), Failure> {
+    let ConvertOptions { input, output, exposure } = options;
+    let (film, about) = load_film(input)?;
+    let info = picture_info(&about, film.passes());
+    let exposure = exposure.unwrap_or(info.exposure);
+    save_picture(output, &film.into_picture(), &PictureInfo { exposure, ..info })?;
     tell_name(output)
 }
 

@@ -1,17 +1,18 @@
 //! `film info`.
 
-use super::any;
+use super::any::{self, is_film};
+use super::merge::{passes as range_words, ranges};
 use crate::outcome::Failure;
 use crate::say::{tell, tell_json};
 use clap::Args;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
-use traylib_io::{ExrChannel, ExrFile, ExrLayer};
+use traylib_io::{ExrChannel, ExrFile, ExrLayer, FilmAbout, FilmReader};
 
 /// Files to look into.
 #[derive(Args, Clone, Debug)]
 pub struct InfoOptions {
-    /// Pictures of any format that `film convert` reads
+    /// Pictures of any format that `film convert` reads, and films
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
 
@@ -23,13 +24,58 @@ pub struct InfoOptions {
 pub(super) fn info(options: &InfoOptions) -> Result<(), Failure> {
     if options.json {
         let files: Result<Vec<Value>, Failure> =
-            options.files.iter().map(|path| Ok(to_json(path, &any::open(path)?))).collect();
+            options.files.iter().map(|path| file_json(path)).collect();
         return tell_json(&format!("{:#}", Value::from(files?)));
     }
     options.files.iter().try_for_each(|path| {
+        if is_film(path) {
+            return film_lines(&FilmReader::open(path)?).into_iter().try_for_each(tell);
+        }
         let file = any::open(path)?;
         tell(format_args!("{}: {}x{} pixels", path.display(), file.width, file.height))?;
         file.layers.iter().flat_map(lines).try_for_each(tell)
+    })
+}
+
+/// What a film says of itself; its sums are not looked at.
+fn film_lines(film: &FilmReader) -> Vec<String> {
+    let [width, height] = film.size();
+    let passes = ranges(film.shape().pass_numbers().into_iter());
+    let passes = passes.iter().map(range_words).collect::<Vec<_>>().join(", ");
+    let FilmAbout { settings, notes, tallies } = film.about();
+    let mut lines = vec![
+        format!("{}: film of {width}x{height} pixels", film.path().display()),
+        format!("  {} passes: {passes}", film.shape().passes()),
+    ];
+    let text = |(name, text): &(String, String)| format!("    {} = {}", plain(name), plain(text));
+    lines.extend(settings.iter().chain(notes).map(text));
+    lines.extend(tallies.iter().map(|(name, tally)| format!("    {} = {tally}", plain(name))));
+    lines
+}
+
+fn file_json(path: &Path) -> Result<Value, Failure> {
+    if is_film(path) {
+        Ok(film_json(&FilmReader::open(path)?))
+    } else {
+        Ok(to_json(path, &any::open(path)?))
+    }
+}
+
+fn film_json(film: &FilmReader) -> Value {
+    let [width, height] = film.size();
+    let FilmAbout { settings, notes, tallies } = film.about();
+    let texts = |texts: &[(String, String)]| -> Map<String, Value> {
+        texts.iter().cloned().map(|(name, text)| (name, text.into())).collect()
+    };
+    let passes = ranges(film.shape().pass_numbers().into_iter());
+    json!({
+        "file": film.path().to_string_lossy(),
+        "width": width,
+        "height": height,
+        "passes": passes.iter().map(|range| [range.start, range.end]).collect::<Vec<_>>(),
+        "settings": texts(settings),
+        "notes": texts(notes),
+        "tallies": tallies.iter().cloned().map(|(name, n)| (name, n.into())).collect::<Map<String, Value>>(),
     })
 }
 

@@ -49,6 +49,11 @@ impl Folder {
         std::fs::write(self.0.join(name), text).unwrap();
     }
 
+    /// What is in a file.
+    pub(crate) fn bytes(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.0.join(name)).unwrap()
+    }
+
     /// Names of all that is in it, in order.
     pub(crate) fn names(&self) -> Vec<String> {
         let entries = std::fs::read_dir(&self.0).unwrap();
@@ -74,6 +79,30 @@ impl Folder {
 impl Drop for Folder {
     fn drop(&mut self) {
         let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Each program with options that change what is kept of it.
+pub(crate) const MODES: [(&str, &str); 7] = [
+    ("trace", ""),
+    ("puremc", "--sampler independent"),
+    ("directlight", "--combine --sampler sobol"),
+    ("particle", "--sampler sobol"),
+    ("bdpt", "--sampler independent"),
+    ("bdpt", "--sampler sobol --max-depth 4"),
+    ("bdpt", "--sampler independent --max-depth 3 --techniques techniques"),
+];
+
+/// Numbers that look drawn, always the same for a seed.
+#[derive(Debug)]
+pub(crate) struct Dice(pub(crate) u64);
+
+impl Dice {
+    /// Below `end`.
+    pub(crate) fn below(&mut self, end: u64) -> u64 {
+        // Knuth's linear congruences.
+        self.0 = self.0.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        (self.0 >> 33) % end
     }
 }
 

@@ -14,7 +14,7 @@ fn save(folder: &Folder, name: &str, picture: &Grid<Rgb>) {
         scene: "a\nball".into(),
         seed: 7,
         spp: 16,
-        seconds: 1.5,
+        seconds: Some(1.5),
         rejected_samples: 0,
     };
     save_picture(&folder.path().join(name), picture, &info).unwrap();

@@ -3,6 +3,8 @@
 
 mod bdpt;
 mod black;
+#[cfg(unix)]
+mod checkpoints;
 mod common;
 mod convert;
 mod errors;
@@ -14,4 +16,5 @@ mod models;
 mod outputs;
 mod pictures;
 mod printing;
+mod shards;
 mod stats;

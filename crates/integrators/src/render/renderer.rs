@@ -49,6 +49,20 @@ impl<'a> Renderer<'a> {
         Self { scene, integrator, seed, points, dimensions: Dimensions::of(scene), rendering }
     }
 
+    /// The same with the passes of a film that was rendered before.
+    ///
+    /// # Panics
+    /// If the film has another size than the scene's pictures, or other sequences than the
+    /// points.
+    #[must_use]
+    pub fn going_on_from(mut self, film: Film) -> Self {
+        let own = &self.rendering.film;
+        let form = |film: &Film| (film.width(), film.height(), film.sequences().len());
+        assert_eq!(form(own), form(&film), "size and sequences of the film that is gone on from");
+        self.rendering.film = film;
+        self
+    }
+
     /// What came of the passes so far.
     pub fn rendering(&self) -> &Rendering {
         &self.rendering

@@ -42,7 +42,7 @@ fn info() -> PictureInfo {
         scene: "snow ☃".to_string(),
         seed: u64::MAX,
         spp: 16,
-        seconds: 1.5,
+        seconds: Some(1.5),
         rejected_samples: 0,
     }
 }

@@ -32,7 +32,7 @@ fn only_what_nobody_holds_is_tidied_up() {
     let folder = Folder::new("leftovers");
     let path = |name: &str| folder.path().join(name);
     let held = ".a.txt.00000000000000ff.part";
-    let lock = fs::File::create(path(held)).unwrap();
+    let lock = File::create(path(held)).unwrap();
     lock.lock().unwrap();
     let others =
         [".a.txt.0123456789abcde.part", ".a.txt.notes.part", ".b.txt.0123456789abcdef.part"];

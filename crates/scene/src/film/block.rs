@@ -5,20 +5,25 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use traylib_math::Grid;
 
-/// Sums over 2ᵏ passes, the first of which has a multiple of 2ᵏ as its number.
+/// Sums over 2ᵏ passes of a sequence, the first of which has a multiple of 2ᵏ as its number.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Block {
-    first: u64,
-    passes: u64,
-    sum: Grid<[f64; 3]>,
-    squares: Squares,
-    layers: BTreeMap<u16, Grid<[f64; 3]>>,
+pub struct FilmBlock {
+    /// The number of its first pass in the sequence.
+    pub first: u64,
+    /// How many passes there are.
+    pub passes: u64,
+    /// The sum of their radiance.
+    pub sum: Grid<[f64; 3]>,
+    /// The sum of its squares.
+    pub squares: FilmSquares,
+    /// The sums of further pictures by number, of those into which any light fell.
+    pub layers: BTreeMap<u16, Grid<[f64; 3]>>,
 }
 
 /// Sums over the squares of what passes gave a pixel. Of passes, not of samples: samples of a
 /// pass depend on one another.
 #[derive(Clone, Debug, PartialEq)]
-enum Squares {
+pub enum FilmSquares {
     /// Passes depend on one another, too.
     Unwanted,
     /// Those of the sum: there is one pass.
@@ -27,12 +32,31 @@ enum Squares {
     Sum(Grid<[f64; 3]>),
 }
 
-impl Block {
-    /// A pass by its number in its sequence. Squares are kept of independent passes.
+impl FilmBlock {
+    /// A pass by its number in its sequence. FilmSquares are kept of independent passes.
     pub(super) fn of_pass(number: u64, pass: PassImage, independent: bool) -> Self {
         let PassImage { light, layers } = pass;
-        let squares = if independent { Squares::OfOne } else { Squares::Unwanted };
+        let squares = if independent { FilmSquares::OfOne } else { FilmSquares::Unwanted };
         Self { first: number, passes: 1, sum: light, squares, layers }
+    }
+
+    /// Whether it may be part of a film of so many sequences and pixels.
+    pub(super) fn is_sound(&self, sequences: usize, width: usize, height: usize) -> bool {
+        let fits = |grid: &Grid<[f64; 3]>| (grid.width(), grid.height()) == (width, height);
+        let squares_fit = match &self.squares {
+            FilmSquares::Unwanted => sequences > 1,
+            FilmSquares::OfOne => sequences == 1 && self.passes == 1,
+            FilmSquares::Sum(squares) => sequences == 1 && self.passes > 1 && fits(squares),
+        };
+        // Passes have numbers of 32 bits.
+        let last = self.first.checked_add(self.passes).map(|end| end - 1);
+        let last = last.and_then(|last| last.checked_mul(sequences as u64));
+        self.passes.is_power_of_two()
+            && self.first.is_multiple_of(self.passes)
+            && last.is_some_and(|last| last <= u32::MAX.into())
+            && squares_fit
+            && fits(&self.sum)
+            && self.layers.values().all(fits)
     }
 
     /// The numbers of its passes.
@@ -64,17 +88,17 @@ impl Block {
 
     fn join_squares(&mut self, next: &Self) {
         let squares = match &mut self.squares {
-            Squares::Unwanted => return,
-            Squares::Sum(squares) => squares,
-            of_one @ Squares::OfOne => {
-                *of_one = Squares::Sum(self.sum.map(|&sum| square(sum)));
+            FilmSquares::Unwanted => return,
+            FilmSquares::Sum(squares) => squares,
+            of_one @ FilmSquares::OfOne => {
+                *of_one = FilmSquares::Sum(self.sum.map(|&sum| square(sum)));
                 return self.join_squares(next);
             }
         };
         match &next.squares {
-            Squares::Sum(next) => add(squares, next.values().iter().copied()),
-            Squares::OfOne => add(squares, next.sum.values().iter().map(|&sum| square(sum))),
-            Squares::Unwanted => {}
+            FilmSquares::Sum(next) => add(squares, next.values().iter().copied()),
+            FilmSquares::OfOne => add(squares, next.sum.values().iter().map(|&sum| square(sum))),
+            FilmSquares::Unwanted => {}
         }
     }
 
@@ -86,9 +110,9 @@ impl Block {
     /// The sum of the squares of a pixel: zero where they are not kept.
     pub(super) fn squares_of(&self, index: usize) -> [f64; 3] {
         match &self.squares {
-            Squares::Unwanted => [0.0; 3],
-            Squares::OfOne => square(self.pixel(index)),
-            Squares::Sum(squares) => squares.values()[index],
+            FilmSquares::Unwanted => [0.0; 3],
+            FilmSquares::OfOne => square(self.pixel(index)),
+            FilmSquares::Sum(squares) => squares.values()[index],
         }
     }
 

@@ -1,20 +1,20 @@
 //! Passes that were numbered through.
 
-use super::block::Block;
+use super::block::FilmBlock;
 use std::ops::Range;
 
 /// Blocks in the order of their passes; no two of them make one.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Sequence(Vec<Block>);
+pub(super) struct Sequence(Vec<FilmBlock>);
 
 impl Sequence {
     /// Its blocks.
-    pub(super) fn blocks(&self) -> impl Iterator<Item = &Block> {
+    pub(super) fn blocks(&self) -> impl Iterator<Item = &FilmBlock> {
         self.0.iter()
     }
 
     /// Its blocks, for another.
-    pub(super) fn into_blocks(self) -> Vec<Block> {
+    pub(super) fn into_blocks(self) -> Vec<FilmBlock> {
         self.0
     }
 
@@ -30,13 +30,13 @@ impl Sequence {
 
     /// The first of these passes that it has.
     pub(super) fn first_of(&self, passes: &Range<u64>) -> Option<u64> {
-        let first = |block: &Block| passes.start.max(block.passes().start);
-        let both = |block: &&Block| first(block) < passes.end.min(block.passes().end);
+        let first = |block: &FilmBlock| passes.start.max(block.passes().start);
+        let both = |block: &&FilmBlock| first(block) < passes.end.min(block.passes().end);
         self.0.iter().find(both).map(first)
     }
 
     /// Adds a block of passes that are not there yet.
-    pub(super) fn insert(&mut self, block: Block) {
+    pub(super) fn insert(&mut self, block: FilmBlock) {
         let blocks = &mut self.0;
         let mut place = blocks.partition_point(|other| other.passes().start < block.passes().start);
         blocks.insert(place, block);

@@ -9,7 +9,7 @@ use std::fmt;
 ///
 /// Fowler, Noll, Vo and Eastlake, *The FNV non-cryptographic hash algorithm*, RFC 9923.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Fnv(u64);
+pub struct Fnv(u64);
 
 impl Default for Fnv {
     fn default() -> Self {
@@ -19,14 +19,14 @@ impl Default for Fnv {
 
 impl Fnv {
     /// Takes in bytes, as if all had come at once.
-    pub(crate) fn add(&mut self, bytes: &[u8]) {
+    pub fn add(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }
     }
 
     /// The hash of all bytes so far.
-    pub(crate) fn finish(self) -> u64 {
+    pub fn finish(self) -> u64 {
         self.0
     }
 }

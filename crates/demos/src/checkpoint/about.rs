@@ -1,0 +1,107 @@
+//! What a film says of the rendering it is of.
+
+use crate::VERSION;
+use crate::job::Job;
+use crate::plan::Plan;
+use crate::recipe;
+use crate::shard::Shard;
+use traylib_integrators::{Method, Statistics};
+use traylib_io::{FilmAbout, Loaded, PictureInfo};
+
+const REVISION: &str = "revision";
+const SEED: &str = "seed";
+const SCENE: &str = "scene";
+const PROGRAM: &str = "program";
+const COMMAND: &str = "command";
+const EXPOSURE: &str = "exposure";
+
+/// The note of how many passes the whole has, if that is known.
+const SPP: &str = "spp";
+/// The note of which part it is.
+pub(crate) const SHARD: &str = "shard";
+
+/// What was counted, by name.
+const TALLIES: [&str; 6] =
+    ["camera rays", "bounce rays", "shadow rays", "camera paths", "light paths", REJECTED];
+const REJECTED: &str = "rejected samples";
+
+/// What the film of a job says of itself before anything is counted.
+pub(super) fn about(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> FilmAbout {
+    let options = job.options;
+    let pictures = if job.layers > 0 { "techniques" } else { "none" };
+    let method =
+        job.method.map_or_else(|| job.program.to_string(), |method: Method| method.to_string());
+    let camera = loaded.scene.camera();
+    let settings = [
+        (REVISION, VERSION.to_string()),
+        ("method", method),
+        ("size", format!("{}x{}", camera.width(), camera.height())),
+        (SCENE, format!("{:016x}", loaded.scene.content_hash())),
+        (SEED, options.seed.to_string()),
+        ("sampler", options.sampler.to_string()),
+        ("further pictures", pictures.to_string()),
+    ];
+    let notes = [
+        (SCENE, Some(loaded.name.clone())),
+        (PROGRAM, Some(job.program.to_string())),
+        (COMMAND, Some(recipe::command(job, loaded))),
+        (EXPOSURE, Some(loaded.settings.exposure.to_string())),
+        (SPP, plan.spp.map(|spp| spp.to_string())),
+        (SHARD, (plan.shard != Shard::WHOLE).then(|| plan.shard.to_string())),
+    ];
+    let notes = notes.into_iter().filter_map(|(name, text)| Some((name.to_string(), text?)));
+    FilmAbout {
+        settings: settings.map(|(name, text)| (name.to_string(), text)).to_vec(),
+        notes: notes.collect(),
+        tallies: tallies(&[], Statistics::default()),
+    }
+}
+
+/// What was counted before and now.
+pub(super) fn tallies(before: &[(String, u64)], now: Statistics) -> Vec<(String, u64)> {
+    let Statistics { camera_rays, bounce_rays, shadow_rays, camera_paths, light_paths, rejected } =
+        now;
+    let now = [camera_rays, bounce_rays, shadow_rays, camera_paths, light_paths, rejected];
+    let sum = |(name, now): (&str, u64)| (name.to_string(), now + tally(before, name));
+    TALLIES.into_iter().zip(now).map(sum).collect()
+}
+
+fn tally(tallies: &[(String, u64)], name: &str) -> u64 {
+    tallies.iter().find(|(known, _)| known == name).map_or(0, |(_, tally)| *tally)
+}
+
+/// Samples that were left out.
+pub(super) fn rejected(about: &FilmAbout) -> u64 {
+    tally(&about.tallies, REJECTED)
+}
+
+fn text<'a>(texts: &'a [(String, String)], name: &str) -> Option<&'a str> {
+    texts.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
+}
+
+/// How many passes the whole has, if the film says it.
+pub(crate) fn spp(about: &FilmAbout) -> Option<u32> {
+    text(&about.notes, SPP)?.parse().ok()
+}
+
+/// Which part the film is, if it says it.
+pub(crate) fn shard(about: &FilmAbout) -> Option<Shard> {
+    text(&about.notes, SHARD)?.parse().ok()
+}
+
+/// What a picture made of a film says of itself: the same as that of the program.
+pub(crate) fn picture_info(about: &FilmAbout, passes: u32) -> PictureInfo {
+    let note = |name| text(&about.notes, name).unwrap_or_default().to_string();
+    let setting = |name| text(&about.settings, name).unwrap_or_default();
+    PictureInfo {
+        exposure: note(EXPOSURE).parse().unwrap_or(1.0),
+        program: format!("TrayLib {}", setting(REVISION)),
+        integrator: note(PROGRAM),
+        command: recipe::with_spp(&note(COMMAND), passes),
+        scene: note(SCENE),
+        seed: setting(SEED).parse().unwrap_or(0),
+        spp: passes.into(),
+        seconds: None,
+        rejected_samples: rejected(about),
+    }
+}

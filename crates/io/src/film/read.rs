@@ -1,0 +1,191 @@
+//! Reading films, at once or stripe by stripe.
+
+use super::header::Header;
+use super::sums::{BYTES_OF_PIXEL, decode};
+use super::{FilmAbout, FilmFault, STRIPE};
+use crate::Error;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use traylib_math::Grid;
+use traylib_scene::{Film, FilmBlock, FilmSquares};
+
+/// A film's file of which the header has been read.
+#[derive(Debug)]
+pub struct FilmReader {
+    path: PathBuf,
+    header: Header,
+    /// Open as long as it is read often.
+    file: Option<File>,
+    /// Where in the file the next byte is, if it is open.
+    at: u64,
+    bytes: Vec<u8>,
+}
+
+impl FilmReader {
+    /// Opens a file and reads what it says of itself.
+    ///
+    /// # Errors
+    /// [`Error::ReadFilm`].
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        let open = || {
+            let mut file = File::open(path)?;
+            if !file.metadata()?.is_file() {
+                return Err(FilmFault::Foreign);
+            }
+            let header = Header::read(&mut file)?;
+            let (found, wanted) = (file.metadata()?.len(), header.offset(header.pixels()));
+            if found == wanted {
+                Ok((file, header))
+            } else {
+                Err(FilmFault::Length { found, wanted })
+            }
+        };
+        let (file, header) = open().map_err(|cause| error(path, cause))?;
+        let at = header.bytes;
+        Ok(Self { path: path.to_path_buf(), header, file: Some(file), at, bytes: Vec::new() })
+    }
+
+    /// Its file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// What it says of itself.
+    pub fn about(&self) -> &FilmAbout {
+        &self.header.about
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> [u32; 2] {
+        [self.header.width, self.header.height]
+    }
+
+    /// The film without its pixels: which passes it has, and which layers.
+    pub fn shape(&self) -> &Film {
+        &self.header.shape
+    }
+
+    /// Bytes of its file.
+    pub fn bytes(&self) -> u64 {
+        self.header.offset(self.header.pixels())
+    }
+
+    /// Gives the file back to the system until it is read again.
+    pub(super) fn close(&mut self) {
+        self.file = None;
+    }
+
+    /// A stripe of pixels as a film of one row.
+    pub(super) fn read_stripe(&mut self, pixels: &Range<usize>) -> Result<Film, Error> {
+        self.fetch(pixels)?;
+        let mut blocks = self.blank_blocks(pixels.len(), 1);
+        self.decode_into(&mut blocks, &(0..pixels.len()));
+        Ok(self.film_of(blocks, pixels.len() as u32, 1))
+    }
+
+    /// All of it.
+    fn read_whole(mut self) -> Result<(Film, FilmAbout), Error> {
+        let [width, height] = self.size();
+        let pixels = self.header.pixels() as usize;
+        let mut blocks = self.blank_blocks(width as usize, height as usize);
+        for start in (0..pixels).step_by(STRIPE) {
+            let stripe = start..(start + STRIPE).min(pixels);
+            self.fetch(&stripe)?;
+            self.decode_into(&mut blocks, &stripe);
+        }
+        Ok((self.film_of(blocks, width, height), self.header.about))
+    }
+
+    /// Its blocks without light, each with its sequence.
+    fn blank_blocks(&self, width: usize, height: usize) -> Vec<(usize, FilmBlock)> {
+        let black = || Grid::filled(width, height, [0.0; 3]);
+        let blank = |block: &FilmBlock| FilmBlock {
+            first: block.first,
+            passes: block.passes,
+            sum: black(),
+            squares: match &block.squares {
+                FilmSquares::Unwanted => FilmSquares::Unwanted,
+                FilmSquares::OfOne => FilmSquares::OfOne,
+                FilmSquares::Sum(_) => FilmSquares::Sum(black()),
+            },
+            layers: block.layers.keys().map(|&layer| (layer, black())).collect(),
+        };
+        let sequences = self.header.shape.sequences().enumerate();
+        sequences
+            .flat_map(|(n, blocks)| blocks.map(move |block| (n, block)))
+            .map(|(n, block)| (n, blank(block)))
+            .collect()
+    }
+
+    /// Puts the stripe that was fetched last into these pixels of blocks.
+    fn decode_into(&self, blocks: &mut [(usize, FilmBlock)], pixels: &Range<usize>) {
+        let planes = blocks.iter_mut().flat_map(|(_, block)| planes_mut(block));
+        for (plane, bytes) in planes.zip(self.bytes.chunks_exact(BYTES_OF_PIXEL * pixels.len())) {
+            decode(bytes, &mut plane.values_mut()[pixels.clone()]);
+        }
+    }
+
+    fn film_of(&self, blocks: Vec<(usize, FilmBlock)>, width: u32, height: u32) -> Film {
+        let sequences = self.header.shape.sequences().len() as u32;
+        let mut film = Film::of_sequences(width, height, sequences);
+        for (sequence, block) in blocks {
+            // It was in the header's own film.
+            let _ = film.add_block(sequence, block);
+        }
+        film
+    }
+
+    /// Reads the bytes of a stripe and holds them against their checksum.
+    fn fetch(&mut self, pixels: &Range<usize>) -> Result<(), Error> {
+        let begin = self.header.offset(pixels.start as u64);
+        let length = self.header.offset(pixels.end as u64) - begin;
+        let fetched = self.fetch_bytes(begin, length as usize);
+        fetched.map_err(|cause| error(&self.path, cause.into()))?;
+        let checksum = self.bytes.split_off(self.bytes.len() - 4);
+        if crc32fast::hash(&self.bytes).to_le_bytes() == checksum[..] {
+            Ok(())
+        } else {
+            Err(error(&self.path, FilmFault::Pixels(pixels.start as u64)))
+        }
+    }
+
+    fn fetch_bytes(&mut self, begin: u64, length: usize) -> std::io::Result<()> {
+        let file = match &mut self.file {
+            Some(file) => file,
+            closed => {
+                self.at = 0;
+                closed.insert(File::open(&self.path)?)
+            }
+        };
+        if self.at != begin {
+            file.seek(SeekFrom::Start(begin))?;
+        }
+        self.bytes.resize(length, 0);
+        file.read_exact(&mut self.bytes)?;
+        self.at = begin + length as u64;
+        Ok(())
+    }
+}
+
+/// A whole film, and what it says of itself.
+///
+/// # Errors
+/// [`Error::ReadFilm`].
+pub fn load_film(path: &Path) -> Result<(Film, FilmAbout), Error> {
+    FilmReader::open(path)?.read_whole()
+}
+
+/// What is read of a block, in this order.
+fn planes_mut(block: &mut FilmBlock) -> impl Iterator<Item = &mut Grid<[f64; 3]>> {
+    let squares = match &mut block.squares {
+        FilmSquares::Sum(squares) => Some(squares),
+        FilmSquares::Unwanted | FilmSquares::OfOne => None,
+    };
+    std::iter::once(&mut block.sum).chain(squares).chain(block.layers.values_mut())
+}
+
+fn error(path: &Path, cause: FilmFault) -> Error {
+    Error::ReadFilm { file: path.to_path_buf(), cause }
+}
