@@ -36,6 +36,14 @@ pub enum Error {
         /// Why.
         cause: crate::three_ds::Error,
     },
+    /// An OBJ file or a material library makes no sense.
+    #[error("{file}: {cause}")]
+    Obj {
+        /// The file.
+        file: String,
+        /// Why.
+        cause: crate::obj::Error,
+    },
     /// An MGF file makes no sense.
     #[error(transparent)]
     Mgf(#[from] crate::mgf::Error),
