@@ -44,6 +44,14 @@ pub enum Error {
         /// Why.
         cause: crate::obj::Error,
     },
+    /// A PLY file makes no sense.
+    #[error("{file}: {cause}")]
+    Ply {
+        /// The file.
+        file: String,
+        /// Why.
+        cause: crate::ply::Error,
+    },
     /// An MGF file makes no sense.
     #[error(transparent)]
     Mgf(#[from] crate::mgf::Error),

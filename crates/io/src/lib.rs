@@ -27,6 +27,7 @@ pub mod locate;
 pub mod mgf;
 pub mod obj;
 pub mod picture;
+pub mod ply;
 mod polygon;
 mod printable;
 mod read_limits;

@@ -1,6 +1,6 @@
 //! Bounds that a caller has set, as each reader takes them.
 
-use crate::{Limit, TextureLimits, mgf, obj, three_ds};
+use crate::{Limit, TextureLimits, mgf, obj, ply, three_ds};
 use std::path::{Path, PathBuf};
 
 /// The bounds that a caller has set; the readers' own else.
@@ -56,6 +56,15 @@ impl ReadLimits {
         }
     }
 
+    pub(crate) fn ply(&self) -> ply::Limits {
+        let usual = ply::Limits::default();
+        ply::Limits {
+            bytes: self.count(Limit::Bytes, usual.bytes),
+            corners: self.count(Limit::Corners, usual.corners),
+            cutting: self.get(Limit::Cutting).unwrap_or(usual.cutting),
+        }
+    }
+
     pub(crate) fn texture(&self) -> TextureLimits {
         let usual = TextureLimits::default();
         TextureLimits {
@@ -73,7 +82,7 @@ mod tests {
     #[test]
     fn what_is_set_is_used() {
         let used = |limits: ReadLimits| {
-            let meshes = format!("{:?}{:?}", limits.three_ds(), limits.obj());
+            let meshes = format!("{:?}{:?}{:?}", limits.three_ds(), limits.obj(), limits.ply());
             format!("{:?}{meshes}{:?}", limits.mgf(None), limits.texture())
         };
         let usual = used(ReadLimits::default());
@@ -81,8 +90,8 @@ mod tests {
             let mut limits = ReadLimits::default();
             limits.set(limit, 12_345);
             let times = match limit {
-                Limit::Bytes => 4,
-                Limit::Corners | Limit::Cutting => 2,
+                Limit::Bytes => 5,
+                Limit::Corners | Limit::Cutting => 3,
                 Limit::Memory
                 | Limit::Work
                 | Limit::Surfaces

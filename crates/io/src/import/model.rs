@@ -1,4 +1,4 @@
-//! Files that bring shapes with materials of their own: 3DS, MGF and OBJ.
+//! Files that bring shapes with materials of their own: 3DS, MGF, OBJ and PLY.
 
 mod arrays;
 mod beside;
@@ -8,6 +8,8 @@ mod gloss;
 mod meshes;
 mod mgf;
 mod obj;
+mod plain;
+mod ply;
 mod three_ds;
 
 pub(super) use format::Format;
@@ -94,6 +96,7 @@ impl ModelFile {
                 Format::Mgf => mgf::read(path, options, &mut counter)?,
                 Format::ThreeDs => three_ds::read(location, options.limits, &mut counter)?,
                 Format::Obj => obj::read(location, options, &mut counter)?,
+                Format::Ply => ply::read(location, options, &mut counter)?,
             },
             Location::BuiltIn(_) => three_ds::read(location, options.limits, &mut counter)?,
         };
@@ -208,6 +211,7 @@ impl<'a> ModelFiles<'a> {
             let cause = match error {
                 Error::Read { cause, .. } => why(&cause),
                 Error::Mesh { cause, .. } => cause.to_string(),
+                Error::Ply { cause, .. } => cause.to_string(),
                 Error::Obj { file, cause } if file == location.to_string() => cause.to_string(),
                 Error::Mgf(crate::mgf::Error::File { fault, .. }) => fault.to_string(),
                 Error::NothingToSee(_) => "it has no face that can be drawn".to_string(),

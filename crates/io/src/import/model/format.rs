@@ -14,6 +14,8 @@ pub(in crate::import) enum Format {
     ThreeDs,
     /// Wavefront.
     Obj,
+    /// Stanford's polygons.
+    Ply,
 }
 
 impl Format {
@@ -24,6 +26,7 @@ impl Format {
             "mgf" => Self::Mgf,
             "3ds" => Self::ThreeDs,
             "obj" => Self::Obj,
+            "ply" => Self::Ply,
             _ => return None,
         })
     }
@@ -32,7 +35,7 @@ impl Format {
     /// light.
     pub(in crate::import) fn usual_glow(self) -> f32 {
         match self {
-            Self::Mgf | Self::Obj => 1.0,
+            Self::Mgf | Self::Obj | Self::Ply => 1.0,
             Self::ThreeDs => 0.0,
         }
     }
@@ -41,7 +44,7 @@ impl Format {
     pub(in crate::import) fn is_physical(self) -> bool {
         match self {
             Self::Mgf => true,
-            Self::ThreeDs | Self::Obj => false,
+            Self::ThreeDs | Self::Obj | Self::Ply => false,
         }
     }
 
@@ -50,7 +53,7 @@ impl Format {
         match self {
             Self::Mgf => frame::up(items, bounds),
             Self::ThreeDs => Vec3::Z,
-            Self::Obj => Vec3::Y,
+            Self::Obj | Self::Ply => Vec3::Y,
         }
     }
 
@@ -63,7 +66,7 @@ impl Format {
             Self::ThreeDs => {
                 "make it 2-sided, or use the file in a scene file, its object with `sides: Both`"
             }
-            Self::Obj => "use the file in a scene file, its object with `sides: Both`",
+            Self::Obj | Self::Ply => "use the file in a scene file, its object with `sides: Both`",
         }
     }
 }

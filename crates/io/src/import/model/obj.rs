@@ -7,7 +7,7 @@ mod welder;
 
 use super::beside::Beside;
 use super::meshes::{Content, Piece};
-use super::{ImportedMaterial, ModelFile};
+use super::{Format, ImportedMaterial, ModelFile, plain};
 use crate::import::counter::Counter;
 use crate::import::textures::Textures;
 use crate::load_options::LoadOptions;
@@ -38,7 +38,7 @@ pub(super) fn read(
     }
     let pieces = pieces(&document, materials.len() - 1, counter)
         .map_err(|cause| Error::Model { file, cause: cause.into() })?;
-    Ok((ModelFile::of_meshes(super::Format::Obj, materials, Content::of_pieces(pieces)), warnings))
+    Ok((ModelFile::of_meshes(Format::Obj, materials, Content::of_pieces(pieces)), warnings))
 }
 
 /// Those of the document in its order, and last that of faces without one.
@@ -59,11 +59,11 @@ fn materials(
             importer.imported(material)
         } else {
             importer.counter.add(format!("material `{name}` not found, shown grey"));
-            material::plain(name)
+            plain::material(name)
         };
         materials.push(material.map_err(failed)?);
     }
-    materials.push(material::plain("").map_err(failed)?);
+    materials.push(plain::material("").map_err(failed)?);
     Ok((materials, textures.into_warnings()))
 }
 

@@ -11,28 +11,18 @@
 
 use crate::import::counter::Counter;
 use crate::import::model::beside::Beside;
+use crate::import::model::plain::GREY;
 use crate::import::model::{ImportedMaterial, gloss};
 use crate::import::textures::{Meaning, Textures, Usage};
 use crate::obj::mtl::{Map, MapKind, Material};
 use std::sync::Arc;
 use traylib_geometry::Sides;
-use traylib_materials::{
-    self as materials, Bump, Lambert, Layer, Maps, SurfaceModel, Texture, Tiling,
-};
+use traylib_materials::{self as materials, Bump, Layer, Maps, Texture, Tiling};
 use traylib_math::glam::Affine2;
 use traylib_math::{Grid, Rgb};
 
-/// What a face without a material reflects, and a material without a colour.
-const GREY: f32 = 0.5;
 /// Height of a bump map, in lengths of a unit of u.
 const BUMP_HEIGHT: f32 = 0.01;
-
-/// Grey, of two sides.
-pub(super) fn plain(name: &str) -> Result<ImportedMaterial, materials::Error> {
-    let surface = SurfaceModel::Lambert(Lambert::new(Rgb::splat(GREY))?).into();
-    let name = name.to_string();
-    Ok(ImportedMaterial { name, surface, sides: Sides::Both, emission: Rgb::BLACK })
-}
 
 /// Turns materials of a library into ours.
 pub(super) struct MaterialImporter<'a> {
