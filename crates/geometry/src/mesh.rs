@@ -79,6 +79,16 @@ impl Mesh {
         &self.positions
     }
 
+    /// A shading normal of any length for each position, or none at all.
+    pub fn normals(&self) -> &[Vec3] {
+        &self.normals
+    }
+
+    /// Texture coordinates for each position, or none at all.
+    pub fn uvs(&self) -> &[Vec2] {
+        &self.uvs
+    }
+
     /// The corners of each triangle, as indices into the positions.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles

@@ -36,6 +36,22 @@ pub enum Error {
         /// Why.
         cause: crate::three_ds::Error,
     },
+    /// An OBJ file or a material library makes no sense.
+    #[error("{file}: {cause}")]
+    Obj {
+        /// The file.
+        file: String,
+        /// Why.
+        cause: crate::obj::Error,
+    },
+    /// A PLY file makes no sense.
+    #[error("{file}: {cause}")]
+    Ply {
+        /// The file.
+        file: String,
+        /// Why.
+        cause: crate::ply::Error,
+    },
     /// An MGF file makes no sense.
     #[error(transparent)]
     Mgf(#[from] crate::mgf::Error),

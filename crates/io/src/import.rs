@@ -48,7 +48,7 @@ pub(crate) struct Imported {
 
 /// Whether a file's name says that it brings shapes without being a scene file.
 pub(crate) fn is_model(path: &std::path::Path) -> bool {
-    model::is_model(path)
+    model::Format::of(path).is_some()
 }
 
 /// Builds the scene of these files; the last one is the scene itself, the

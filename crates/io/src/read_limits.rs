@@ -1,6 +1,6 @@
 //! Bounds that a caller has set, as each reader takes them.
 
-use crate::{Limit, TextureLimits, mgf, three_ds};
+use crate::{Limit, TextureLimits, mgf, obj, ply, three_ds};
 use std::path::{Path, PathBuf};
 
 /// The bounds that a caller has set; the readers' own else.
@@ -47,6 +47,24 @@ impl ReadLimits {
         }
     }
 
+    pub(crate) fn obj(&self) -> obj::Limits {
+        let usual = obj::Limits::default();
+        obj::Limits {
+            bytes: self.count(Limit::Bytes, usual.bytes),
+            corners: self.count(Limit::Corners, usual.corners),
+            cutting: self.get(Limit::Cutting).unwrap_or(usual.cutting),
+        }
+    }
+
+    pub(crate) fn ply(&self) -> ply::Limits {
+        let usual = ply::Limits::default();
+        ply::Limits {
+            bytes: self.count(Limit::Bytes, usual.bytes),
+            corners: self.count(Limit::Corners, usual.corners),
+            cutting: self.get(Limit::Cutting).unwrap_or(usual.cutting),
+        }
+    }
+
     pub(crate) fn texture(&self) -> TextureLimits {
         let usual = TextureLimits::default();
         TextureLimits {
@@ -64,13 +82,25 @@ mod tests {
     #[test]
     fn what_is_set_is_used() {
         let used = |limits: ReadLimits| {
-            format!("{:?}{:?}{:?}", limits.mgf(None), limits.three_ds(), limits.texture())
+            let meshes = format!("{:?}{:?}{:?}", limits.three_ds(), limits.obj(), limits.ply());
+            format!("{:?}{meshes}{:?}", limits.mgf(None), limits.texture())
         };
         let usual = used(ReadLimits::default());
         for limit in Limit::ALL {
             let mut limits = ReadLimits::default();
             limits.set(limit, 12_345);
-            let times = if limit == Limit::Bytes { 3 } else { 1 };
+            let times = match limit {
+                Limit::Bytes => 5,
+                Limit::Corners | Limit::Cutting => 3,
+                Limit::Memory
+                | Limit::Work
+                | Limit::Surfaces
+                | Limit::Line
+                | Limit::Depth
+                | Limit::Transforms
+                | Limit::Items
+                | Limit::Pixels => 1,
+            };
             assert_eq!(used(limits).matches("12345").count(), times, "{limit:?}");
             assert!(!usual.contains("12345"));
         }

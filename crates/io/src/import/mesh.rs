@@ -5,7 +5,7 @@ use super::files::SceneFile;
 use super::frame;
 use super::imported_object::{ImportedObject, ObjectMaterial};
 use super::material::Materials;
-use super::model::{ImportedMaterial, ModelFile, ModelFiles, ModelSide, NumberedFile, is_model};
+use super::model::{Format, ImportedMaterial, ModelFile, ModelFiles, ModelSide, NumberedFile};
 use super::place::Place;
 use super::placement::Placement;
 use crate::locate::Step;
@@ -54,7 +54,7 @@ impl MeshImporter<'_> {
         let parts = shape.note(model.file.parts(&placement, &mut counter), self.problems);
         self.note_unused(&model.file, &mut counter);
         models.warn(&location, counter);
-        let glow = glow.unwrap_or(if model.file.is_physical() { 1.0 } else { 0.0 });
+        let glow = glow.unwrap_or(model.file.format.usual_glow());
         let mut items = Vec::new();
         for part in parts.unwrap_or_default() {
             let (side, number, material) =
@@ -76,8 +76,8 @@ impl MeshImporter<'_> {
     }
 
     fn not_usable(&self, error: String, location: &Location) -> Problem {
-        let is_model = is_model(Path::new(&self.mesh.file));
-        let what = || (!is_model).then(|| "a Mesh is a 3DS or an MGF file".to_string());
+        let is_model = Format::of(Path::new(&self.mesh.file)).is_some();
+        let what = || (!is_model).then(|| "a Mesh is an OBJ, PLY, 3DS or MGF file".to_string());
         let help = location.advice(&self.mesh.file).or_else(what);
         self.place.field("shape").field("file").problem(error).with_help_if_any(help)
     }

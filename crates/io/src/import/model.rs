@@ -1,7 +1,18 @@
-//! Files that bring shapes with materials of their own: 3DS and MGF.
+//! Files that bring shapes with materials of their own: 3DS, MGF, OBJ and PLY.
 
+mod arrays;
+mod beside;
+mod folder;
+mod format;
+mod gloss;
+mod meshes;
 mod mgf;
+mod obj;
+mod plain;
+mod ply;
 mod three_ds;
+
+pub(super) use format::Format;
 
 use super::counter::Counter;
 use super::placement::Placement;
@@ -9,7 +20,6 @@ use crate::load_options::LoadOptions;
 use crate::source::{Location, why};
 use crate::{Error, Warning};
 use std::collections::HashMap;
-use std::path::Path;
 use std::rc::Rc;
 use traylib_geometry::{self as geometry, Aabb, Sides};
 use traylib_materials::Material;
@@ -60,31 +70,19 @@ pub(super) struct ModelCamera {
 /// A file with what does not depend on where it goes.
 pub(super) struct ModelFile {
     pub(super) materials: Vec<ImportedMaterial>,
+    pub(super) format: Format,
     content: Content,
 }
 
 enum Content {
     Mgf(Vec<crate::mgf::Surface>),
     ThreeDs(three_ds::Content),
-}
-
-/// Whether a file's name says that it is one of these.
-pub(super) fn is_model(path: &Path) -> bool {
-    is_mgf(path) || has_ending(path, "3ds")
-}
-
-fn is_mgf(path: &Path) -> bool {
-    has_ending(path, "mgf")
-}
-
-/// Whether a file's name ends so, in any case.
-fn has_ending(path: &Path, wanted: &str) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
+    Meshes(meshes::Content),
 }
 
 impl ModelFile {
-    /// Reads a file, MGF by its name, else 3DS; with what there is to warn of.
-    /// Of the options root and limits count.
+    /// Reads a file of the format that its name says, else 3DS; with what there is to warn
+    /// of. Of the options root and limits count.
     ///
     /// # Errors
     /// It cannot be read or makes no sense.
@@ -94,13 +92,24 @@ impl ModelFile {
     ) -> Result<(Self, Vec<Warning>), Error> {
         let mut counter = Counter::default();
         let (file, mut warnings) = match location {
-            Location::Disk(path) if is_mgf(path) => mgf::read(path, options, &mut counter)?,
-            Location::Disk(_) | Location::BuiltIn(_) => {
-                three_ds::read(location, options.limits, &mut counter)?
-            }
+            Location::Disk(path) => match Format::of(path).unwrap_or(Format::ThreeDs) {
+                Format::Mgf => mgf::read(path, options, &mut counter)?,
+                Format::ThreeDs => three_ds::read(location, options.limits, &mut counter)?,
+                Format::Obj => obj::read(location, options, &mut counter)?,
+                Format::Ply => ply::read(location, options, &mut counter)?,
+            },
+            Location::BuiltIn(_) => three_ds::read(location, options.limits, &mut counter)?,
         };
         warnings.extend(counter.into_warnings(&location.to_string()));
         Ok((file, warnings))
+    }
+
+    fn of_meshes(
+        format: Format,
+        materials: Vec<ImportedMaterial>,
+        content: meshes::Content,
+    ) -> Self {
+        Self { materials, format, content: Content::Meshes(content) }
     }
 
     /// The file's shapes where they go.
@@ -112,6 +121,7 @@ impl ModelFile {
         match &self.content {
             Content::Mgf(surfaces) => mgf::parts(surfaces, &self.materials, placement, counter),
             Content::ThreeDs(content) => content.parts(placement),
+            Content::Meshes(content) => content.parts(&self.materials, placement),
         }
     }
 
@@ -120,6 +130,7 @@ impl ModelFile {
         match &self.content {
             Content::Mgf(_) => Vec::new(),
             Content::ThreeDs(content) => content.lights(placement, around),
+            Content::Meshes(content) => content.lights(placement),
         }
     }
 
@@ -127,10 +138,12 @@ impl ModelFile {
     /// unit.
     pub(super) fn unused_light(&self) -> (usize, bool) {
         let glows = self.materials.iter().any(|material| !material.emission.is_black());
-        match &self.content {
-            Content::Mgf(_) => (0, false),
-            Content::ThreeDs(content) => (content.light_count(), glows),
-        }
+        let lights = match &self.content {
+            Content::Mgf(_) => 0,
+            Content::ThreeDs(content) => content.light_count(),
+            Content::Meshes(content) => content.lights.len(),
+        };
+        (lights, glows && self.format.usual_glow() == 0.0)
     }
 
     /// Its first camera.
@@ -138,12 +151,8 @@ impl ModelFile {
         match &self.content {
             Content::Mgf(_) => None,
             Content::ThreeDs(content) => content.camera(),
+            Content::Meshes(content) => content.camera,
         }
-    }
-
-    /// Whether what it emits has a unit.
-    pub(super) fn is_physical(&self) -> bool {
-        matches!(self.content, Content::Mgf(_))
     }
 }
 
@@ -202,6 +211,8 @@ impl<'a> ModelFiles<'a> {
             let cause = match error {
                 Error::Read { cause, .. } => why(&cause),
                 Error::Mesh { cause, .. } => cause.to_string(),
+                Error::Ply { cause, .. } => cause.to_string(),
+                Error::Obj { file, cause } if file == location.to_string() => cause.to_string(),
                 Error::Mgf(crate::mgf::Error::File { fault, .. }) => fault.to_string(),
                 Error::NothingToSee(_) => "it has no face that can be drawn".to_string(),
                 other => other.to_string(),

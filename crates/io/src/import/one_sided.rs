@@ -12,6 +12,7 @@ use super::imported_object::ImportedObject;
 use super::model::ModelSide;
 use crate::Warning;
 use harmless::Surroundings;
+pub(super) use harmless::is_closed_mesh;
 use std::collections::BTreeMap;
 use traylib_geometry::Sides;
 use traylib_materials::{Material, SurfaceModel};

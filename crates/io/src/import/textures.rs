@@ -28,13 +28,13 @@ pub(super) struct Usage {
     /// Whether black and white are exchanged.
     pub(super) negative: bool,
     /// What every value is multiplied with.
-    pub(super) factor: f32,
+    pub(super) factor: Rgb,
 }
 
 impl Usage {
     /// The picture as it is.
     pub(super) fn plain(meaning: Meaning) -> Self {
-        Self { meaning, negative: false, factor: 1.0 }
+        Self { meaning, negative: false, factor: Rgb::WHITE }
     }
 }
 
@@ -69,7 +69,7 @@ fn described(error: &Error) -> String {
     }
 }
 
-type Key = (Location, Meaning, bool, u32);
+type Key = (Location, Meaning, bool, [u32; 3]);
 
 /// The pictures read so far.
 #[derive(Default)]
@@ -91,7 +91,7 @@ impl Textures {
     /// A picture; why it cannot be used, else.
     pub(super) fn load(&mut self, file: &Location, usage: Usage) -> Result<Arc<Texture>, String> {
         let Usage { meaning, negative, factor } = usage;
-        let key = (file.clone(), meaning, negative, factor.to_bits());
+        let key = (file.clone(), meaning, negative, factor.to_array().map(f32::to_bits));
         if let Some(known) = self.known.get(&key) {
             return known.clone();
         }
@@ -228,7 +228,7 @@ mod tests {
         for (meaning, negative) in
             [(Meaning::Colour, false), (Meaning::Amount, false), (Meaning::Colour, true)]
         {
-            let usage = Usage { meaning, negative, factor: 1.0 };
+            let usage = Usage { meaning, negative, factor: Rgb::WHITE };
             let texture = textures.load(&Location::Disk(path.clone()), usage).unwrap();
             let found = [[0.25, 0.75], [0.75, 0.75], [0.25, 0.25], [0.75, 0.25]]
                 .map(|uv| texture.lookup(Vec2::from(uv), Tiling::Repeat).unwrap().g);
@@ -248,7 +248,7 @@ mod tests {
             coding,
             warnings: Vec::new(),
         };
-        pixels(&picture, Usage { meaning, negative, factor }).values()[0].g
+        pixels(&picture, Usage { meaning, negative, factor: Rgb::splat(factor) }).values()[0].g
     }
 
     #[test]

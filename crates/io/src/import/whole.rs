@@ -104,11 +104,7 @@ fn one_sided(
     items: &[ImportedObject],
     points: Vec<Vec3>,
 ) -> Vec<Warning> {
-    let remedy = if file.is_physical() {
-        "give it `sides 2`, or use the file in a scene file, its object with `sides: Both`"
-    } else {
-        "make it 2-sided, or use the file in a scene file, its object with `sides: Both`"
-    };
+    let remedy = file.format.remedy();
     let described = |item| {
         let &ImportedObject {
             material: ObjectMaterial::Own(number) | ObjectMaterial::Named(number),
@@ -140,7 +136,7 @@ fn view(
     if let Some(view) = file.camera() {
         return (settings(view), Vec::new());
     }
-    let up = if file.is_physical() { frame::up(items, bounds) } else { Vec3::Z };
+    let up = file.format.up(items, bounds);
     let view = settings(frame::camera(items, lights, bounds, up, width as f32 / height as f32));
     let note = format!("no camera in the file, taken: {}", shown(&view));
     (view, vec![note])
@@ -190,7 +186,7 @@ fn build(
 
 /// The factor for 8-bit pictures, to two digits.
 fn exposure(file: &ModelFile, scene: &Scene, bounds: &Aabb) -> f32 {
-    let metered = if file.is_physical() { None } else { meter::exposure(scene) };
+    let metered = if file.format.is_physical() { None } else { meter::exposure(scene) };
     let exposure = metered.unwrap_or_else(|| middle_grey(scene, bounds));
     let digits = 10_f64.powi(1 - exposure.log10().floor() as i32);
     let rounded = ((exposure * digits).round() / digits) as f32;

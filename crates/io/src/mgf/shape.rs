@@ -1,5 +1,6 @@
 //! Shapes, exact and in world space.
 
+use crate::polygon;
 use traylib_math::glam::DVec3;
 
 /// A corner of a polygon.
@@ -160,8 +161,5 @@ fn is_length(value: f64) -> bool {
 /// Twice the area of a loop times its unit normal, after Newell. It points to
 /// where the loop goes counter-clockwise.
 pub(super) fn newell(outline: &[Vertex]) -> DVec3 {
-    let Some(first) = outline.first() else { return DVec3::ZERO };
-    let from_first = |vertex: &Vertex| vertex.position - first.position;
-    let pairs = outline.iter().zip(outline.iter().skip(1));
-    pairs.fold(DVec3::ZERO, |sum, (a, b)| sum + from_first(a).cross(from_first(b)))
+    polygon::newell(outline.iter().map(|vertex| vertex.position))
 }

@@ -1,13 +1,11 @@
 //! Shapes as flat polygons and triangles.
 
-mod ears;
-mod flat;
 mod revolve;
 mod seam;
 
 use super::shape::newell;
 use super::{Shape, Vertex};
-use flat::Flat;
+use crate::polygon;
 use revolve::{Axis, Rim};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use traylib_math::glam::DVec3;
@@ -59,9 +57,8 @@ pub fn triangles(shape: &Shape, divisions: u32) -> Vec<[Vertex; 3]> {
 fn cut(mut polygon: Vec<Vertex>) -> Vec<[Vertex; 3]> {
     let normal = newell(&polygon);
     complete_normals(&mut polygon, normal);
-    let flat = Flat::along(normal);
-    let points: Vec<_> = polygon.iter().map(|vertex| flat.point(vertex.position)).collect();
-    ears::cut(&points).into_iter().map(|corners| corners.map(|index| polygon[index])).collect()
+    let triangles = polygon::cut(polygon.iter().map(|vertex| vertex.position), normal);
+    triangles.into_iter().map(|corners| corners.map(|index| polygon[index])).collect()
 }
 
 /// Where some corners have a normal, the others get that of the plane; normals

@@ -4,7 +4,7 @@ mod material;
 mod place;
 mod triangles;
 
-use super::{Content, ImportedMaterial, ModelFile, ModelPart, ModelSide};
+use super::{Content, Format, ImportedMaterial, ModelFile, ModelPart, ModelSide};
 use crate::import::counter::Counter;
 use crate::import::placement::Placement;
 use crate::load_options::LoadOptions;
@@ -29,7 +29,8 @@ pub(super) fn read(
     let materials =
         materials.map_err(|cause| Error::Material { file: path.display().to_string(), cause })?;
     let warnings = document.warnings.iter().map(Warning::from).collect();
-    Ok((ModelFile { materials, content: Content::Mgf(document.surfaces) }, warnings))
+    let content = Content::Mgf(document.surfaces);
+    Ok((ModelFile { materials, format: Format::Mgf, content }, warnings))
 }
 
 /// Round shapes one by one, then for each material what is flat.

@@ -1,13 +1,13 @@
 //! Meshes, materials, lights and cameras of 3DS files.
 
-mod folder;
 mod light;
 mod maps;
 mod material;
 mod skipped;
 mod welder;
 
-use super::{ImportedMaterial, ModelCamera, ModelFile, ModelPart, ModelSide};
+use super::folder::Folder;
+use super::{Format, ImportedMaterial, ModelCamera, ModelFile, ModelPart, ModelSide};
 use crate::import::counter::Counter;
 use crate::import::placement::Placement;
 use crate::import::textures::Textures;
@@ -15,7 +15,6 @@ use crate::source::Location;
 use crate::three_ds::smoothing::corner_normals;
 use crate::three_ds::{self, Document, Mesh, pose};
 use crate::{Error, ReadLimits, Warning};
-use folder::Folder;
 use maps::MapImporter;
 use std::collections::BTreeMap;
 use traylib_geometry::{self as geometry, Aabb};
@@ -65,7 +64,8 @@ fn model(
     let materials: Vec<ImportedMaterial> = materials.collect::<Result<_, _>>()?;
     let counter = &mut *importer.counter;
     let content = Content::new(document, materials.len() - 1, counter);
-    Ok(ModelFile { materials, content: super::Content::ThreeDs(content) })
+    let content = super::Content::ThreeDs(content);
+    Ok(ModelFile { materials, format: Format::ThreeDs, content })
 }
 
 impl Content {

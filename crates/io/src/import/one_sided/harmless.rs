@@ -79,7 +79,7 @@ fn is_closed(shape: &ObjectShape) -> bool {
 
 /// Whether each edge is gone along as often one way as the other. Corners are the same
 /// if they are at the same place.
-fn is_closed_mesh(mesh: &Mesh) -> bool {
+pub(in crate::import) fn is_closed_mesh(mesh: &Mesh) -> bool {
     let mut edges: HashMap<[[u32; 3]; 2], i64> = HashMap::new();
     for triangle in mesh.triangles() {
         let [a, b, c] = triangle.map(|corner| place(mesh.positions()[corner as usize]));

@@ -1,8 +1,8 @@
 //! Holes joined to the outline by seams, each walked both ways.
 
-use super::flat::{Flat, turn};
 use crate::mgf::Vertex;
 use crate::mgf::shape::newell;
+use crate::polygon::{Flat, turn};
 use traylib_math::glam::DVec2;
 
 /// One polygon for an outline and its holes.

@@ -4,8 +4,8 @@
 //! strength of the highlight, the opacity map, and the bump map, whose white is
 //! a hundredth of a unit of u above its black: 3D Studio gives no height.
 
-use super::folder::Folder;
 use crate::import::counter::Counter;
+use crate::import::model::folder::Folder;
 use crate::import::textures::{Meaning, Textures, Usage};
 use crate::three_ds::{Map, MapKind, Material};
 use std::sync::Arc;
@@ -69,7 +69,8 @@ impl MapImporter<'_> {
             self.counter.add(format!("picture `{name}` not found, shown without"));
             return None;
         };
-        let usage = Usage { meaning, negative: map.has(Map::NEGATIVE), factor };
+        let negative = map.has(Map::NEGATIVE);
+        let usage = Usage { meaning, negative, factor: Rgb::splat(factor) };
         let texture = self.textures.load(&file, usage).map_err(|cause| self.counter.add(cause));
         let (placement, tiling, strength) = (map.placement(), map.tiling(), map.strength);
         let usable = placement.is_finite();

@@ -1,10 +1,10 @@
 //! From 3D Studio's materials to models.
 
 use super::maps::MapImporter;
-use crate::import::model::ImportedMaterial;
+use crate::import::model::{ImportedMaterial, gloss};
 use crate::three_ds::{self, Shading};
 use traylib_geometry::Sides;
-use traylib_materials::{self as materials, Lambert, Material, Phong, SurfaceModel};
+use traylib_materials::{self as materials, Material, SurfaceModel};
 use traylib_math::Rgb;
 
 /// A material as it can be rendered.
@@ -17,7 +17,7 @@ pub(super) fn imported(
     let clear = if maps.is_none() { material.transparency } else { 0.0 };
     let (model, was_scaled) = surface_model(material, 1.0 - clear)?;
     if was_scaled {
-        importer.counter.add("material reflecting more than arrives, scaled down");
+        importer.counter.add(gloss::SCALED);
     }
     let emission = linear(material.diffuse) * material.glow();
     let sides = if material.two_sided { Sides::Both } else { Sides::Front };
@@ -44,13 +44,8 @@ fn surface_model(
         }
     };
     let specular = tint * material.shininess_strength;
-    if specular.is_black() {
-        return Ok((SurfaceModel::Lambert(Lambert::new(diffuse * share)?), false));
-    }
-    let sum = (diffuse + specular).max_band();
-    let [diffuse, specular] = [diffuse, specular].map(|part| part / sum.max(1.0) * share);
     let exponent = (10.0 * material.shininess).exp2();
-    Ok((SurfaceModel::Phong(Phong::new(diffuse, specular, exponent)?), sum > 1.0))
+    gloss::surface_model([diffuse, specular], exponent, share)
 }
 
 pub(super) fn linear(coded: Rgb) -> Rgb {

@@ -5,7 +5,7 @@ use traylib_math::glam::{DVec2, DVec3};
 /// The two axes that keep most of a plane, ordered so that what is
 /// counter-clockwise seen from its front stays so.
 #[derive(Clone, Copy)]
-pub(super) struct Flat {
+pub(crate) struct Flat {
     u: usize,
     v: usize,
 }
@@ -13,18 +13,18 @@ pub(super) struct Flat {
 impl Flat {
     /// Leaves out the axis nearest to the normal. Coordinates stay as they are,
     /// so what coincides still does.
-    pub(super) fn along(normal: DVec3) -> Self {
+    pub(crate) fn along(normal: DVec3) -> Self {
         let axis = normal.abs().max_position();
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         if normal[axis] < 0.0 { Self { u: v, v: u } } else { Self { u, v } }
     }
 
-    pub(super) fn point(self, point: DVec3) -> DVec2 {
+    pub(crate) fn point(self, point: DVec3) -> DVec2 {
         DVec2::new(point[self.u], point[self.v])
     }
 }
 
 /// Twice the area of a triangle, positive counter-clockwise.
-pub(super) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+pub(crate) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }

@@ -1,0 +1,19 @@
+//! What has no material.
+
+use super::ImportedMaterial;
+use traylib_geometry::Sides;
+use traylib_materials::{Error, Lambert, SurfaceModel};
+use traylib_math::Rgb;
+
+/// What it reflects.
+pub(super) const GREY: f32 = 0.5;
+
+/// Grey, of two sides.
+///
+/// # Errors
+/// None: grey is a colour.
+pub(super) fn material(name: &str) -> Result<ImportedMaterial, Error> {
+    let surface = SurfaceModel::Lambert(Lambert::new(Rgb::splat(GREY))?).into();
+    let name = name.to_string();
+    Ok(ImportedMaterial { name, surface, sides: Sides::Both, emission: Rgb::BLACK })
+}

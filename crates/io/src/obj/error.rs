@@ -1,0 +1,62 @@
+//! Why bytes are no object file or material library.
+
+use crate::Limit;
+
+/// A file that makes no sense.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// Longer than [`Limits::bytes`](super::Limits::bytes).
+    #[error("has more than {0} bytes; {more}", more = Limit::Bytes.remedy(*.0 as u64))]
+    TooLong(usize),
+    /// A statement makes no sense.
+    #[error("line {line}: {cause}")]
+    Line {
+        /// The line in which it begins, from 1.
+        line: u32,
+        /// Why.
+        cause: Cause,
+    },
+}
+
+/// Why a statement makes no sense.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Cause {
+    /// A word that should be a number.
+    #[error("`{0}` is no number")]
+    NotANumber(String),
+    /// A coordinate or another number that is infinite or none.
+    #[error("`{0}` is infinite or not a number")]
+    NotFinite(String),
+    /// Too few words.
+    #[error("`{keyword}` wants {wanted}")]
+    Missing {
+        /// The statement.
+        keyword: &'static str,
+        /// What it wants.
+        wanted: &'static str,
+    },
+    /// A corner that is none.
+    #[error("`{0}` is no corner: wanted are numbers of vertex, texture coordinate and normal")]
+    NotACorner(String),
+    /// A number of something that is not there.
+    #[error("there is no {what} {number}: there are {count} so far")]
+    OutOfRange {
+        /// What it is a number of.
+        what: &'static str,
+        /// The number as it stands there.
+        number: i64,
+        /// How many there are.
+        count: usize,
+    },
+    /// A polygon has too many corners.
+    #[error("the polygon has more than {0} corners; {more}", more = Limit::Corners.remedy(*.0 as u64))]
+    TooManyCorners(usize),
+    /// Large polygons take too long to cut.
+    #[error("polygons take too long to cut; {}", Limit::Cutting.remedy(*.0))]
+    TooMuchCutting(u64),
+    /// There are more of something than can be numbered.
+    #[error("there are too many {0}")]
+    TooMany(&'static str),
+}

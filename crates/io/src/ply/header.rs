@@ -1,0 +1,145 @@
+//! What a file says it holds.
+
+use super::body::{Body, Coding};
+use super::{Cause, Error};
+use crate::suggest::shown;
+
+/// What a file says it holds.
+#[derive(Debug, Default)]
+pub(super) struct Header {
+    pub(super) elements: Vec<Element>,
+    /// Pictures that comments name.
+    pub(super) textures: Vec<String>,
+}
+
+/// A kind of thing.
+#[derive(Debug)]
+pub(super) struct Element {
+    pub(super) name: String,
+    pub(super) count: u64,
+    pub(super) properties: Vec<Property>,
+}
+
+#[derive(Debug)]
+pub(super) struct Property {
+    pub(super) name: String,
+    pub(super) kind: Kind,
+}
+
+/// What a property consists of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    One(Number),
+    /// Numbers, after how many they are.
+    List(Number, Number),
+}
+
+/// A type of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Number {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Number {
+    fn of(name: &str) -> Result<Self, Cause> {
+        Ok(match name {
+            "char" | "int8" => Self::I8,
+            "uchar" | "uint8" => Self::U8,
+            "short" | "int16" => Self::I16,
+            "ushort" | "uint16" => Self::U16,
+            "int" | "int32" => Self::I32,
+            "uint" | "uint32" => Self::U32,
+            "float" | "float32" => Self::F32,
+            "double" | "float64" => Self::F64,
+            _ => return Err(Cause::Type(shown(name))),
+        })
+    }
+
+    pub(super) fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+}
+
+/// The header and what follows it.
+pub(super) fn read(bytes: &[u8]) -> Result<(Header, Body<'_>), Error> {
+    let mut lines = Lines { bytes, at: 0, line: 0 };
+    if lines.next().is_none_or(|first| first != "ply") {
+        return Err(Error::NotPly);
+    }
+    let (mut header, mut coding) = (Header::default(), None);
+    loop {
+        let text = lines.next().ok_or(Error::HeaderEnds)?;
+        if text == "end_header" {
+            break;
+        }
+        let line = lines.line;
+        header.line(&text, &mut coding).map_err(|cause| Error::Header { line, cause })?;
+    }
+    let failed = Error::Header { line: lines.line, cause: Cause::NoFormat };
+    let coding = coding.ok_or(failed)?;
+    Ok((header, Body::new(coding, bytes, lines.at, lines.line)))
+}
+
+impl Header {
+    fn line(&mut self, text: &str, coding: &mut Option<Coding>) -> Result<(), Cause> {
+        let words: Vec<&str> = text.split_ascii_whitespace().collect();
+        match words[..] {
+            ["comment", "TextureFile", ..] => {
+                let name = text.split_once("TextureFile").map_or("", |(_, name)| name.trim());
+                self.textures.push(name.to_string());
+            }
+            [] | ["comment" | "obj_info", ..] => {}
+            ["format", name, _] => {
+                *coding = Some(Coding::of(name).ok_or_else(|| Cause::Format(shown(name)))?);
+            }
+            ["element", name, count] => {
+                let count = count.parse().map_err(|_| Cause::NotANumber(shown(count)))?;
+                let name = name.to_string();
+                self.elements.push(Element { name, count, properties: Vec::new() });
+            }
+            ["property", "list", length, item, name] => {
+                self.property(name, Kind::List(Number::of(length)?, Number::of(item)?))?;
+            }
+            ["property", kind, name] => self.property(name, Kind::One(Number::of(kind)?))?,
+            _ => return Err(Cause::Line(shown(text))),
+        }
+        Ok(())
+    }
+
+    fn property(&mut self, name: &str, kind: Kind) -> Result<(), Cause> {
+        let element = self.elements.last_mut().ok_or(Cause::NoElement)?;
+        element.properties.push(Property { name: name.to_string(), kind });
+        Ok(())
+    }
+}
+
+/// Lines that end in a line feed, a carriage return, or both.
+struct Lines<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: u32,
+}
+
+impl Lines<'_> {
+    /// The next line in any coding, without blanks around it.
+    fn next(&mut self) -> Option<String> {
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
+        let is_pair = rest[length..].starts_with(b"\r\n");
+        self.at += length + if is_pair { 2 } else { 1 };
+        self.line = self.line.saturating_add(1);
+        Some(String::from_utf8_lossy(rest[..length].trim_ascii()).into_owned())
+    }
+}
