@@ -34,12 +34,15 @@ pub use duration::parse_duration;
 pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions};
 pub use interrupt::on_interrupt;
 pub use job::Job;
-pub use messages::print_notes;
-pub use options::{PixelName, RenderOptions, parse_resolution, parse_threads};
+pub use messages::{announce, print_notes};
+pub use options::{
+    PixelName, RenderOptions, parse_exposure, parse_limit, parse_resolution, parse_threads,
+};
 pub use outcome::Failure;
 pub use progress::clock;
+pub use recipe::Recipe;
 pub use run::{render_by, run};
-pub use say::{say, tell, tell_name};
+pub use say::{count, say, tell, tell_name};
 pub use signals::Signal;
 pub use technique_pictures::save_techniques;
 
