@@ -39,12 +39,15 @@ pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions, MergeOptio
 pub use interrupt::on_interrupt;
 pub use job::Job;
 pub use keep_options::KeepOptions;
-pub use messages::print_notes;
-pub use options::{PixelName, RenderOptions, parse_resolution, parse_threads};
+pub use messages::{announce, print_notes};
+pub use options::{
+    PixelName, RenderOptions, parse_exposure, parse_limit, parse_resolution, parse_threads,
+};
 pub use outcome::Failure;
 pub use progress::clock;
+pub use recipe::{Recipe, with_spp};
 pub use run::{render_by, run};
-pub use say::{say, tell, tell_name};
+pub use say::{count, say, tell, tell_name};
 pub use shard::Shard;
 pub use signals::Signal;
 pub use technique_pictures::save_techniques;

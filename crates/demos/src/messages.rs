@@ -16,13 +16,9 @@ pub fn print_notes(done: &Done) -> Result<(), Failure> {
     done.notes.iter().try_for_each(tell)
 }
 
-/// What to know before the start.
-pub(crate) fn announce(
-    program: &str,
-    loaded: &Loaded,
-    integrator: &dyn Integrator,
-    limits: Limits,
-) {
+/// Says what is to be known before the start: what was amiss or not said in the scene's
+/// file, and what this program leaves out of its picture.
+pub fn announce(program: &str, loaded: &Loaded, integrator: &dyn Integrator, limits: Limits) {
     for warning in &loaded.warnings {
         say_line("warning", warning);
     }

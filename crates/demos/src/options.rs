@@ -163,13 +163,20 @@ pub fn parse_threads(text: &str) -> Result<usize, String> {
     threads.ok_or_else(|| format!("wanted a number from 0, one a processor, to {MOST_THREADS}"))
 }
 
-fn parse_exposure(text: &str) -> Result<f32, &'static str> {
+/// Reads a factor on light.
+///
+/// # Errors
+/// What was wanted instead.
+pub fn parse_exposure(text: &str) -> Result<f32, &'static str> {
     let positive = |exposure: &f32| *exposure > 0.0 && exposure.is_finite();
     text.parse().ok().filter(positive).ok_or("wanted: a positive number")
 }
 
 /// Reads `surfaces=2000000` or `surfaces=2M`.
-fn parse_limit(text: &str) -> Result<(Limit, u64), String> {
+///
+/// # Errors
+/// What was wanted instead.
+pub fn parse_limit(text: &str) -> Result<(Limit, u64), String> {
     let names = || Limit::ALL.map(Limit::name).join(", ");
     let wanted = || format!("wanted as surfaces=2M, with k, M, G or none; names: {}", names());
     let (name, number) = text.split_once('=').ok_or_else(wanted)?;

@@ -3,38 +3,75 @@
 use crate::job::Job;
 use std::fmt::Write;
 use std::path::Path;
-use traylib_integrators::Method;
-use traylib_io::Loaded;
+use traylib_integrators::{Method, PointSet};
+use traylib_io::{Limit, Loaded};
 
-/// The command that makes a picture again, from the same scene: every option that changes the
-/// picture but [`--spp`](with_spp), also those that were not given. Of the scene's file only
-/// the name, as folders tell of people.
+/// What a picture is made of: all that changes it but how many samples a pixel has.
+#[derive(Clone, Copy, Debug)]
+pub struct Recipe<'a> {
+    /// The program that makes it.
+    pub program: &'a str,
+    /// What that was told to load.
+    pub scene: &'a str,
+    /// Width and height in pixels.
+    pub resolution: (u32, u32),
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Where these come from.
+    pub points: PointSet,
+    /// Factor on light in 8-bit pictures.
+    pub exposure: f32,
+    /// What files were allowed to ask for.
+    pub limits: &'a [(Limit, u64)],
+    /// The method with its settings; `None` for an integrator that is none.
+    pub method: Option<Method>,
+}
+
+/// The command that makes the picture of a job again, but for its [samples](with_spp).
 pub(crate) fn command(job: &Job<'_>, loaded: &Loaded) -> String {
     let options = job.options;
-    let scene = Path::new(&options.scene).file_name().map(|name| name.to_string_lossy());
     let camera = loaded.scene.camera();
-    let mut command = format!(
-        "{} {} --resolution {}x{} --seed {} --sampler {} --exposure {}",
-        job.program,
-        quoted(&scene.unwrap_or_default()),
-        camera.width(),
-        camera.height(),
-        options.seed,
-        options.sampler,
-        loaded.settings.exposure,
-    );
-    for (limit, value) in &options.limit {
-        // A string takes everything.
-        let _ = write!(command, " --limit {}={value}", limit.name());
+    let recipe = Recipe {
+        program: job.program,
+        scene: &options.scene,
+        resolution: (camera.width(), camera.height()),
+        seed: options.seed,
+        points: options.sampler,
+        exposure: loaded.settings.exposure,
+        limits: &options.limit,
+        method: job.method,
+    };
+    recipe.command()
+}
+
+impl Recipe<'_> {
+    /// The command that makes the picture again, from the same scene: every option that
+    /// changes it but [`--spp`](with_spp), also those that were not given. Of the scene's file only the name, as
+    /// folders tell of people.
+    pub fn command(&self) -> String {
+        let scene = Path::new(self.scene).file_name().map(|name| name.to_string_lossy());
+        let (width, height) = self.resolution;
+        let mut command = format!(
+            "{} {} --resolution {width}x{height} --seed {} --sampler {} --exposure {}",
+            self.program,
+            quoted(&scene.unwrap_or_default()),
+            self.seed,
+            self.points,
+            self.exposure,
+        );
+        for (limit, value) in self.limits {
+            // A string takes everything.
+            let _ = write!(command, " --limit {}={value}", limit.name());
+        }
+        for setting in self.method.into_iter().flat_map(Method::settings) {
+            let _ = write!(command, " {setting}");
+        }
+        command
     }
-    for setting in job.method.into_iter().flat_map(Method::settings) {
-        let _ = write!(command, " {setting}");
-    }
-    command
 }
 
 /// A command for so many passes.
-pub(crate) fn with_spp(command: &str, passes: u32) -> String {
+pub fn with_spp(command: &str, passes: u32) -> String {
     format!("{command} --spp {passes}")
 }
 

@@ -53,8 +53,8 @@ fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// A number short enough to read.
-pub(crate) fn count(n: u64) -> String {
+/// A number short enough to read, with a unit to follow: `1.85 M`.
+pub fn count(n: u64) -> String {
     match n as f64 {
         x if x >= 1e9 => format!("{:.2} G", x / 1e9),
         x if x >= 1e6 => format!("{:.2} M", x / 1e6),

@@ -44,6 +44,8 @@ pub(crate) struct Imported {
     pub(crate) warnings: Vec<Warning>,
     /// What was chosen because no file says it.
     pub(crate) notes: Vec<String>,
+    /// Whether it got a light at the camera.
+    pub(crate) headlight: bool,
 }
 
 /// Whether a file's name says that it brings shapes without being a scene file.
@@ -74,7 +76,7 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
             warnings.extend(models.into_warnings());
             warnings.extend(one_sided);
             warnings.extend(coincidence::warnings(&scene, &root.source.name));
-            Ok(Imported { scene, settings, warnings, notes: Vec::new() })
+            Ok(Imported { scene, settings, warnings, notes: Vec::new(), headlight: false })
         }
         _ => Err(Error::Scene(problems.into_report())),
     }

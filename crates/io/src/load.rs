@@ -19,6 +19,8 @@ pub struct Loaded {
     /// What was chosen because the file does not say it, such as a camera for an
     /// MGF file: each a line that ends in what to write into a scene file.
     pub notes: Vec<String>,
+    /// Whether it got a point light at the camera, as [`LoadOptions::headlight`] allows.
+    pub headlight: bool,
     /// Its name: that of the built-in scene, or of the file without folder and
     /// ending.
     pub name: String,
@@ -47,9 +49,9 @@ pub fn load_scene_with(name_or_path: &str, options: LoadOptions<'_>) -> Result<L
             import::import(&import::gather(&location, options.root)?, options)?
         }
     };
-    let import::Imported { scene, mut settings, warnings, notes } = imported;
+    let import::Imported { scene, mut settings, warnings, notes, headlight } = imported;
     settings.exposure = options.exposure.unwrap_or(settings.exposure);
-    Ok(Loaded { scene, settings, warnings, notes, name: stem(name_or_path) })
+    Ok(Loaded { scene, settings, warnings, notes, headlight, name: stem(name_or_path) })
 }
 
 fn find(name: &str) -> Result<Location, Error> {

@@ -29,13 +29,13 @@ pub struct CameraSettings {
 /// pixel (x, y) holds the film points [x, x+1) × [y, y+1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
+    settings: CameraSettings,
+    /// That of the settings, or one beside it.
     position: Vec3,
     forward: Vec3,
     /// One pixel to the right and one down, on the plane at distance one.
     right: Vec3,
     down: Vec3,
-    width: u32,
-    height: u32,
     pixels_per_unit: f32,
 }
 
@@ -76,12 +76,11 @@ impl Camera {
         }
         let pixel = 2.0 * (0.5 * fov_degrees.to_radians()).tan() / width as f32;
         Ok(Self {
+            settings,
             position,
             forward: forward.as_vec3(),
             right: (right * f64::from(pixel)).as_vec3(),
             down: (down * f64::from(pixel)).as_vec3(),
-            width,
-            height,
             pixels_per_unit: 1.0 / pixel,
         })
     }
@@ -93,19 +92,24 @@ impl Camera {
         Self { position: at.ray_origin(self.forward), ..self }
     }
 
-    /// The pinhole.
+    /// What it was made of.
+    pub fn settings(&self) -> CameraSettings {
+        self.settings
+    }
+
+    /// The pinhole: where the settings have it, or beside that if a surface is there.
     pub fn position(&self) -> Vec3 {
         self.position
     }
 
     /// Columns of pixels.
     pub fn width(&self) -> u32 {
-        self.width
+        self.settings.width
     }
 
     /// Rows of pixels.
     pub fn height(&self) -> u32 {
-        self.height
+        self.settings.height
     }
 
     /// The ray through a film point, its direction unit.
@@ -134,7 +138,7 @@ impl Camera {
         let scale = self.pixels_per_unit * self.pixels_per_unit / depth;
         let on_film = Vec2::new(offset.dot(self.right), offset.dot(self.down)) * scale;
         let Vec2 { x, y } = on_film + self.middle();
-        let inside = x >= 0.0 && y >= 0.0 && x < self.width as f32 && y < self.height as f32;
+        let inside = x >= 0.0 && y >= 0.0 && x < self.width() as f32 && y < self.height() as f32;
         let distance_squared = offset.length_squared();
         let direction = offset.try_normalize()?;
         inside.then(|| Projection {
@@ -147,7 +151,7 @@ impl Camera {
     }
 
     fn middle(&self) -> Vec2 {
-        0.5 * Vec2::new(self.width as f32, self.height as f32)
+        0.5 * Vec2::new(self.width() as f32, self.height() as f32)
     }
 }
 

@@ -94,6 +94,19 @@ pub(super) const LAYERS: &[Layer] = &[
         ],
     ),
     layer(
+        "traylib-realtime",
+        &[
+            "traylib-math",
+            "traylib-scene",
+            "traylib-io",
+            "traylib-integrators",
+            "traylib-demos",
+            "clap",
+            "minifb",
+            "rayon",
+        ],
+    ),
+    layer(
         "traylib-compare",
         &[
             "traylib-math",

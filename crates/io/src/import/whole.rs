@@ -69,7 +69,8 @@ pub(crate) fn import_whole(
     warnings.extend(counter.into_warnings(&name));
     warnings.extend(one_sided);
     warnings.extend(coincidence::warnings(&scene, &name));
-    Ok(Imported { scene, settings: SceneSettings { spp: 64, exposure }, warnings, notes })
+    let settings = SceneSettings { spp: 64, exposure };
+    Ok(Imported { scene, settings, warnings, notes, headlight: lack.is_some() })
 }
 
 /// What a file has not that the caller wants a light at the camera for, if so.

@@ -1,0 +1,35 @@
+//! A picture on its way to the window.
+
+use crate::view::Wanted;
+use traylib_integrators::Statistics;
+use traylib_math::{Grid, Rgb};
+
+/// A picture of some passes.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame {
+    /// What it was to show.
+    pub(crate) wanted: Wanted,
+    /// How many columns of the window one of it fills; one but for a draft.
+    pub(crate) coarseness: u32,
+    /// Light, as far as it is known.
+    pub(crate) radiance: Grid<Rgb>,
+    /// The same for the window.
+    pub(crate) pixels: Vec<u32>,
+    /// Factor on light that was shown.
+    pub(crate) exposure: f32,
+    /// Samples a pixel.
+    pub(crate) passes: u32,
+    /// The estimated error, once there are enough passes.
+    pub(crate) error: Option<f64>,
+    /// All work on it so far.
+    pub(crate) statistics: Statistics,
+    /// Seconds since that began.
+    pub(crate) seconds: f64,
+}
+
+impl Frame {
+    /// Whether it is what somebody wants who wants this, and no draft of it.
+    pub(crate) fn is_of(&self, wanted: &Wanted) -> bool {
+        self.coarseness == 1 && self.wanted == *wanted
+    }
+}
