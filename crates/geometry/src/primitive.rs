@@ -210,8 +210,8 @@ impl Primitive {
     /// turn a point away, which then has density zero and sends no light.
     pub fn sample_toward(&self, from: Vec3, u: Vec2) -> (SurfaceSite, AreaPdf) {
         let by_solid_angle = match self {
-            Self::Triangle(triangle) => triangle.sample_seen(from, u),
-            Self::Quad(quad) => quad.sample_seen(from, u),
+            Self::Triangle(triangle) => SphericalTriangle::sample_site(triangle, from, u),
+            Self::Quad(quad) => SphericalRectangle::sample_site(quad, from, u),
             Self::Sphere(sphere) => sphere.sample_cone(from, u),
             Self::Disk(_) | Self::Cone(_) => None,
         };

@@ -2,6 +2,7 @@
 
 mod cone;
 mod disk;
+mod even_pdf;
 mod facing;
 mod kind;
 mod list;
@@ -12,11 +13,12 @@ mod triangle;
 
 pub use cone::Cone;
 pub use disk::Disk;
+pub(crate) use even_pdf::even_pdf;
 pub use facing::Facing;
 pub use kind::{ShapeKind, SidedTriangle};
 pub use list::ShapeList;
 pub use quad::Quad;
-pub(crate) use solid_angle::{SphericalRectangle, SphericalTriangle, even_pdf};
+pub(crate) use solid_angle::{SphericalRectangle, SphericalTriangle};
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 

@@ -1,9 +1,8 @@
 //! Parallelograms.
 
-use super::{ShapeHit, Sides, SphericalRectangle, all_finite, even_pdf, sound_area};
+use super::{ShapeHit, Sides, all_finite, sound_area};
 use crate::precise::{DVec3, difference, unit};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
-use traylib_math::AreaPdf;
 
 /// A parallelogram: `corner + u · edge_u + v · edge_v` with u, v in [0, 1]. The
 /// front normal is along `edge_u × edge_v`.
@@ -108,15 +107,6 @@ impl Quad {
 
     pub(crate) fn sample_area(&self, u: Vec2) -> SurfaceSite {
         self.site(u.x, u.y)
-    }
-
-    /// A point uniform in the solid angle that `from` sees, and its density; `None` where
-    /// that is not how the parallelogram is sampled.
-    pub(crate) fn sample_seen(&self, from: Vec3, u: Vec2) -> Option<(SurfaceSite, AreaPdf)> {
-        let seen = SphericalRectangle::seen(self, from)?;
-        let at = seen.sample(u);
-        let site = self.site(at.x, at.y);
-        Some((site, even_pdf(seen.solid_angle(), from, site.position, site.normal)))
     }
 }
 

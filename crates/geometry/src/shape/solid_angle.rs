@@ -12,7 +12,6 @@ pub(crate) use rectangle::SphericalRectangle;
 pub(crate) use triangle::SphericalTriangle;
 
 use crate::Vec3;
-use traylib_math::{AreaPdf, SolidAnglePdf, solid_angle_per_area};
 
 /// A view of less than so many steradians is not parted any further: what double precision
 /// rounds is then 2⁻²² of it, as much as single precision rounds of any number.
@@ -24,15 +23,6 @@ const LEAST: f64 = 1.0 / (1 << 30) as f64;
 #[inline]
 fn is_far(width_squared: f32, centre: Vec3) -> bool {
     width_squared < centre.length_squared()
-}
-
-/// The density per area of a point that is seen with equal density all over `solid_angle`;
-/// zero where its front is turned away from `from`.
-pub(crate) fn even_pdf(solid_angle: f32, from: Vec3, position: Vec3, normal: Vec3) -> AreaPdf {
-    let back = from - position;
-    let distance_squared = back.length_squared();
-    let cosine = (back.dot(normal) / distance_squared.sqrt()).max(0.0);
-    SolidAnglePdf(1.0 / solid_angle).to_area(solid_angle_per_area(cosine, distance_squared))
 }
 
 #[cfg(test)]

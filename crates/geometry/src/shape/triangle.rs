@@ -1,10 +1,10 @@
 //! Triangles.
 
-use super::{ShapeHit, SidedTriangle, Sides, SphericalTriangle, all_finite, even_pdf, sound_area};
+use super::{ShapeHit, SidedTriangle, Sides, all_finite, sound_area};
 use crate::precise::unit;
 use crate::watertight::{self, pick};
 use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
-use traylib_math::{AreaPdf, warp};
+use traylib_math::warp;
 
 /// A triangle; from the front its corners go counter-clockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,15 +98,6 @@ impl Triangle {
     pub(crate) fn sample_area(&self, u: Vec2) -> SurfaceSite {
         let barycentric = warp::uniform_triangle(u);
         self.site(barycentric.x, barycentric.y)
-    }
-
-    /// A point uniform in the solid angle that `from` sees, and its density; `None` where
-    /// that is not how the triangle is sampled.
-    pub(crate) fn sample_seen(&self, from: Vec3, u: Vec2) -> Option<(SurfaceSite, AreaPdf)> {
-        let seen = SphericalTriangle::seen(self, from)?;
-        let at = seen.sample(u);
-        let site = self.site(at.x, at.y);
-        Some((site, even_pdf(seen.solid_angle(), from, site.position, site.normal)))
     }
 }
 

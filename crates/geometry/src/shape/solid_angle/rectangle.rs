@@ -2,8 +2,10 @@
 
 use super::{LEAST, is_far};
 use crate::precise::{DVec3, difference};
-use crate::{Quad, Vec2, Vec3};
+use crate::shape::even_pdf;
+use crate::{Quad, SurfaceSite, Vec2, Vec3};
 use std::f64::consts::TAU;
+use traylib_math::AreaPdf;
 
 /// A rectangle seen from a point in front of it: its sides are arcs of great circles.
 ///
@@ -72,6 +74,15 @@ impl SphericalRectangle {
         }
         let solid_angle = if excess < 0.0 { excess + TAU } else { excess };
         Some(Self { x, y, height, at_start, solid_angle })
+    }
+
+    /// A point of what `from` sees, uniform in solid angle, and its density; `None` where
+    /// a parallelogram is not sampled so.
+    pub(crate) fn sample_site(quad: &Quad, from: Vec3, u: Vec2) -> Option<(SurfaceSite, AreaPdf)> {
+        let seen = Self::seen(quad, from)?;
+        let at = seen.sample(u);
+        let site = quad.site(at.x, at.y);
+        Some((site, even_pdf(seen.solid_angle(), from, site.position, site.normal)))
     }
 
     /// In steradians.

@@ -2,7 +2,9 @@
 
 use super::{LEAST, is_far};
 use crate::precise::difference;
-use crate::{Triangle, Vec2, Vec3};
+use crate::shape::even_pdf;
+use crate::{SurfaceSite, Triangle, Vec2, Vec3};
+use traylib_math::AreaPdf;
 
 /// A triangle seen from a point in front of it.
 ///
@@ -50,6 +52,19 @@ impl SphericalTriangle {
         let half_solid_angle = volume.atan2(1.0 + cosines[0] + cosines[1] + cosines[2]);
         let is_wide = 2.0 * half_solid_angle >= LEAST;
         is_wide.then_some(Self { nearness, cosines, volume, half_solid_angle })
+    }
+
+    /// A point of what `from` sees, uniform in solid angle, and its density; `None` where
+    /// a triangle is not sampled so.
+    pub(crate) fn sample_site(
+        triangle: &Triangle,
+        from: Vec3,
+        u: Vec2,
+    ) -> Option<(SurfaceSite, AreaPdf)> {
+        let seen = Self::seen(triangle, from)?;
+        let at = seen.sample(u);
+        let site = triangle.site(at.x, at.y);
+        Some((site, even_pdf(seen.solid_angle(), from, site.position, site.normal)))
     }
 
     /// In steradians.
