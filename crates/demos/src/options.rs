@@ -14,7 +14,7 @@ use traylib_scene::Camera;
 /// What to render and how much.
 #[derive(Args, Clone, Debug)]
 pub struct RenderOptions {
-    /// Scene file (.ron, .3ds, .mgf) or name of a built-in scene
+    /// Scene file (.ron, .gltf, .glb, .obj, .ply, .3ds, .mgf) or name of a built-in scene
     #[arg(default_value = "cornell")]
     pub scene: String,
 
@@ -70,7 +70,7 @@ pub struct RenderOptions {
     #[arg(long)]
     pub check: bool,
 
-    /// With --check: write what is in the file as JSON, also of a .3ds or .mgf file
+    /// With --check: write what is in the file as JSON, also of a file of shapes
     /// without camera or lamp; `-` is standard output
     #[arg(long, value_name = "FILE", requires = "check")]
     pub stats: Option<PathBuf>,

@@ -52,6 +52,14 @@ pub enum Error {
         /// Why.
         cause: crate::ply::Error,
     },
+    /// A glTF file makes no sense.
+    #[error("{file}: {cause}")]
+    Gltf {
+        /// The file.
+        file: String,
+        /// Why.
+        cause: crate::gltf::Error,
+    },
     /// An MGF file makes no sense.
     #[error(transparent)]
     Mgf(#[from] crate::mgf::Error),
@@ -77,10 +85,10 @@ pub enum Error {
         /// Why.
         cause: traylib_scene::Error,
     },
-    /// Nothing in a 3DS or MGF file can be seen.
+    /// Nothing in a file of shapes can be seen.
     #[error("{0}: it has no face that can be drawn")]
     NothingToSee(String),
-    /// A 3DS or MGF file has no light.
+    /// A file of shapes has no light.
     #[error("{}", unlit(.0))]
     Unlit(String),
     /// A scene file makes no sense; every place where it does not, with the

@@ -28,7 +28,8 @@ use crate::load_options::{LoadOptions, SceneSettings};
 use crate::locate::Path;
 use crate::report::Problems;
 use crate::ron_scene::Shape;
-use crate::{Error, MAX_PIXELS, Warning};
+use crate::source::Location;
+use crate::{Error, MAX_PIXELS, MeshCounts, Warning};
 use imported_object::{ImportedObject, ObjectMaterial};
 use material::Materials;
 use model::ModelFiles;
@@ -51,6 +52,19 @@ pub(crate) struct Imported {
 /// Whether a file's name says that it brings shapes without being a scene file.
 pub(crate) fn is_model(path: &std::path::Path) -> bool {
     model::Format::of(path).is_some()
+}
+
+/// Whether [`mesh_counts`] counts files of this name.
+pub(crate) fn has_mesh_counts(path: &std::path::Path) -> bool {
+    model::counts::is_counted(path)
+}
+
+/// What a file of meshes holds, in figures.
+pub(crate) fn mesh_counts(
+    location: &Location,
+    options: LoadOptions<'_>,
+) -> Result<(MeshCounts, Vec<Warning>), Error> {
+    model::counts::of(location, options)
 }
 
 /// Builds the scene of these files; the last one is the scene itself, the

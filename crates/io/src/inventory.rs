@@ -2,7 +2,8 @@
 
 use crate::load::load_scene_with;
 use crate::load_options::LoadOptions;
-use crate::{Error, Warning, mgf, three_ds};
+use crate::source::Location;
+use crate::{Error, Warning, import, mgf, three_ds};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use traylib_scene::Light;
@@ -16,8 +17,35 @@ pub enum Inventory {
     ThreeDs(Box<three_ds::Counts>),
     /// Of MGF files, read one after the other.
     Mgf(Box<mgf::Counts>),
+    /// Of an OBJ, PLY or glTF file.
+    Meshes(Box<MeshCounts>),
     /// Of a scene in RON or built in.
     Scene(SceneCounts),
+}
+
+/// What there is in an OBJ, PLY or glTF file, every place of a mesh anew.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct MeshCounts {
+    /// Meshes of one material each.
+    pub meshes: usize,
+    /// Their triangles, after polygons have been cut.
+    pub triangles: usize,
+    /// Their vertices: one for each position, normal and texture coordinates that meet.
+    pub vertices: usize,
+    /// Vertices with a normal.
+    pub normals: usize,
+    /// Vertices with texture coordinates.
+    pub texcoords: usize,
+    /// Materials, and one of what has none.
+    pub materials: usize,
+    /// Lights that are no surfaces.
+    pub lights: usize,
+    /// 1 if there is a camera.
+    pub cameras: usize,
+    /// Area of all triangles.
+    pub area: f64,
+    /// Least and greatest x, y and z of the vertices.
+    pub bbox: [f32; 6],
 }
 
 /// What there is in a scene.
@@ -38,7 +66,7 @@ pub struct SceneCounts {
 }
 
 /// Reads files and counts what is in them; beside it, what was skipped or repaired. A
-/// missing camera or lamp is no error in a 3DS or MGF file. Several files are one scene, which only MGF knows. Of the options
+/// missing camera or lamp is no error in a file of shapes. Several files are one scene, which only MGF knows. Of the options
 /// root, that of the first file where none is named, and limits count.
 ///
 /// # Errors
@@ -51,6 +79,12 @@ pub fn inventory(
         [] => Err(Error::NoFile),
         files if files.iter().all(|file| has_ending(file, "mgf")) => of_mgf(files, options),
         [file] if is_three_ds(file) => of_three_ds(file, options),
+        [file] if import::has_mesh_counts(file) => {
+            let location = Location::Disk(file.clone());
+            let (counts, warnings) = import::mesh_counts(&location, options)?;
+            let warnings = warnings.iter().map(ToString::to_string).collect();
+            Ok((Inventory::Meshes(Box::new(counts)), warnings))
+        }
         [file] => of_scene(file, options),
         [_, other, ..] => Err(Error::SeveralFiles(other.clone())),
     }
@@ -119,6 +153,27 @@ mod tests {
         let (found, _) = inventory(&[file.into()], LoadOptions::default()).unwrap();
         let Inventory::ThreeDs(counts) = found else { panic!("{found:?}") };
         assert_eq!((counts.meshes, counts.faces), (1, 12));
+    }
+
+    /// Files that trimesh 5.2.0 wrote, and what it found in them itself; of shared vertices
+    /// the OBJ file has 8, which differ in their normals.
+    #[test]
+    fn others_find_the_same_in_files_of_meshes() {
+        let models = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/models");
+        for (name, triangles, vertices, area, bbox) in [
+            ("trimesh.obj", 12, 8, 22.0, [-0.5, -1.0, -1.5, 0.5, 1.0, 1.5]),
+            ("trimesh-text.ply", 80, 42, 6.562_087, [-0.75, -0.75, -0.75, 0.75, 0.75, 0.75]),
+            ("trimesh-binary.ply", 12, 8, 22.0, [-0.5, -1.0, -1.5, 0.5, 1.0, 1.5]),
+            ("trimesh.glb", 172, 92, 39.777_361, [-0.5, -1.0, -1.5, 2.754_650_4, 1.305_212_9, 1.5]),
+        ] {
+            let file = PathBuf::from(format!("{models}/{name}"));
+            let (found, _) = inventory(&[file], LoadOptions::default()).unwrap();
+            let Inventory::Meshes(counts) = found else { panic!("{found:?}") };
+            assert_eq!((counts.triangles, counts.vertices), (triangles, vertices), "{name}");
+            assert!((counts.area - area).abs() < 1e-5 * area, "{name}: {}", counts.area);
+            let near = |(a, b): (f32, f32)| (a - b).abs() < 1e-6;
+            assert!(counts.bbox.into_iter().zip(bbox).all(near), "{name}: {:?}", counts.bbox);
+        }
     }
 
     #[test]

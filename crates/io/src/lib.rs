@@ -1,7 +1,7 @@
 //! Scene and picture files.
 //!
 //! A decoder turns bytes into a plain document and knows nothing else
-//! ([`ron_scene`], [`three_ds`], [`mgf`]); importing turns documents into a scene
+//! ([`ron_scene`], [`gltf`], [`obj`], [`ply`], [`three_ds`], [`mgf`]); importing turns documents into a scene
 //! ([`load_scene`]). Pictures go out through [`save_picture`] and come in through
 //! [`load_exr`] and [`load_texture`].
 //!
@@ -20,6 +20,7 @@ mod chromaticities;
 mod error;
 mod film;
 mod film_fault;
+pub mod gltf;
 mod import;
 mod inventory;
 mod limit;
@@ -48,7 +49,7 @@ pub use builtin::builtin_names;
 pub use error::{Error, Warning};
 pub use film::{FilmAbout, FilmReader, check_films_fit, load_film, merge_films, save_film};
 pub use film_fault::{FilmDifference, FilmFault};
-pub use inventory::{Inventory, SceneCounts, inventory};
+pub use inventory::{Inventory, MeshCounts, SceneCounts, inventory};
 pub use limit::{Limit, MAX_PIXELS};
 pub use load::{Loaded, load_scene, load_scene_with};
 pub use load_options::{Headlight, LoadOptions, SceneSettings};

@@ -9,17 +9,17 @@ pub const MAX_PIXELS: u64 = 1 << 28;
 /// A bound that a caller may set otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
-    /// Bytes of all MGF files together, of a 3DS file, and of a picture.
+    /// Bytes of all MGF files together, of a file of any other format, and of a picture.
     Bytes,
     /// Bytes kept in memory of MGF files.
     Memory,
     /// Work on MGF files, in bytes of text, every copy anew.
     Work,
-    /// Surfaces of MGF files, and copies by open arrays.
+    /// Surfaces of MGF files, and copies by open arrays; triangles of glTF in all places.
     Surfaces,
-    /// Vertices of one polygon of MGF.
+    /// Vertices of one polygon.
     Corners,
-    /// Squares of the numbers of vertices of MGF polygons, summed.
+    /// Squares of the numbers of vertices of polygons, summed.
     Cutting,
     /// Bytes of one line of MGF.
     Line,
@@ -27,7 +27,8 @@ pub enum Limit {
     Depth,
     /// Transforms of MGF that are open at once.
     Transforms,
-    /// Meshes, lights, cameras, materials and nodes of a 3DS file, and its maps.
+    /// Meshes, lights, cameras, materials and nodes of a 3DS file, and its maps; those of each
+    /// kind of a glTF file.
     Items,
     /// Pixels of one picture on surfaces; where they are more than usual for all together,
     /// of all.

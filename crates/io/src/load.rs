@@ -17,7 +17,7 @@ pub struct Loaded {
     /// What was skipped or repaired.
     pub warnings: Vec<Warning>,
     /// What was chosen because the file does not say it, such as a camera for an
-    /// MGF file: each a line that ends in what to write into a scene file.
+    /// OBJ file: each a line that ends in what to write into a scene file.
     pub notes: Vec<String>,
     /// Whether it got a point light at the camera, as [`LoadOptions::headlight`] allows.
     pub headlight: bool,
@@ -26,7 +26,7 @@ pub struct Loaded {
     pub name: String,
 }
 
-/// Loads a scene in RON, 3DS or MGF, or a built-in scene where no file has this
+/// Loads a scene in RON, glTF, OBJ, PLY, 3DS or MGF, or a built-in scene where no file has this
 /// name.
 ///
 /// # Errors

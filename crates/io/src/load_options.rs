@@ -23,13 +23,13 @@ pub struct LoadOptions<'a> {
     /// The folder that files included by scene files and MGF files may not leave;
     /// that of the scene, if none is given.
     pub root: Option<&'a Path>,
-    /// When a 3DS or MGF file gets a point light at the camera, with a warning.
+    /// When a file of shapes gets a point light at the camera, with a warning.
     pub headlight: Headlight,
     /// What files may ask for.
     pub limits: ReadLimits,
 }
 
-/// When a 3DS or MGF file gets a point light at the camera.
+/// When a file of shapes gets a point light at the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Headlight {
     /// Never: a file without any light is an error.

@@ -1,6 +1,6 @@
 //! Bounds that a caller has set, as each reader takes them.
 
-use crate::{Limit, TextureLimits, mgf, obj, ply, three_ds};
+use crate::{Limit, TextureLimits, gltf, mgf, obj, ply, three_ds};
 use std::path::{Path, PathBuf};
 
 /// The bounds that a caller has set; the readers' own else.
@@ -65,6 +65,15 @@ impl ReadLimits {
         }
     }
 
+    pub(crate) fn gltf(&self) -> gltf::Limits {
+        let usual = gltf::Limits::default();
+        gltf::Limits {
+            bytes: self.count(Limit::Bytes, usual.bytes),
+            triangles: self.get(Limit::Surfaces).unwrap_or(usual.triangles),
+            items: self.count(Limit::Items, usual.items),
+        }
+    }
+
     pub(crate) fn texture(&self) -> TextureLimits {
         let usual = TextureLimits::default();
         TextureLimits {
@@ -83,22 +92,21 @@ mod tests {
     fn what_is_set_is_used() {
         let used = |limits: ReadLimits| {
             let meshes = format!("{:?}{:?}{:?}", limits.three_ds(), limits.obj(), limits.ply());
-            format!("{:?}{meshes}{:?}", limits.mgf(None), limits.texture())
+            format!("{:?}{meshes}{:?}{:?}", limits.mgf(None), limits.gltf(), limits.texture())
         };
         let usual = used(ReadLimits::default());
         for limit in Limit::ALL {
             let mut limits = ReadLimits::default();
             limits.set(limit, 12_345);
             let times = match limit {
-                Limit::Bytes => 5,
+                Limit::Bytes => 6,
                 Limit::Corners | Limit::Cutting => 3,
+                Limit::Surfaces | Limit::Items => 2,
                 Limit::Memory
                 | Limit::Work
-                | Limit::Surfaces
                 | Limit::Line
                 | Limit::Depth
                 | Limit::Transforms
-                | Limit::Items
                 | Limit::Pixels => 1,
             };
             assert_eq!(used(limits).matches("12345").count(), times, "{limit:?}");

@@ -190,7 +190,7 @@ pub struct Block {
 #[derive(Clone, Debug, PartialEq, Derive)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// A 3DS or MGF file, relative to the scene file.
+    /// A file of any format of shapes, relative to the scene file.
     pub file: String,
     /// Metres a unit of the file.
     #[serde(default = "one")]
@@ -204,10 +204,10 @@ pub struct Mesh {
     /// Materials of the scene for some of the file's, by their names there.
     #[serde(default)]
     pub materials: Named<String>,
-    /// Factor on what the file's materials emit: 1 for MGF, whose light has a
-    /// unit, 0 for 3DS.
+    /// Factor on what the file's materials emit: 0 for 3DS, whose light
+    /// has no unit, 1 for all others.
     pub glow: Option<f32>,
-    /// Factor on the lights of a 3DS file.
+    /// Factor on the lights of a 3DS or glTF file.
     #[serde(default)]
     pub lights: f32,
 }

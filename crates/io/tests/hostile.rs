@@ -141,7 +141,7 @@ fn copy(from: &Path, folder: &Path, to: &Path, names: &mut Vec<PathBuf>) {
         }
         fs::copy(entry.path(), to.join(&name)).unwrap();
         let ending = name.extension().unwrap_or_default().to_ascii_lowercase();
-        let known = ["mgf", "3ds", "gif", "tga", "pcx", "png", "jpg"];
+        let known = ["mgf", "3ds", "obj", "ply", "gltf", "glb", "gif", "tga", "pcx", "png", "jpg"];
         if known.iter().any(|&known| ending == known) {
             names.push(name);
         }

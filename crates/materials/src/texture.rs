@@ -40,6 +40,16 @@ impl Texture {
         (pixels.width() > 0 && pixels.height() > 0).then_some(Self { pixels })
     }
 
+    /// The mean of all pixels.
+    pub fn mean(&self) -> Rgb {
+        let values = self.pixels.values();
+        let sum = values.iter().fold([0.0; 3], |sum: [f64; 3], pixel| {
+            let pixel = pixel.to_array();
+            [0, 1, 2].map(|band| sum[band] + f64::from(pixel[band]))
+        });
+        Rgb::from(sum.map(|band| (band / values.len() as f64) as f32))
+    }
+
     /// Width and height of a pixel.
     pub fn pixel_size(&self) -> Vec2 {
         Vec2::new(1.0 / self.pixels.width() as f32, 1.0 / self.pixels.height() as f32)
@@ -100,6 +110,11 @@ mod tests {
         assert_eq!(at(0.25, 0.75), Rgb::new(1.0, 0.0, 0.0));
         assert_eq!(at(0.75, 0.25), Rgb::new(0.0, 1.0, 0.0));
         assert_eq!(at(0.5, 0.5), Rgb::new(0.5, 0.5, 0.0));
+    }
+
+    #[test]
+    fn the_mean_is_that_of_all_pixels() {
+        assert_eq!(quarters().mean(), Rgb::new(0.5, 0.5, 0.0));
     }
 
     #[test]

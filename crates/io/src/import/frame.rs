@@ -8,7 +8,7 @@
 mod surroundings;
 
 use super::imported_object::ImportedObject;
-use super::model::ModelCamera;
+use super::model::{Fov, ModelCamera};
 use std::f32::consts::{PI, TAU};
 use surroundings::Tree;
 use traylib_geometry::{Aabb, Ray, Vec2, Vec3};
@@ -74,8 +74,9 @@ pub(super) fn camera(
     up: Vec3,
     aspect: f32,
 ) -> ModelCamera {
-    let room = surroundings::tree(items)
-        .filter(|tree| surroundings::is_room(tree, items, lights, bounds, up));
+    let shines = surroundings::shines(items, lights);
+    let room = shines.then(|| surroundings::tree(items)).flatten();
+    let room = room.filter(|tree| surroundings::is_room(tree, items, lights, bounds, up));
     let inside = room.and_then(|tree| inside(&tree, bounds, up));
     inside.unwrap_or_else(|| outside(bounds, up, aspect))
 }
@@ -95,7 +96,13 @@ fn inside(tree: &Tree, bounds: &Aabb, up: Vec3) -> Option<ModelCamera> {
     let best = (0..WAYS).max_by(|a, b| room(a).total_cmp(&room(b)))?;
     let position = middle + horizontal(best) * (NEAR_THE_END * at(best));
     let is_view = position != middle && position.is_finite();
-    is_view.then_some(ModelCamera { position, target: middle, up, fov_degrees: FOV_INSIDE })
+    is_view.then_some(ModelCamera {
+        position,
+        target: middle,
+        up,
+        fov: Fov::Horizontal(FOV_INSIDE),
+        aspect: None,
+    })
 }
 
 /// How far it is to the sides of the box.
@@ -133,7 +140,7 @@ fn outside(bounds: &Aabb, up: Vec3, aspect: f32) -> ModelCamera {
     let target = bounds.centre();
     let distance = 1.05 * distance_to_see(bounds, towards, up, aspect);
     let position = target + towards * if distance > 0.0 { distance } else { 1.0 };
-    ModelCamera { position, target, up, fov_degrees: FOV_OUTSIDE }
+    ModelCamera { position, target, up, fov: Fov::Horizontal(FOV_OUTSIDE), aspect: None }
 }
 
 /// How far from the middle, in the direction `towards`, all corners are in view.

@@ -1,10 +1,12 @@
-//! Files that bring shapes with materials of their own: 3DS, MGF, OBJ and PLY.
+//! Files that bring shapes with materials of their own: 3DS, MGF, OBJ, PLY and glTF.
 
 mod arrays;
 mod beside;
+pub(super) mod counts;
 mod folder;
 mod format;
 mod gloss;
+mod gltf;
 mod meshes;
 mod mgf;
 mod obj;
@@ -64,7 +66,31 @@ pub(super) struct ModelCamera {
     pub(super) position: Vec3,
     pub(super) target: Vec3,
     pub(super) up: Vec3,
-    pub(super) fov_degrees: f32,
+    pub(super) fov: Fov,
+    /// Width by height of the picture that it is made for, if the file says.
+    pub(super) aspect: Option<f32>,
+}
+
+/// An angle of view in degrees.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Fov {
+    /// From the left edge to the right one.
+    Horizontal(f32),
+    /// From the lower edge to the upper one.
+    Vertical(f32),
+}
+
+impl Fov {
+    /// From the left edge to the right one, of a picture this much wider than high.
+    pub(super) fn horizontal(self, aspect: f32) -> f32 {
+        match self {
+            Self::Horizontal(degrees) => degrees,
+            Self::Vertical(degrees) => {
+                let half = (0.5 * degrees).to_radians().tan();
+                2.0 * (aspect * half).atan().to_degrees()
+            }
+        }
+    }
 }
 
 /// A file with what does not depend on where it goes.
@@ -95,6 +121,7 @@ impl ModelFile {
             Location::Disk(path) => match Format::of(path).unwrap_or(Format::ThreeDs) {
                 Format::Mgf => mgf::read(path, options, &mut counter)?,
                 Format::ThreeDs => three_ds::read(location, options.limits, &mut counter)?,
+                Format::Gltf => gltf::read(location, options, &mut counter)?,
                 Format::Obj => obj::read(location, options, &mut counter)?,
                 Format::Ply => ply::read(location, options, &mut counter)?,
             },
@@ -212,6 +239,7 @@ impl<'a> ModelFiles<'a> {
                 Error::Read { cause, .. } => why(&cause),
                 Error::Mesh { cause, .. } => cause.to_string(),
                 Error::Ply { cause, .. } => cause.to_string(),
+                Error::Gltf { cause, .. } => cause.to_string(),
                 Error::Obj { file, cause } if file == location.to_string() => cause.to_string(),
                 Error::Mgf(crate::mgf::Error::File { fault, .. }) => fault.to_string(),
                 Error::NothingToSee(_) => "it has no face that can be drawn".to_string(),

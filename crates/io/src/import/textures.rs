@@ -19,6 +19,9 @@ pub(super) enum Meaning {
     Amount,
     /// The picture's own opacity.
     Alpha,
+    /// The same, of which all is there where it is at least the number of these bits, and
+    /// nothing elsewhere.
+    Mask(u32),
 }
 
 /// How a picture is used.
@@ -69,7 +72,41 @@ fn described(error: &Error) -> String {
     }
 }
 
-type Key = (Location, Meaning, bool, [u32; 3]);
+/// Where a picture comes from.
+pub(super) enum PictureSource<'a> {
+    /// A file.
+    File(&'a Location),
+    /// Bytes of one within another file.
+    Bytes {
+        /// What it is called.
+        name: String,
+        /// All of it.
+        bytes: &'a [u8],
+    },
+}
+
+impl PictureSource<'_> {
+    fn name(&self) -> String {
+        match self {
+            Self::File(location) => location.to_string(),
+            Self::Bytes { name, .. } => name.clone(),
+        }
+    }
+
+    fn picture(&self, limits: TextureLimits) -> Result<texture::Texture, String> {
+        let picture = match self {
+            Self::File(Location::Disk(path)) => load_texture(path, limits),
+            Self::File(file @ Location::BuiltIn(name)) => {
+                let bytes = file.read().map_err(|cause| format!("{file}: {cause}"))?;
+                texture_from_bytes(&bytes, Path::new(name), limits)
+            }
+            Self::Bytes { name, bytes } => texture_from_bytes(bytes, Path::new(name), limits),
+        };
+        picture.map_err(|error| described(&error))
+    }
+}
+
+type Key = (String, Meaning, bool, [u32; 3]);
 
 /// The pictures read so far.
 #[derive(Default)]
@@ -90,32 +127,35 @@ impl Textures {
 
     /// A picture; why it cannot be used, else.
     pub(super) fn load(&mut self, file: &Location, usage: Usage) -> Result<Arc<Texture>, String> {
+        self.load_from(&PictureSource::File(file), usage)
+    }
+
+    /// [`load`](Self::load) from anywhere. Pictures of the same name are the same.
+    pub(super) fn load_from(
+        &mut self,
+        source: &PictureSource<'_>,
+        usage: Usage,
+    ) -> Result<Arc<Texture>, String> {
         let Usage { meaning, negative, factor } = usage;
-        let key = (file.clone(), meaning, negative, factor.to_array().map(f32::to_bits));
+        let key = (source.name(), meaning, negative, factor.to_array().map(f32::to_bits));
         if let Some(known) = self.known.get(&key) {
             return known.clone();
         }
-        let texture = self.read(file, usage);
+        let texture = self.read(source, usage);
         self.known.insert(key, texture.clone());
         texture
     }
 
-    fn read(&mut self, file: &Location, usage: Usage) -> Result<Arc<Texture>, String> {
+    fn read(&mut self, source: &PictureSource<'_>, usage: Usage) -> Result<Arc<Texture>, String> {
+        let file = source.name();
         let most = MOST_PIXELS.max(self.limits.pixels);
         let left = self.limits.pixels.min(most - self.pixels);
         let limits = TextureLimits { pixels: left, ..self.limits };
-        let picture = match file {
-            Location::Disk(path) => load_texture(path, limits),
-            Location::BuiltIn(name) => {
-                let bytes = file.read().map_err(|cause| format!("{file}: {cause}"))?;
-                texture_from_bytes(&bytes, Path::new(name), limits)
-            }
-        };
-        let picture = picture.map_err(|error| described(&error))?;
+        let picture = source.picture(limits)?;
         self.pixels = most.min(self.pixels + picture.pixels.values().len() as u64);
         let (pixels, none) = sound(pixels(&picture, usage));
         let repaired = (none > 0).then(|| Warning {
-            file: file.to_string(),
+            file: file.clone(),
             what: "number that is infinite or none taken for 0".to_string(),
             count: none,
         });
@@ -162,6 +202,14 @@ fn pixels(picture: &texture::Texture, usage: Usage) -> Grid<Rgb> {
         }),
         (Meaning::Amount, _) => picture.pixels.map(|p| turned(stored(p)) * usage.factor),
         (Meaning::Alpha, Some(alpha)) => alpha.map(|&a| turned(Rgb::splat(a)) * usage.factor),
+        (Meaning::Mask(bits), alpha) => {
+            let is_there = |a: f32| usage.factor.g * a >= f32::from_bits(bits);
+            let shown = |a: f32| if is_there(a) { Rgb::WHITE } else { Rgb::BLACK };
+            match alpha {
+                Some(alpha) => alpha.map(|&a| shown(a)),
+                None => picture.pixels.map(|_| shown(1.0)),
+            }
+        }
         (Meaning::Alpha, None) => picture.pixels.map(|_| turned(Rgb::WHITE) * usage.factor),
     }
 }

@@ -1,4 +1,4 @@
-//! A 3DS or MGF file as a whole scene.
+//! A file of shapes as a whole scene.
 
 use super::Imported;
 use super::coincidence;
@@ -125,22 +125,32 @@ fn view(
     bounds: &Aabb,
     options: LoadOptions<'_>,
 ) -> (CameraSettings, Vec<String>) {
-    let (width, height) = options.resolution.unwrap_or(RESOLUTION);
+    let camera = file.camera();
+    let aspect = camera.and_then(|camera| camera.aspect);
+    let (width, height) = options.resolution.unwrap_or_else(|| resolution(aspect));
     let settings = |view: ModelCamera| CameraSettings {
         position: view.position,
         target: view.target,
         up: view.up,
-        fov_degrees: view.fov_degrees,
+        fov_degrees: view.fov.horizontal(width as f32 / height as f32),
         width,
         height,
     };
-    if let Some(view) = file.camera() {
+    if let Some(view) = camera {
         return (settings(view), Vec::new());
     }
     let up = file.format.up(items, bounds);
     let view = settings(frame::camera(items, lights, bounds, up, width as f32 / height as f32));
     let note = format!("no camera in the file, taken: {}", shown(&view));
     (view, vec![note])
+}
+
+/// That of a picture that nobody has named, for a camera that may be made for one this much
+/// wider than high.
+fn resolution(aspect: Option<f32>) -> (u32, u32) {
+    let (width, height) = RESOLUTION;
+    let sound = aspect.filter(|aspect| (0.1..=10.0).contains(aspect));
+    (width, sound.map_or(height, |aspect| (width as f32 / aspect).round() as u32))
 }
 
 fn shown(view: &CameraSettings) -> String {

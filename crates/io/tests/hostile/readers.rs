@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use traylib_io::mgf::{self, tessellate};
 use traylib_io::three_ds::{self, pose, smoothing};
 use traylib_io::{TextureLimits, texture_from_bytes};
+use traylib_io::{gltf, obj, ply};
 
 /// Whether it could be read. `root` is a folder of the test alone, in which `name` is.
 pub(crate) fn read(root: &Path, name: &Path, bytes: &[u8]) -> bool {
@@ -11,6 +12,10 @@ pub(crate) fn read(root: &Path, name: &Path, bytes: &[u8]) -> bool {
     match ending.to_str() {
         Some("mgf") => read_mgf(root, name, bytes),
         Some("3ds") => read_three_ds(bytes),
+        Some("obj") => read_obj(bytes),
+        Some("mtl") => obj::mtl::decode(bytes, obj::Limits::default()).is_ok(),
+        Some("ply") => read_ply(bytes),
+        Some("gltf" | "glb") => read_gltf(bytes),
         _ => texture_from_bytes(bytes, name, TextureLimits::default()).is_ok(),
     }
 }
@@ -41,5 +46,35 @@ fn read_three_ds(bytes: &[u8]) -> bool {
     assert!(placed.iter().all(|placed| placed.place.is_finite()));
     let _ = placed.iter().filter(|placed| pose::is_shown(&document, placed)).count();
     assert!(three_ds::Counts::of(&document).faces <= bytes.len() / 8);
+    true
+}
+
+fn read_obj(bytes: &[u8]) -> bool {
+    let Ok(document) = obj::decode(bytes, obj::Limits::default()) else { return false };
+    for corner in document.faces.iter().flat_map(|face| document.corners_of(face)) {
+        assert!((corner.position as usize) < document.positions.len());
+        assert!(corner.uv.is_none_or(|uv| (uv.get() as usize) < document.uvs.len()));
+        assert!(corner.normal.is_none_or(|n| (n.get() as usize) < document.normals.len()));
+    }
+    true
+}
+
+fn read_ply(bytes: &[u8]) -> bool {
+    let Ok(document) = ply::decode(bytes, ply::Limits::default()) else { return false };
+    let corners = document.faces().flat_map(|(_, corners)| corners);
+    assert!(corners.into_iter().all(|&corner| (corner as usize) < document.positions.len()));
+    true
+}
+
+fn read_gltf(bytes: &[u8]) -> bool {
+    let mut load = |_: &str| Err("none".to_string());
+    let Ok(document) = gltf::decode(bytes, gltf::Limits::default(), &mut load) else {
+        return false;
+    };
+    for primitive in &document.primitives {
+        let count = primitive.positions.len();
+        assert!(primitive.triangles.iter().flatten().all(|&corner| (corner as usize) < count));
+    }
+    assert!(document.instances.iter().all(|instance| instance.place.is_finite()));
     true
 }

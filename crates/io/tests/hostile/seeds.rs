@@ -3,9 +3,14 @@
 use super::made;
 
 pub(crate) fn all() -> Vec<(String, Vec<u8>)> {
-    let files: [(&str, &[u8]); 4] = [
+    let files: [(&str, &[u8]); 9] = [
         ("shapes.mgf", include_bytes!("../data/shapes.mgf")),
         ("arrays.mgf", include_bytes!("../data/arrays.mgf")),
+        ("trimesh.obj", include_bytes!("../data/models/trimesh.obj")),
+        ("trimesh.mtl", include_bytes!("../data/models/trimesh.mtl")),
+        ("text.ply", include_bytes!("../data/models/trimesh-text.ply")),
+        ("binary.ply", include_bytes!("../data/models/trimesh-binary.ply")),
+        ("trimesh.glb", include_bytes!("../data/models/trimesh.glb")),
         ("cube.3ds", include_bytes!("../../../../scenes/models/cube.3ds")),
         ("enemy01.3ds", include_bytes!("../../../../scenes/models/enemy01.3ds")),
     ];

@@ -40,6 +40,12 @@ pub(super) fn tree(items: &[ImportedObject]) -> Option<Tree> {
     Bvh::of_shapes(items.iter().flat_map(seen).collect::<Vec<_>>()).ok()
 }
 
+/// Whether there is any light.
+pub(super) fn shines(items: &[ImportedObject], lights: &[PointLight]) -> bool {
+    items.iter().any(|item| !item.emission.is_black())
+        || lights.iter().any(|light| !light.intensity.is_black())
+}
+
 /// What rays from the middle meet, in numbers of rays.
 #[derive(Clone, Copy, Debug, Default)]
 struct Met {
@@ -58,8 +64,7 @@ pub(super) fn is_room(
     bounds: &Aabb,
     up: Vec3,
 ) -> bool {
-    let glows = items.iter().any(|item| !item.emission.is_black());
-    if !glows && lights.iter().all(|light| light.intensity.is_black()) {
+    if !shines(items, lights) {
         return false;
     }
     let met = met(tree, items, bounds, up);

@@ -37,7 +37,7 @@ fn what_is_all_around_is_seen_from_inside() {
     let distance = camera.position.distance(Vec3::new(10.0, 0.0, 0.2));
     // Nine tenths of the way from a little above the middle to the wall.
     assert!((distance - 0.9 * (4.0_f32 - 0.04).sqrt()).abs() < 1e-3, "{distance}");
-    assert_eq!((camera.fov_degrees, camera.position.z), (FOV_INSIDE, camera.target.z));
+    assert_eq!((camera.fov.horizontal(1.0), camera.position.z), (FOV_INSIDE, camera.target.z));
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn is_room(items: &[ImportedObject], light: Option<Vec3>) -> bool {
     let bounds = bounds(items);
     let camera = camera(items, &lights, &bounds, Vec3::Z, 4.0 / 3.0);
     let is_inside = bounds.contains(camera.position);
-    assert_eq!(camera.fov_degrees, if is_inside { FOV_INSIDE } else { FOV_OUTSIDE });
+    assert_eq!(camera.fov.horizontal(1.0), if is_inside { FOV_INSIDE } else { FOV_OUTSIDE });
     is_inside
 }
 

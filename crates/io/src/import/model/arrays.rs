@@ -57,7 +57,9 @@ impl Arrays {
         };
         let behind = self.triangles.iter().filter(is_behind).count();
         if 2 * behind > self.triangles.len() {
-            self.normals.iter_mut().for_each(|normal| *normal = -*normal);
+            for normal in &mut self.normals {
+                *normal = -*normal;
+            }
             counter.add("mesh whose normals point to the backs of its faces: normals turned");
         }
     }

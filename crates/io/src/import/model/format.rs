@@ -16,6 +16,8 @@ pub(in crate::import) enum Format {
     Obj,
     /// Stanford's polygons.
     Ply,
+    /// Khronos' format, as text or binary.
+    Gltf,
 }
 
 impl Format {
@@ -27,6 +29,7 @@ impl Format {
             "3ds" => Self::ThreeDs,
             "obj" => Self::Obj,
             "ply" => Self::Ply,
+            "gltf" | "glb" => Self::Gltf,
             _ => return None,
         })
     }
@@ -35,7 +38,7 @@ impl Format {
     /// light.
     pub(in crate::import) fn usual_glow(self) -> f32 {
         match self {
-            Self::Mgf | Self::Obj | Self::Ply => 1.0,
+            Self::Mgf | Self::Obj | Self::Ply | Self::Gltf => 1.0,
             Self::ThreeDs => 0.0,
         }
     }
@@ -44,7 +47,7 @@ impl Format {
     pub(in crate::import) fn is_physical(self) -> bool {
         match self {
             Self::Mgf => true,
-            Self::ThreeDs | Self::Obj | Self::Ply => false,
+            Self::ThreeDs | Self::Obj | Self::Ply | Self::Gltf => false,
         }
     }
 
@@ -53,7 +56,7 @@ impl Format {
         match self {
             Self::Mgf => frame::up(items, bounds),
             Self::ThreeDs => Vec3::Z,
-            Self::Obj | Self::Ply => Vec3::Y,
+            Self::Obj | Self::Ply | Self::Gltf => Vec3::Y,
         }
     }
 
@@ -65,6 +68,10 @@ impl Format {
             }
             Self::ThreeDs => {
                 "make it 2-sided, or use the file in a scene file, its object with `sides: Both`"
+            }
+            Self::Gltf => {
+                "make it `doubleSided`, or use the file in a scene file, its object with \
+                 `sides: Both`"
             }
             Self::Obj | Self::Ply => "use the file in a scene file, its object with `sides: Both`",
         }

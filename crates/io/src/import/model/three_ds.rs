@@ -7,7 +7,7 @@ mod skipped;
 mod welder;
 
 use super::folder::Folder;
-use super::{Format, ImportedMaterial, ModelCamera, ModelFile, ModelPart, ModelSide};
+use super::{Format, Fov, ImportedMaterial, ModelCamera, ModelFile, ModelPart, ModelSide};
 use crate::import::counter::Counter;
 use crate::import::placement::Placement;
 use crate::import::textures::Textures;
@@ -133,7 +133,8 @@ fn meshes(document: &Document) -> Vec<Mesh> {
 
 fn camera(camera: &three_ds::Camera) -> Option<ModelCamera> {
     let (position, target, up) = (camera.position, camera.target, camera.up()?);
-    Some(ModelCamera { position, target, up, fov_degrees: camera.fov_degrees() })
+    let fov = Fov::Horizontal(camera.fov_degrees());
+    Some(ModelCamera { position, target, up, fov, aspect: None })
 }
 
 #[cfg(test)]

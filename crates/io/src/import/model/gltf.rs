@@ -1,0 +1,134 @@
+//! Meshes, materials, lights and cameras of glTF files.
+
+mod material;
+
+use super::arrays::Arrays;
+use super::beside::Beside;
+use super::meshes::{self, Content, Piece};
+use super::{Format, Fov, ImportedMaterial, ModelCamera, ModelFile, plain};
+use crate::gltf::{self, Camera, Document, Light, Primitive};
+use crate::import::counter::Counter;
+use crate::import::textures::Textures;
+use crate::load_options::LoadOptions;
+use crate::source::{Location, why};
+use crate::{Error, Warning};
+use material::MaterialImporter;
+use traylib_geometry::{self as geometry, Sides};
+use traylib_scene::{PointLight, SpotCone};
+
+/// Beside the file, what was repaired in its pictures.
+pub(super) fn read(
+    location: &Location,
+    options: LoadOptions<'_>,
+    counter: &mut Counter,
+) -> Result<(ModelFile, Vec<Warning>), Error> {
+    let file = location.to_string();
+    let bytes = location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?;
+    let beside = Beside::of(location, options);
+    let mut load = |name: &str| buffer(&beside, name);
+    let document = gltf::decode(&bytes, options.limits.gltf(), &mut load)
+        .map_err(|cause| Error::Gltf { file: file.clone(), cause })?;
+    drop(bytes);
+    for (what, count) in document.warnings.iter() {
+        counter.add_many(what, count);
+    }
+    let has_triangles = |primitive: &Primitive| !primitive.triangles.is_empty();
+    if document.instances.is_empty() || !document.primitives.iter().any(has_triangles) {
+        return Err(Error::NothingToSee(file));
+    }
+    let mut textures = Textures::new(options.limits);
+    let materials = materials(&document, &file, &beside, &mut textures, counter)
+        .map_err(|cause| Error::Material { file: file.clone(), cause })?;
+    let content = content(document, materials.len() - 1, counter)
+        .map_err(|cause| Error::Model { file, cause: cause.into() })?;
+    Ok((ModelFile::of_meshes(Format::Gltf, materials, content), textures.into_warnings()))
+}
+
+/// A file beside the model; names that lead elsewhere are none.
+fn buffer(beside: &Beside, name: &str) -> Result<Vec<u8>, String> {
+    let shown = crate::suggest::shown(name);
+    let location = beside.exactly(name).ok_or_else(|| {
+        format!("there is no file `{shown}` in the folder, which its buffers must come from")
+    })?;
+    let bytes = location.read().map_err(|cause| format!("`{shown}`: {}", why(&cause)))?;
+    Ok(bytes.into_owned())
+}
+
+/// Those of the document, and last that of what has none.
+fn materials(
+    document: &Document,
+    file: &str,
+    beside: &Beside,
+    textures: &mut Textures,
+    counter: &mut Counter,
+) -> Result<Vec<ImportedMaterial>, traylib_materials::Error> {
+    let images = &document.images;
+    let mut importer = MaterialImporter { file, images, beside, textures, counter };
+    let mut materials = Vec::with_capacity(document.materials.len() + 1);
+    for material in &document.materials {
+        materials.push(importer.imported(material)?);
+    }
+    materials.push(ImportedMaterial { sides: Sides::Front, ..plain::material("")? });
+    Ok(materials)
+}
+
+fn content(
+    document: Document,
+    plain: usize,
+    counter: &mut Counter,
+) -> Result<Content, geometry::Error> {
+    let camera = document.cameras.first().map(camera);
+    if document.cameras.len() > 1 {
+        counter.add_many("camera beside the first skipped", document.cameras.len() as u32 - 1);
+    }
+    let lights = document.lights.iter().filter_map(light).collect();
+    let mut pieces = Vec::with_capacity(document.primitives.len());
+    for primitive in document.primitives {
+        let material = primitive.material.unwrap_or(plain);
+        pieces.push(Piece { mesh: arrays(primitive).finish(counter)?, material });
+    }
+    let instance = |instance: &gltf::Instance| meshes::Instance {
+        piece: instance.primitive,
+        place: instance.place,
+    };
+    let instances = document.instances.iter().map(instance).collect();
+    Ok(Content { pieces, instances, lights, camera })
+}
+
+fn arrays(primitive: Primitive) -> Arrays {
+    let Primitive { positions, normals, mut uvs, triangles, .. } = primitive;
+    // Ours goes up from the bottom of a picture.
+    for uv in &mut uvs {
+        uv.y = 1.0 - uv.y;
+    }
+    Arrays { positions, normals, uvs, triangles }
+}
+
+/// Candela are taken for W/sr, as emission is for radiance.
+fn light(light: &Light) -> Option<PointLight> {
+    let cone = match light.cone {
+        Some(angles) => {
+            let [full, dark] = angles.map(f32::cos);
+            Some(SpotCone::new(light.direction, full, dark).ok()?)
+        }
+        None => None,
+    };
+    let is_sound = light.position.is_finite();
+    is_sound.then_some(PointLight { position: light.position, intensity: light.intensity, cone })
+}
+
+fn camera(camera: &Camera) -> ModelCamera {
+    // As far as it is from the origin: nearer points would lose the direction in rounding.
+    let far = camera.position.abs().max_element();
+    let far = if far > 0.0 { far } else { 1.0 };
+    ModelCamera {
+        position: camera.position,
+        target: camera.position + camera.direction * far,
+        up: camera.up,
+        fov: Fov::Vertical(camera.yfov.to_degrees()),
+        aspect: camera.aspect,
+    }
+}
+
+#[cfg(test)]
+mod tests;

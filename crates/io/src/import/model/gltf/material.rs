@@ -1,0 +1,204 @@
+//! From metal and roughness to models.
+//!
+//! With base colour c, metal m and roughness r, after Khronos' own mix of a metal and a
+//! dielectric of index 1.5, whose reflectance at normal incidence is 0.04:
+//!
+//! | part | is |
+//! |---|---|
+//! | kd | c·(1 − m)·0.96 |
+//! | ks | 0.04·(1 − m) + c·m |
+//! | n | 1/(2r⁴), at least 1: the facets' slope is α = r², and a lobe about the mirror direction is as wide as n = 1/(2α²) |
+//! | emission | as radiance, times its strength |
+//! | alpha | opacity if blended; 0 or 1 if masked |
+//!
+//! So much comes back at normal incidence as in Khronos' model. What grows toward grazing
+//! angles there, Fresnel's reflectance, does not here, and Phong's lobe falls off with the
+//! cosine: a dielectric at 80° reflects 0.39 there and 0.01 here.
+
+use crate::gltf::{AlphaMode, Image, Material, Picture, Wrap};
+use crate::import::counter::Counter;
+use crate::import::model::beside::Beside;
+use crate::import::model::{ImportedMaterial, gloss};
+use crate::import::textures::{Meaning, PictureSource, Textures, Usage};
+use std::sync::Arc;
+use traylib_geometry::Sides;
+use traylib_materials::{self as materials, Layer, Maps, Texture, Tiling};
+use traylib_math::glam::Affine2;
+use traylib_math::{Rgb, Vec2};
+
+/// What a dielectric of index 1.5 reflects at normal incidence.
+const DIELECTRIC: f32 = 0.04;
+
+/// Turns materials of a document into ours.
+pub(super) struct MaterialImporter<'a> {
+    /// Its name.
+    pub(super) file: &'a str,
+    pub(super) images: &'a [Image],
+    pub(super) beside: &'a Beside,
+    pub(super) textures: &'a mut Textures,
+    pub(super) counter: &'a mut Counter,
+}
+
+impl MaterialImporter<'_> {
+    /// A material as it can be rendered.
+    ///
+    /// # Errors
+    /// A number that makes no material.
+    pub(super) fn imported(
+        &mut self,
+        material: &Material,
+    ) -> Result<ImportedMaterial, materials::Error> {
+        self.note_skipped(material);
+        let [roughness, metallic] = self.roughness_and_metal(material);
+        let colour = material.base_colour;
+        let diffuse = colour * ((1.0 - metallic) * (1.0 - DIELECTRIC));
+        let dielectric = Rgb::splat(DIELECTRIC * (1.0 - metallic));
+        let specular = dielectric + colour * metallic;
+        let mut maps = Maps::default();
+        let picture = material.base_colour_picture.as_ref();
+        if let Some(picture) = picture.filter(|picture| self.is_usable(picture)) {
+            let usage = |meaning, factor| Usage { meaning, negative: false, factor };
+            maps.diffuse = self.layer(picture, usage(Meaning::Colour, diffuse));
+            if metallic > 0.0 && maps.diffuse.is_some() {
+                // Over what a dielectric has: 0.04·(1 − m) + m·c.
+                maps.specular = self
+                    .layer(picture, usage(Meaning::Colour, colour))
+                    .map(|layer| Layer { strength: metallic, ..layer });
+            }
+            let alpha = Rgb::splat(material.alpha);
+            let opacity = match material.alpha_mode {
+                AlphaMode::Opaque => None,
+                AlphaMode::Blend => Some(Meaning::Alpha),
+                AlphaMode::Mask => Some(Meaning::Mask(material.alpha_cutoff.to_bits())),
+            };
+            maps.opacity = opacity.and_then(|meaning| self.layer(picture, usage(meaning, alpha)));
+        }
+        self.finished(material, maps, [diffuse, specular], roughness, metallic)
+    }
+
+    fn finished(
+        &mut self,
+        material: &Material,
+        mut maps: Maps,
+        [diffuse, specular]: [Rgb; 2],
+        roughness: f32,
+        metallic: f32,
+    ) -> Result<ImportedMaterial, materials::Error> {
+        let share = match material.alpha_mode {
+            AlphaMode::Opaque => 1.0,
+            AlphaMode::Blend => material.alpha,
+            AlphaMode::Mask if material.alpha >= material.alpha_cutoff => 1.0,
+            AlphaMode::Mask => 0.0,
+        };
+        let is_plain = maps == Maps::default();
+        // Textures replace colours, so that what is behind cannot be taken off them.
+        if !is_plain && maps.opacity.is_none() && share < 1.0 {
+            maps.opacity = even(share);
+        }
+        maps.opacity = maps.opacity.and_then(|layer| self.textures.opacity(layer));
+        let clear = if is_plain { 1.0 - share } else { 0.0 };
+        // The part of a metal comes with the picture, over that of a dielectric.
+        let base = if maps.specular.is_some() && metallic > 0.0 {
+            Rgb::splat(DIELECTRIC)
+        } else {
+            specular
+        };
+        let (model, was_scaled) =
+            gloss::surface_model([diffuse, base], exponent(roughness), 1.0 - clear)?;
+        if was_scaled {
+            self.counter.add(gloss::SCALED);
+        }
+        let maps = (!is_plain).then(|| Box::new(maps));
+        let emission =
+            if material.has_normal_occlusion_emission[2] { Rgb::BLACK } else { material.emission };
+        Ok(ImportedMaterial {
+            name: material.name.clone(),
+            surface: materials::Material { model, through: Rgb::splat(clear), maps },
+            sides: if material.double_sided { Sides::Both } else { Sides::Front },
+            emission,
+        })
+    }
+
+    fn note_skipped(&mut self, material: &Material) {
+        let [normal, occlusion, emission] = material.has_normal_occlusion_emission;
+        for (is_there, what) in [
+            (normal, "picture of normals skipped"),
+            (occlusion, "picture of occlusion skipped: light is computed"),
+            (
+                emission && !material.emission.is_black(),
+                "picture of what a surface emits skipped, and what it emits",
+            ),
+            (material.is_unlit, "surface of the same light from everywhere shown as diffuse"),
+        ] {
+            self.counter.add_many(what, u32::from(is_there));
+        }
+    }
+
+    /// Of pictures of them the mean.
+    fn roughness_and_metal(&mut self, material: &Material) -> [f32; 2] {
+        if material.is_unlit {
+            return [1.0, 0.0];
+        }
+        let factors = [material.roughness, material.metallic];
+        let Some(picture) = &material.metallic_roughness_picture else { return factors };
+        let texture = self.texture(picture, Usage::plain(Meaning::Amount));
+        let Some(texture) = texture else { return factors };
+        let mean = texture.mean();
+        self.counter.add("picture of metal and roughness: its mean taken for all of the surface");
+        [factors[0] * mean.g.clamp(0.0, 1.0), factors[1] * mean.b.clamp(0.0, 1.0)]
+    }
+
+    fn is_usable(&mut self, picture: &Picture) -> bool {
+        let scale = picture.transform.matrix2;
+        let has_extent = scale.determinant() != 0.0;
+        self.counter.add_many("picture of no extent skipped", u32::from(!has_extent));
+        has_extent
+    }
+
+    fn layer(&mut self, picture: &Picture, usage: Usage) -> Option<Layer> {
+        let texture = self.texture(picture, usage)?;
+        let [along_u, along_v] = picture.wrap;
+        if along_u != along_v || along_u == Wrap::Clamp {
+            self.counter.add("picture whose edge goes on, or does so one way alone: repeated");
+        }
+        let tiling = match along_u {
+            Wrap::Mirror if along_v == Wrap::Mirror => Tiling::Mirror,
+            Wrap::Mirror | Wrap::Clamp | Wrap::Repeat => Tiling::Repeat,
+        };
+        // v goes down there, and up here.
+        let turned = Affine2::from_scale_angle_translation(Vec2::new(1.0, -1.0), 0.0, Vec2::Y);
+        let placement = turned * picture.transform * turned;
+        Some(Layer { placement, tiling, ..Layer::new(texture) })
+    }
+
+    fn texture(&mut self, picture: &Picture, usage: Usage) -> Option<Arc<Texture>> {
+        let Some(index) = picture.image else {
+            self.counter.add("picture in a format that an extension brings skipped");
+            return None;
+        };
+        let loaded = match &self.images[index] {
+            Image::File(name) => match self.beside.find(name) {
+                Some(location) => self.textures.load(&location, usage),
+                None => Err(format!("picture `{name}` not found, shown without")),
+            },
+            Image::Bytes(bytes) => {
+                let name = format!("{}: image {index}", self.file);
+                self.textures.load_from(&PictureSource::Bytes { name, bytes }, usage)
+            }
+            Image::Missing(why) => Err(format!("picture {index} cannot be read: {why}")),
+        };
+        loaded.map_err(|cause| self.counter.add(cause)).ok()
+    }
+}
+
+/// About the mirror direction.
+fn exponent(roughness: f32) -> f32 {
+    let slope = roughness * roughness;
+    (0.5 / (slope * slope)).clamp(1.0, gloss::SHARPEST)
+}
+
+/// The same everywhere.
+fn even(value: f32) -> Option<Layer> {
+    let texture = Texture::new(traylib_math::Grid::filled(1, 1, Rgb::splat(value)))?;
+    Some(Layer::new(Arc::new(texture)))
+}
