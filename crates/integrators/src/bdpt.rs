@@ -119,7 +119,9 @@ impl Weighting {
 
 impl Integrator for Bdpt {
     fn light_paths(&self, pixels: u32) -> u32 {
-        if self.techniques.need_light_paths() { pixels } else { 0 }
+        // The shortest path that one takes part in has two edges.
+        let are_used = self.techniques.need_light_paths() && self.limits.allow(2);
+        if are_used { pixels } else { 0 }
     }
 
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {

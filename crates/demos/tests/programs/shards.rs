@@ -97,7 +97,7 @@ fn parts_that_are_not_complete_are_named() {
     }
     let path = folder.path().join("1.film");
     let (whole, about) = load_film(&path).unwrap();
-    let mut cut = traylib_scene::Film::new(16, 12);
+    let mut cut = traylib_scene::Film::of_sequences(16, 12, 4);
     let first = whole.sequences().next().unwrap().next().unwrap().clone();
     cut.add_block(0, first).unwrap();
     save_film(&path, None, &cut, &about).unwrap();
