@@ -5,8 +5,8 @@ use crate::direct::sample_point_lights;
 use crate::tracer::Tracer;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts};
 use traylib_geometry::Ray;
-use traylib_math::{Rgb, Vec2, Vec3};
-use traylib_scene::{MOST_PASSAGES, Scene};
+use traylib_math::{Rgb, Vec2};
+use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
 
 /// Emission seen directly, and one shadow ray to each point light; no other
 /// light, no interreflection. Without `jitter` the ray goes through the middle
@@ -67,10 +67,12 @@ fn follow(tracer: &mut Tracer<'_>, mut paths: Vec<PixelPath>) -> Vec<PixelPath> 
     for _ in 0..MOST_PASSAGES {
         // What stands next in each path, and what point lights give it.
         let rays: Vec<Ray> = going.iter().map(|&index| paths[index].ray).collect();
-        let mut seen = look(tracer, &rays).into_iter();
-        going.retain(|&index| match seen.next() {
-            Some(Some(seen)) => paths[index].pass(&seen),
-            Some(None) | None => false,
+        let points = tracer.look_each(&rays);
+        let lit = lit_by_points(tracer, &rays, &points);
+        let mut found = points.into_iter().zip(lit);
+        going.retain(|&index| {
+            let Some((Some(point), lit)) = found.next() else { return false };
+            paths[index].pass(tracer.scene, &point, lit)
         });
         if going.is_empty() {
             break;
@@ -79,54 +81,37 @@ fn follow(tracer: &mut Tracer<'_>, mut paths: Vec<PixelPath>) -> Vec<PixelPath> 
     paths
 }
 
-/// What of a surface goes into a path. Far less than the surface: those of a chunk stay near
-/// the processor.
-struct Seen {
-    emitted: Rgb,
-    lit: Rgb,
-    opacity: f32,
-    through: Rgb,
-    /// Where a ray goes on behind it.
-    behind: Vec3,
-}
-
-/// The surface that each ray meets, lit by all point lights, whose shadow rays are asked
-/// together.
-fn look(tracer: &mut Tracer<'_>, rays: &[Ray]) -> Vec<Option<Seen>> {
+/// The radiance of each point toward its ray from all point lights, whose shadow rays are
+/// asked together.
+fn lit_by_points(
+    tracer: &mut Tracer<'_>,
+    rays: &[Ray],
+    points: &[Option<SurfacePoint>],
+) -> Vec<Rgb> {
     let scene = tracer.scene;
     let (mut segments, mut samples) = (Vec::new(), Vec::new());
-    let mut all = Vec::with_capacity(rays.len());
-    for (ray, point) in rays.iter().zip(tracer.look_each(rays)) {
-        if let Some(point) = &point {
-            for sample in sample_point_lights(scene, point, -ray.direction) {
-                segments.push(sample.x0.segment_from(&point.site));
-                samples.push((all.len(), sample.radiance));
-            }
+    for (index, (ray, point)) in rays.iter().zip(points).enumerate() {
+        let Some(point) = point else { continue };
+        for sample in sample_point_lights(scene, point, -ray.direction) {
+            segments.push(sample.x0.segment_from(&point.site));
+            samples.push((index, sample.radiance));
         }
-        all.push(point.map(|point| Seen {
-            emitted: scene.emitted(&point),
-            lit: Rgb::BLACK,
-            opacity: point.opacity,
-            through: point.through,
-            behind: point.site.ray_origin(ray.direction),
-        }));
     }
+    let mut lit = vec![Rgb::BLACK; points.len()];
     for ((index, radiance), transmittance) in samples.into_iter().zip(tracer.sees_each(&segments)) {
-        if !transmittance.is_black()
-            && let Some(seen) = &mut all[index]
-        {
-            seen.lit += radiance * transmittance;
+        if !transmittance.is_black() {
+            lit[index] += radiance * transmittance;
         }
     }
-    all
+    lit
 }
 
 impl PixelPath {
     /// Adds what the surface shows, and goes on behind it; whether there is anything left.
-    fn pass(&mut self, seen: &Seen) -> bool {
-        self.radiance += self.transmittance * (seen.emitted + seen.lit) * seen.opacity;
-        self.transmittance *= seen.through;
-        self.ray.origin = seen.behind;
+    fn pass(&mut self, scene: &Scene, point: &SurfacePoint, lit: Rgb) -> bool {
+        self.radiance += self.transmittance * (scene.emitted(point) + lit) * point.opacity;
+        self.transmittance *= point.through;
+        self.ray.origin = point.site.ray_origin(self.ray.direction);
         !self.transmittance.is_black()
     }
 }

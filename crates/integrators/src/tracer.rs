@@ -86,16 +86,12 @@ impl<'scene> Tracer<'scene> {
     }
 
     /// What stands first in each of some rays from the camera, be it see-through or not.
-    pub fn look_each<'a>(
-        &mut self,
-        rays: &'a [Ray],
-    ) -> impl Iterator<Item = Option<SurfacePoint>> + use<'a, 'scene>
-    where
-        'scene: 'a,
-    {
-        let rays = if self.is_cancelled() { &[] } else { rays };
+    pub fn look_each(&mut self, rays: &[Ray]) -> Vec<Option<SurfacePoint>> {
+        if self.is_cancelled() {
+            return vec![None; rays.len()];
+        }
         self.statistics.camera_rays += rays.len() as u64;
-        self.scene.intersect_each(rays)
+        self.scene.intersect_each(rays).collect()
     }
 
     /// [`sees`](Self::sees) for each segment of a list; black where nothing comes through.
