@@ -8,7 +8,7 @@ use crate::view::View;
 use std::f32::consts::TAU;
 use std::sync::Arc;
 use std::time::Instant;
-use traylib_demos::{Failure, announce, count, on_interrupt, tell};
+use traylib_demos::{Failure, count, on_interrupt, tell};
 use traylib_integrators::Control;
 use traylib_math::Vec2;
 
@@ -27,18 +27,12 @@ pub(crate) fn turn(stage: Stage, options: &Options, frames: u32) -> Result<(), F
         answer.cancel();
     });
     if !options.quiet {
-        let limits = options.method.limits().unwrap_or_default();
-        announce(
-            options.method.name(),
-            stage.of(options.method)?,
-            &*options.method.build(),
-            limits,
-        );
+        stage.announce(options.method)?;
     }
     let home = stage.loaded().scene.camera().settings();
     let mut view = View::new(home, options.method, stage.focus());
     let name = stage.loaded().name.clone();
-    let mut artist = Artist::new(stage)?;
+    let mut artist = Artist::new(Arc::new(stage))?;
     let (mut rays, start) = (0, Instant::now());
     for _ in 0..frames {
         view.step(Motion::Orbit(Vec2::new(TAU / frames as f32, 0.0)));

@@ -4,10 +4,11 @@
 mod pace;
 
 use crate::frame::Frame;
-use crate::screen::screen;
+use crate::screen::develop;
 use crate::stage::Stage;
 use crate::view::Wanted;
 use pace::Pace;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use traylib_demos::Failure;
 use traylib_integrators::{Control, Method, Renderer, Rendering};
@@ -16,7 +17,7 @@ use traylib_scene::{Camera, CameraSettings};
 /// Draws one view after the other.
 #[derive(Debug)]
 pub(crate) struct Artist {
-    stage: Stage,
+    stage: Arc<Stage>,
     pool: rayon::ThreadPool,
     /// The method that was used last, and how fast it was.
     pace: (Method, Pace),
@@ -31,7 +32,7 @@ const SHARE: u32 = 4;
 impl Artist {
     /// # Errors
     /// The system refuses the threads.
-    pub(crate) fn new(stage: Stage) -> Result<Self, Failure> {
+    pub(crate) fn new(stage: Arc<Stage>) -> Result<Self, Failure> {
         let threads = stage.options().threads;
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.map_err(|error| {
@@ -117,6 +118,7 @@ impl Artist {
         let mut picture = Picture {
             wanted,
             coarseness,
+            size: (camera.width(), camera.height()),
             exposure: loaded.settings.exposure,
             renderer: Renderer::new(&scene, &*integrator, options.seed, options.sampler),
             start,
@@ -147,6 +149,7 @@ impl Artist {
 struct Picture<'a> {
     wanted: &'a Wanted,
     coarseness: u32,
+    size: (u32, u32),
     exposure: f32,
     renderer: Renderer<'a>,
     start: Instant,
@@ -155,11 +158,11 @@ struct Picture<'a> {
 impl Picture<'_> {
     fn develop(&self) -> Frame {
         let Rendering { film, statistics, .. } = self.renderer.rendering();
-        let radiance = film.develop();
+        let (radiance, pixels) = develop(film, self.size, self.exposure);
         Frame {
             wanted: *self.wanted,
             coarseness: self.coarseness,
-            pixels: screen(&radiance, self.exposure),
+            pixels,
             radiance,
             exposure: self.exposure,
             passes: film.passes(),

@@ -10,33 +10,37 @@ use crate::stage::Stage;
 use crate::title::{Rates, TITLE_TIME, title};
 use crate::view::View;
 use crate::window::Window;
+use std::sync::Arc;
 use std::sync::mpsc::channel;
 use std::time::Instant;
-use traylib_demos::{Failure, Signal, announce, on_interrupt, tell};
+use traylib_demos::{Failure, Signal, on_interrupt, say, tell};
+use traylib_io::check_writable;
 
 /// Opens the window and shows the scene until somebody ends that.
 ///
 /// # Errors
-/// There is no display, threads are refused, or a picture cannot be written.
+/// There is no display, threads are refused, or pictures could not be written.
 pub(crate) fn show(stage: Stage, options: &Options) -> Result<(), Failure> {
+    check_writable(&options.outfile)?;
     let (sender, signals) = channel();
     on_interrupt(move |signal| {
         // Nobody is left to hear it only after the end.
         let _ = sender.send(signal);
     });
-    if !options.quiet {
-        let loaded = stage.of(options.method)?;
-        let limits = options.method.limits().unwrap_or_default();
-        announce(options.method.name(), loaded, &*options.method.build(), limits);
-    }
     let name = stage.loaded().name.clone();
     let home = stage.loaded().scene.camera().settings();
     let view = View::new(home, options.method, stage.focus());
-    let painter = Painter::start(Artist::new(stage)?)?;
+    let stage = Arc::new(stage);
+    let painter = Painter::start(Artist::new(Arc::clone(&stage))?)?;
     // The first frame is drawn while the window opens.
     painter.order(view.wanted());
     let opened = Window::open(&format!("TrayLib {name}"), (home.width, home.height));
     let shown = opened.and_then(|window| {
+        // Without a display there is one thing to say.
+        if !options.quiet {
+            stage.announce(options.method)?;
+            say("keys: 1 to 5 methods, P prints the camera, F12 writes the picture, Escape ends; --help tells the others");
+        }
         let mut live = Live {
             window,
             painter: &painter,
@@ -87,7 +91,7 @@ impl Live<'_> {
             if self.obey(&input)? == Next::End || self.painter.has_failed() {
                 break;
             }
-            let is_new = self.fetch()?;
+            let is_new = self.fetch();
             match &self.frame {
                 Some(Frame { pixels, radiance, .. }) => {
                     let size = (radiance.width() as u32, radiance.height() as u32);
@@ -124,11 +128,11 @@ impl Live<'_> {
     }
 
     /// Takes the newest frame, if there is one.
-    fn fetch(&mut self) -> Result<bool, Failure> {
+    fn fetch(&mut self) -> bool {
         let newest = self.painter.fetch();
         let is_new = newest.is_some();
         self.frame = newest.or_else(|| self.frame.take());
-        let Some(frame) = &self.frame else { return Ok(false) };
+        let Some(frame) = &self.frame else { return false };
         if is_new {
             self.rates.add(frame);
         }
@@ -140,8 +144,10 @@ impl Live<'_> {
         }
         if self.wants_file && frame.is_of(&self.view.wanted()) {
             self.wants_file = false;
-            snapshot::write(frame, &self.name, self.view.is_moved(), self.options)?;
+            let written = snapshot::write(frame, &self.name, self.view.is_moved(), self.options);
+            // Whoever walks through a scene goes on without a picture of it.
+            written.unwrap_or_else(say);
         }
-        Ok(is_new)
+        is_new
     }
 }

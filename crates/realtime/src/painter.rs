@@ -135,7 +135,7 @@ mod tests {
         let options = Options::parse_from(["realtime", "cornell", "--resolution", "2000x1500"]);
         let stage = Stage::load(&options).unwrap();
         let camera = stage.loaded().scene.camera().settings();
-        let painter = Painter::start(Artist::new(stage).unwrap()).unwrap();
+        let painter = Painter::start(Artist::new(Arc::new(stage)).unwrap()).unwrap();
         let slow = Wanted { camera, method: Method::BDPT };
         painter.order(slow);
         let draft = wait(|| painter.fetch());

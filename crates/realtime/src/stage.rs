@@ -2,7 +2,7 @@
 
 use crate::options::Options;
 use std::sync::OnceLock;
-use traylib_demos::Failure;
+use traylib_demos::{Failure, announce};
 use traylib_integrators::Method;
 use traylib_io::{Headlight, Loaded, load_scene_with};
 use traylib_math::Vec2;
@@ -45,6 +45,16 @@ impl Stage {
         let load = self.options.load_options(Headlight::WithoutLight);
         let loaded = load_scene_with(&self.options.scene, load)?;
         Ok(self.by_all.get_or_init(|| loaded))
+    }
+
+    /// Says what is to be known before it is rendered by this method.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub(crate) fn announce(&self, method: Method) -> Result<(), Failure> {
+        let limits = method.limits().unwrap_or_default();
+        announce(method.name(), self.of(method)?, &*method.build(), limits);
+        Ok(())
     }
 
     /// The command line.

@@ -14,6 +14,8 @@ pub(crate) struct Window {
     events: Receiver<(Key, bool)>,
     /// Keys that are down, by their numbers.
     held: BTreeSet<u8>,
+    /// Whether they come to this window.
+    is_active: bool,
     /// Where the mouse was, and the button that was down then.
     drag: Option<(Vec2, Button)>,
     last_input: Instant,
@@ -63,7 +65,7 @@ impl Window {
         screen.set_input_callback(Box::new(Keys(sender)));
         let now = Instant::now();
         let (held, drag) = (BTreeSet::new(), None);
-        Ok(Self { screen, events, held, drag, last_input: now, last_drawn: now })
+        Ok(Self { screen, events, held, is_active: false, drag, last_input: now, last_drawn: now })
     }
 
     /// Changes the title.
@@ -128,8 +130,10 @@ impl Window {
                 pressed.extend(meaning(key));
             }
         }
-        if !self.screen.is_active() {
-            // Keys that are let go elsewhere are not heard.
+        // Keys that are let go elsewhere are not heard. Who was never told that the window is
+        // active cannot tell when it is no more.
+        let was_active = std::mem::replace(&mut self.is_active, self.screen.is_active());
+        if was_active && !self.is_active {
             self.held.clear();
         }
         pressed

@@ -190,7 +190,17 @@ impl Film {
 
     /// The mean as a picture.
     pub fn develop(&self) -> Grid<Rgb> {
-        self.picture(|pixel| Rgb::from(self.mean_of(pixel).map(|band| band as f32)))
+        self.picture(|pixel| self.develop_pixel(pixel))
+    }
+
+    /// A pixel of [`develop`](Self::develop) by its row-major index, for whoever makes the
+    /// picture on many threads.
+    ///
+    /// # Panics
+    /// If there are passes, and no such pixel.
+    #[inline]
+    pub fn develop_pixel(&self, pixel: usize) -> Rgb {
+        Rgb::from(self.mean_of(pixel).map(|band| band as f32))
     }
 
     /// The mean as a picture, for which the film is given up: of a single sum the memory of a

@@ -5,7 +5,7 @@ use traylib_integrators::{Settings, render_to_end};
 
 fn artist(arguments: &str) -> Artist {
     let words = ["realtime"].into_iter().chain(arguments.split_whitespace());
-    Artist::new(Stage::load(&Options::parse_from(words)).unwrap()).unwrap()
+    Artist::new(Arc::new(Stage::load(&Options::parse_from(words)).unwrap())).unwrap()
 }
 
 fn wanted(artist: &Artist, method: Method) -> Wanted {
