@@ -1,6 +1,6 @@
 //! Renderings that are interrupted, and go on.
 
-use crate::common::{Dice, Folder, MODES, Run};
+use crate::common::{Dice, Folder, MODES, Run, SCENE};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -197,6 +197,26 @@ fn another_rendering_is_refused_by_what_differs() {
     assert!(run.err.contains("its revision is 0.0.1, not "), "{}", run.err);
 }
 
+/// What it says counts, not how it is written, nor where.
+#[test]
+fn a_scene_that_was_changed_is_another() {
+    let folder = Folder::new();
+    fs::create_dir(folder.path().join("b")).unwrap();
+    let options = "-q --spp 2 --checkpoint a.film --resume -o a.png";
+    let scene = SCENE.replace("0.5, 0.5, 0.5", "0.5, 0.4, 0.3");
+    folder.write("my.ron", &scene);
+    assert_eq!(folder.run("puremc", &format!("my.ron {options}")).status, Some(0));
+    folder.write("b/my.ron", &format!("// Mine.\n{scene}"));
+    assert_eq!(folder.run("puremc", &format!("b/my.ron {options}")).status, Some(0));
+    for (old, new) in [("0.4", "0.41"), ("radius: 1", "radius: 1.0001"), ("fov: 40", "fov: 41")] {
+        assert!(scene.contains(old));
+        folder.write("my.ron", &scene.replace(old, new));
+        let run = folder.run("puremc", &format!("my.ron {options}"));
+        assert_eq!(run.status, Some(6), "{old}: {}", run.err);
+        assert!(run.err.contains("its scene is "), "{}", run.err);
+    }
+}
+
 #[test]
 fn damaged_and_foreign_files_are_told_and_stay() {
     let folder = Folder::new();
@@ -278,11 +298,11 @@ fn a_folder_that_vanishes_is_an_error() {
 /// Kills each program at so many moments, most of them while it writes a checkpoint, and lets
 /// it go on; the last run is left alone.
 #[expect(clippy::print_stdout, reason = "how hard the test was")]
-fn survive(kills: u64, spp: u32, resolution: &str) {
+fn survive(kills: u64, spp: u32, longest: Duration) {
     let mut dice = Dice(kills);
-    let mut met = 0;
+    let (mut met, mut writing) = (0, 0);
     for (program, mode) in MODES {
-        let size = format!("spheres --resolution {resolution} -q -o a.exr -o a.png");
+        let size = "spheres --resolution 48x36 -q -o a.exr -o a.png";
         let options = format!("{size} {mode} --spp {spp}");
         let expected = undisturbed(program, &options);
         let folder = Folder::new();
@@ -290,27 +310,29 @@ fn survive(kills: u64, spp: u32, resolution: &str) {
         for kill in 0..kills {
             let mut child = folder.command(program, &format!("{options} {every}"));
             let mut child = child.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
-            std::thread::sleep(Duration::from_micros(dice.below(60_000)));
+            std::thread::sleep(Duration::from_micros(dice.below(longest.as_micros() as u64)));
             child.kill().unwrap();
             let run = Run::from(child.wait_with_output().unwrap());
             assert!(matches!(run.status, None | Some(0)), "{program} {kill}: {}", run.err);
             met += u64::from(run.status.is_none());
+            writing += u64::from(folder.names().iter().any(|name| name.ends_with(".part")));
         }
         let run = folder.run(program, &format!("{options} {every}"));
         assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{program} {mode}");
         assert_same(files(folder.path()), &expected, &format!("{program} {mode}"));
     }
-    println!("{met} of {} kills met a program that was at work", kills * MODES.len() as u64);
+    let all = kills * MODES.len() as u64;
+    println!("{met} of {all} kills met a program at work, {writing} one that wrote a file");
 }
 
 #[test]
 fn whoever_is_killed_goes_on() {
-    survive(5, 40, "48x36");
+    survive(5, 40, Duration::from_millis(60));
 }
 
 /// Some minutes.
 #[test]
 #[ignore = "long"]
 fn whoever_is_killed_a_hundred_times_goes_on() {
-    survive(100, 600, "96x72");
+    survive(100, 400, Duration::from_millis(400));
 }
