@@ -14,9 +14,10 @@ use crate::stage::{
 };
 use glam::DVec3;
 use std::f64::consts::PI;
+use std::sync::Arc;
 use traylib_geometry::{Primitive, Vec3};
-use traylib_materials::SurfaceModel;
-use traylib_math::{Grid, Vec2};
+use traylib_materials::{Layer, Maps, Material, SurfaceModel, Texture};
+use traylib_math::{Grid, Rgb, Vec2};
 use traylib_scene::{Camera, Scene};
 
 const FLOOR: f64 = 0.8;
@@ -71,28 +72,49 @@ pub fn mirrored_lamp_in_a_mirror() -> Case {
 /// plate's shadow, a disk of radius 0.2·3/(3 − 0.98). Direct light begins
 /// beyond x = 10.
 pub fn mirrored_point() -> Case {
-    let camera = camera(0.9 * Vec3::Z, Vec3::ZERO, 2.0 * 2.0_f32.atan().to_degrees(), 32);
+    let scene = point_below_mirror(from_below(), mirror(MIRROR as f32, 0.0)).build();
+    Case { name: "C3".into(), truth: mean_of_mirrored_point(|_| 1.0), scene, max_depth: Some(3) }
+}
+
+/// C3 by a mirror of which a part o is there, the rest lets light through into the void: o falls
+/// evenly from 1 where u is ¼ to 0 where it is ¾ and rises again, u = ½ + x/(2·0.75), as a texture
+/// of two pixels has it. A floor's point at x sees the image at x/3 on the mirror.
+pub fn point_below_faded_mirror() -> Case {
+    let pixels = Grid::from_values(2, 1, vec![Rgb::WHITE, Rgb::BLACK]);
+    let texture = pixels.and_then(Texture::new).map(Arc::new);
+    let maps = Maps { opacity: texture.map(Layer::new), ..Maps::default() };
+    let faded = Material { maps: Some(Box::new(maps)), ..mirror(MIRROR as f32, 0.0).into() };
+    let there = |x: DVec3| {
+        let u = 0.5 + x.x / 3.0 / (2.0 * f64::from(POINT_MIRROR));
+        2.0 * ((u - 0.25).rem_euclid(1.0) - 0.5).abs()
+    };
+    let scene = point_below_mirror(from_below(), faded).build();
+    let truth = mean_of_mirrored_point(there);
+    Case { name: "C3 by a faded mirror".into(), scene, max_depth: Some(3), truth }
+}
+
+/// What C3's camera sees on average of a floor whose points see this part of the image.
+fn mean_of_mirrored_point(part: impl Fn(DVec3) -> f64) -> f64 {
     let shadow = 0.2 * 3.0 / (3.0 - f64::from(PLATE));
-    let truth = crate::case::mean_over_floor(&camera, |x| {
-        let square = DVec3::from(x).dot(DVec3::from(x));
-        let seen = if square < shadow * shadow { 0.0 } else { 1.0 };
+    crate::case::mean_over_floor(&from_below(), |x| {
+        let x = DVec3::from(x);
+        let square = x.dot(x);
+        let seen = if square < shadow * shadow { 0.0 } else { part(x) };
         seen * FLOOR * MIRROR / PI * INTENSITY * 3.0 / (square + 9.0).powf(1.5)
-    });
-    let scene = point_below_mirror(camera).build();
-    Case { name: "C3".into(), scene, max_depth: Some(3), truth }
+    })
 }
 
 /// C3 with a ball of radius ½ in the mirror's place, at the height 2: what it should be is known
 /// from one method to another alone.
 pub fn point_below_ball() -> Scene {
-    let camera = camera(0.9 * Vec3::Z, Vec3::ZERO, 2.0 * 2.0_f32.atan().to_degrees(), 32);
-    let stage = Stage::new(camera).surface(ball(2.0 * Vec3::Z, 0.5), mirror(MIRROR as f32, 0.0));
+    let stage =
+        Stage::new(from_below()).surface(ball(2.0 * Vec3::Z, 0.5), mirror(MIRROR as f32, 0.0));
     point_over_floor(stage).build()
 }
 
 /// C2 and C3 together: light that can only be joined by way of the mirror.
 pub fn mirrored_point_in_a_mirror() -> Case {
-    let scene = second_mirror(point_below_mirror(in_mirror())).build();
+    let scene = second_mirror(point_below_mirror(in_mirror(), mirror(MIRROR as f32, 0.0))).build();
     let truth = FLOOR * MIRROR * MIRROR / PI * INTENSITY * 3.0 / 10.0_f64.powf(1.5);
     Case { name: "C2 + C3".into(), scene, max_depth: Some(4), truth }
 }
@@ -140,8 +162,16 @@ fn below_mirror(camera: Camera, half_side: f64, model: SurfaceModel) -> Stage {
 /// Height of the plate below the point light.
 const PLATE: f32 = 0.98;
 
-fn point_below_mirror(camera: Camera) -> Stage {
-    point_over_floor(Stage::new(camera).surface(square_up(2.0, 0.75), mirror(MIRROR as f32, 0.0)))
+/// Half-side of the mirror above the point light.
+const POINT_MIRROR: f32 = 0.75;
+
+/// Straight down on |x|, |y| ≤ 1.8 from right below the point light.
+fn from_below() -> Camera {
+    camera(0.9 * Vec3::Z, Vec3::ZERO, 2.0 * 2.0_f32.atan().to_degrees(), 32)
+}
+
+fn point_below_mirror(camera: Camera, mirror: impl Into<Material>) -> Stage {
+    point_over_floor(Stage::new(camera).surface(square_up(2.0, POINT_MIRROR), mirror))
 }
 
 fn point_over_floor(stage: Stage) -> Stage {

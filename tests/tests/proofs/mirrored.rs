@@ -7,7 +7,7 @@ use std::time::Instant;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Statistics};
 use traylib_known::mirrored::{
     NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
-    mirrored_point, mirrored_point_in_a_mirror, point_below_ball,
+    mirrored_point, mirrored_point_in_a_mirror, point_below_ball, point_below_faded_mirror,
 };
 use traylib_known::stage::phong;
 use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass, settings_by_pass};
@@ -193,6 +193,10 @@ fn from_point(case: &Case, methods: &[(Method, u32)], seed: u64, equivalence: f6
     methods.iter().map(compare).collect()
 }
 
+/// Those that join points by way of mirrors, and passes enough.
+const JOINING: [(Method, u32); 4] =
+    [(DIRECT_LIGHT, 100), (COMBINED, 100), (BDPT, 100), (BDPT_BALANCE, 100)];
+
 fn c3(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
     from_point(&mirrored_point(), methods, seed, equivalence)
 }
@@ -201,8 +205,8 @@ fn c3(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
 /// any chance but that of the place in the pixel.
 #[test]
 fn c3_point_light() {
-    let mut findings = c3(&[(BDPT, 500), (PARTICLE, 500)], 221, 0.03);
-    findings.extend(c3(&[(DIRECT_LIGHT, 100), (COMBINED, 100)], 221, EQUIVALENCE));
+    let mut findings = c3(&[(PARTICLE, 500)], 221, 0.03);
+    findings.extend(c3(&JOINING, 221, EQUIVALENCE));
     findings.push(dark(&mirrored_point(), PURE_MC));
     settle(&findings);
 }
@@ -210,7 +214,7 @@ fn c3_point_light() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn c3_point_light_at_length() {
-    settle(&c3(&[(BDPT, 11_000), (PARTICLE, 11_000)], 222, EQUIVALENCE));
+    settle(&c3(&[(PARTICLE, 11_000)], 222, EQUIVALENCE));
 }
 
 /// A ball in the mirror's place: connections against light paths, which know nothing of their
@@ -223,15 +227,28 @@ fn a_ball_throws_what_light_paths_bring() {
     let joined = measure(&case, DIRECT_LIGHT, 200, 224);
     let truth = mean_of(&joined.means);
     let case = Case { truth, ..case };
-    settle(&from_point(&case, &[(PARTICLE, 2000)], 225, 0.03));
+    let mut findings = from_point(&case, &[(PARTICLE, 2000)], 225, 0.03);
+    findings.extend(from_point(&case, &[(BDPT, 200), (BDPT_BALANCE, 200)], 225, EQUIVALENCE));
+    settle(&findings);
+}
+
+/// A mirror with a texture that says how much of it is there: connections see it where they cross
+/// it, light paths where they meet it.
+#[test]
+fn c3_by_a_faded_mirror() {
+    let case = point_below_faded_mirror();
+    // Light paths pass through it by chance: twice the passes of a whole mirror.
+    let joining = JOINING.map(|(method, passes)| (method, 2 * passes));
+    let mut findings = from_point(&case, &joining, 226, EQUIVALENCE);
+    findings.extend(from_point(&case, &[(PARTICLE, 1000)], 226, 0.03));
+    settle(&findings);
 }
 
 /// Connections by way of the mirror alone.
 #[test]
 fn c2_and_c3_together() {
     let case = mirrored_point_in_a_mirror();
-    let joining = [DIRECT_LIGHT, COMBINED, BDPT, BDPT_BALANCE].map(|method| (method, 100));
-    let mut findings = from_point(&case, &joining, 223, EQUIVALENCE);
+    let mut findings = from_point(&case, &JOINING, 223, EQUIVALENCE);
     findings.extend([PURE_MC, PARTICLE].map(|method| dark(&case, method)));
     settle(&findings);
 }
