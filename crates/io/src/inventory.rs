@@ -176,6 +176,22 @@ mod tests {
         }
     }
 
+    /// Figures of the files that `TRAYLIB_MODELS` lists, a line each, to be held against those
+    /// of another program.
+    #[test]
+    #[ignore = "real files"]
+    fn real_files_of_meshes_are_counted() {
+        let Some(list) = std::env::var_os("TRAYLIB_MODELS") else { return };
+        for file in std::fs::read_to_string(list).unwrap().lines() {
+            let found = inventory(&[file.into()], LoadOptions::default());
+            let line = match found {
+                Ok((counts, warnings)) => serde_json::json!([file, counts, warnings]),
+                Err(error) => serde_json::json!([file, error.to_string()]),
+            };
+            println!("{line}");
+        }
+    }
+
     #[test]
     fn only_mgf_files_go_together() {
         let files = ["cornell", "furnace"].map(PathBuf::from);

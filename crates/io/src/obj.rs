@@ -123,6 +123,9 @@ pub fn decode(bytes: &[u8], limits: Limits) -> Result<Document, Error> {
     if bytes.len() > limits.bytes {
         return Err(Error::TooLong(limits.bytes));
     }
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(Error::Utf16);
+    }
     reader::read(bytes, limits)
 }
 

@@ -47,7 +47,8 @@ const READ: [&str; 5] = [
 ];
 
 /// What begins the names of extensions without which a file can be shown all the same.
-const OF_SURFACES: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_"];
+const OF_SURFACES: [&str; 5] =
+    ["KHR_materials_", "KHR_technique", "KHR_texture_", "EXT_texture_", "MSFT_texture_"];
 
 type Load<'a> = &'a mut dyn FnMut(&str) -> Result<Vec<u8>, String>;
 

@@ -8,6 +8,12 @@ use std::collections::BTreeMap;
 /// Reads the text.
 pub(super) fn read(json: &[u8]) -> Result<Root, Error> {
     let root: Root = serde_json::from_slice(json).map_err(|error| {
+        // What is wrong in another version is not what is wrong with it.
+        if let Ok(Head { asset }) = serde_json::from_slice::<Head>(json)
+            && !asset.version.starts_with('2')
+        {
+            return Error::Version(crate::suggest::shown(&asset.version));
+        }
         let (line, column) = (error.line(), error.column());
         let what = error.to_string();
         let end = what.rfind(" at line ").unwrap_or(what.len());
@@ -52,6 +58,12 @@ pub(super) struct Root {
     pub(super) extensions_required: Vec<String>,
     #[serde(default)]
     pub(super) extensions: RootExtensions,
+}
+
+/// What every version has.
+#[derive(Debug, Derive)]
+struct Head {
+    asset: Asset,
 }
 
 #[derive(Debug, Derive)]

@@ -247,6 +247,11 @@ fn faults_are_told_with_their_places() {
         ),
         ("data:application/octet-stream;base64,", "../x.bin?", "buffers[0]: no ../x.bin?"),
         (r#""version":"2.0""#, r#""version":"1.0""#, "it is glTF of version 1.0: 2 is read"),
+        (
+            r#""asset":{"version":"2.0"}"#,
+            r#""asset":{"version":"1.0"},"nodes":{}"#,
+            "it is glTF of version 1.0: 2 is read",
+        ),
     ] {
         let text = json(&format!(r#"{SQUARE},"nodes":[{{"mesh":0}}]"#)).replace(sound, damaged);
         let found = decoded(&text).unwrap_err().to_string();

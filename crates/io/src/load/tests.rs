@@ -225,6 +225,7 @@ fn meshes_bring_their_materials_and_warnings() {
 }
 
 mod includes;
+mod meshes;
 mod models;
 mod surfaces;
 

@@ -9,6 +9,9 @@ pub enum Error {
     /// Longer than [`Limits::bytes`](super::Limits::bytes).
     #[error("has more than {0} bytes; {more}", more = Limit::Bytes.remedy(*.0 as u64))]
     TooLong(usize),
+    /// Text that is no sequence of bytes.
+    #[error("it is UTF-16 text: save it as UTF-8")]
+    Utf16,
     /// A statement makes no sense.
     #[error("line {line}: {cause}")]
     Line {

@@ -119,6 +119,7 @@ fn text_in_any_coding_is_read() {
     let text = b"# caf\xe9 \\\nusemtl caf\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\rf 1 2 3\n";
     let document = decode(text, Limits::default()).unwrap();
     assert_eq!(document.materials, ["caf\u{fffd}"]);
+    assert_eq!(decode(b"\xff\xfev\0", Limits::default()), Err(Error::Utf16));
 }
 
 #[test]

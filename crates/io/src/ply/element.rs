@@ -9,9 +9,10 @@ use traylib_math::{Vec2, Vec3};
 const SMALL: usize = 16;
 
 pub(super) fn read(header: Header, body: Body<'_>, limits: Limits) -> Result<Document, Error> {
-    let document = Document { textures: header.textures, ..Document::default() };
+    let Header { elements, textures, warnings } = header;
+    let document = Document { textures, warnings, ..Document::default() };
     let mut reader = Reader { document, body, limits, cutting: limits.cutting };
-    for element in &header.elements {
+    for element in &elements {
         let mut number = 0;
         reader.element(element, &mut number).map_err(|cause| {
             let (place, name) = (reader.body.place(), element.name.clone());

@@ -1,8 +1,9 @@
 //! What a file says it holds.
 
 use super::body::{Body, Coding};
-use super::{Cause, Error};
+use super::{Cause, Error, WarningKind};
 use crate::suggest::shown;
+use crate::tally::Tally;
 
 /// What a file says it holds.
 #[derive(Debug, Default)]
@@ -10,6 +11,7 @@ pub(super) struct Header {
     pub(super) elements: Vec<Element>,
     /// Pictures that comments name.
     pub(super) textures: Vec<String>,
+    pub(super) warnings: Tally<WarningKind>,
 }
 
 /// A kind of thing.
@@ -113,7 +115,9 @@ impl Header {
                 self.property(name, Kind::List(Number::of(length)?, Number::of(item)?))?;
             }
             ["property", kind, name] => self.property(name, Kind::One(Number::of(kind)?))?,
-            _ => return Err(Cause::Line(shown(text))),
+            ["format" | "element" | "property", ..] => return Err(Cause::Line(shown(text))),
+            // Some writers break their comments.
+            _ => self.warnings.add(WarningKind::HeaderLine),
         }
         Ok(())
     }

@@ -17,7 +17,8 @@ const VERTICES: [[f32; 9]; 4] = [
 ];
 
 fn as_text() -> Vec<u8> {
-    let mut text = format!("ply\nformat ascii 1.0\ncomment caf\u{e9}\n{HEADER}end_header\n");
+    let mut text =
+        format!("ply\nformat ascii 1.0\ncomment caf\u{e9}\nbroken comment\n{HEADER}end_header\n");
     for vertex in VERTICES {
         text += &vertex.map(|value| value.to_string()).join(" ");
         text += "\n";
@@ -65,13 +66,19 @@ fn all_codings_are_read_alike() {
     );
     let found: Vec<_> = document.warnings.iter().collect();
     let wanted = [
+        ("line of the header that is none skipped", 1),
         ("colour of a vertex skipped", 4),
         ("property `flags` of faces skipped", 1),
         ("element `edge` skipped", 1),
     ];
     assert_eq!(found, wanted.map(|(what, count)| (what.to_string(), count)));
     for is_little in [true, false] {
-        assert_eq!(decoded(&as_bytes(is_little)).unwrap(), document);
+        let found = decoded(&as_bytes(is_little)).unwrap();
+        assert_eq!(found, Document { warnings: found.warnings.clone(), ..document.clone() });
+        assert_eq!(
+            found.warnings.iter().collect::<Vec<_>>(),
+            document.warnings.iter().skip(1).collect::<Vec<_>>()
+        );
     }
 }
 
@@ -150,7 +157,7 @@ fn faults_are_told_with_their_places() {
         ),
         ("property half h\n", "", "line 7: `half` is no type of a number"),
         ("element face x\n", "", "line 7: `x` is no number"),
-        ("elemental\n", "", "line 7: `elemental` is no line of a header"),
+        ("element face\n", "", "line 7: `element face` is no line of a header"),
     ] {
         assert_eq!(said(header, body), wanted, "{header}{body}");
     }

@@ -6,6 +6,8 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum WarningKind {
+    /// A line of the header that is none.
+    HeaderLine,
     /// A vertex has a colour.
     VertexColour,
     /// A face has a colour.
@@ -31,6 +33,7 @@ pub enum WarningKind {
 impl fmt::Display for WarningKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::HeaderLine => "line of the header that is none skipped",
             Self::VertexColour => "colour of a vertex skipped",
             Self::FaceColour => "colour of a face skipped",
             Self::UvNotFinite => "texture coordinate infinite or not a number, set to 0",
