@@ -19,6 +19,7 @@ mod builtin;
 mod chromaticities;
 mod error;
 mod film;
+mod film_fault;
 mod import;
 mod inventory;
 mod limit;
@@ -41,10 +42,8 @@ pub mod three_ds;
 
 pub use builtin::builtin_names;
 pub use error::{Error, Warning};
-pub use film::{
-    FilmAbout, FilmDifference, FilmFault, FilmReader, check_films_fit, load_film, merge_films,
-    save_film,
-};
+pub use film::{FilmAbout, FilmReader, check_films_fit, load_film, merge_films, save_film};
+pub use film_fault::{FilmDifference, FilmFault};
 pub use inventory::{Inventory, SceneCounts, inventory};
 pub use limit::{Limit, MAX_PIXELS};
 pub use load::{Loaded, load_scene, load_scene_with};

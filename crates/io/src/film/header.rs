@@ -1,14 +1,12 @@
 //! The beginning of a film's file: everything but its sums.
 
-use super::{FilmAbout, FilmFault, STRIPE};
+use super::{FilmAbout, STRIPE};
 use crate::MAX_PIXELS;
+use crate::film_fault::{FilmFault, VERSION};
 use std::collections::BTreeMap;
 use std::io::Read;
 use traylib_math::Grid;
 use traylib_scene::{Film, FilmBlock, FilmSquares};
-
-/// The form of the file that is written, and the only one that is read.
-pub(super) const VERSION: u32 = 1;
 
 /// How every film begins. A byte that is no text, and line ends of two kinds, show what
 /// carelessness does to files on their way.

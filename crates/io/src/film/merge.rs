@@ -3,7 +3,8 @@
 use super::header::Header;
 use super::read::FilmReader;
 use super::sums::StripeWriter;
-use super::{FilmAbout, FilmDifference, STRIPE};
+use super::{FilmAbout, STRIPE};
+use crate::film_fault::FilmDifference;
 use crate::{Error, write_file_by};
 use std::io;
 use std::path::Path;

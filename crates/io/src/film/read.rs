@@ -2,8 +2,9 @@
 
 use super::header::Header;
 use super::sums::{BYTES_OF_PIXEL, decode};
-use super::{FilmAbout, FilmFault, STRIPE};
+use super::{FilmAbout, STRIPE};
 use crate::Error;
+use crate::film_fault::FilmFault;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
