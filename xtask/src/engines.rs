@@ -144,7 +144,7 @@ impl Place {
 }
 
 /// Longer than all of it takes on a machine with other work.
-const LONGEST: Duration = Duration::from_mins(3);
+const LONGEST: Duration = Duration::from_mins(8);
 
 /// Waits until something is so; an error with these words if it never is.
 fn wait_until(else_words: &str, mut is_so: impl FnMut() -> Result<bool>) -> Result<()> {

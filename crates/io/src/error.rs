@@ -1,5 +1,6 @@
 //! What can go wrong with files, and what is worth a word.
 
+use crate::film_fault::{FilmDifference, FilmFault};
 use crate::report::Report;
 use crate::suggest::{nearest, quoted_list};
 use std::fmt;
@@ -119,7 +120,7 @@ pub enum Error {
         /// Both.
         files: [PathBuf; 2],
         /// The first setting in which they differ.
-        difference: crate::FilmDifference,
+        difference: FilmDifference,
     },
     /// Two films have the same pass, whose light would count twice.
     #[error("{}: has pass {pass}, and so has {}", .files[1].display(), .files[0].display())]
@@ -135,7 +136,7 @@ pub enum Error {
         /// The file.
         file: PathBuf,
         /// Why.
-        cause: crate::FilmFault,
+        cause: FilmFault,
     },
     /// A picture cannot be read.
     #[error("{}: cannot be read as a picture: {cause}", .file.display())]
