@@ -14,6 +14,7 @@
 //! Source: *glTF 2.0 Specification*, Khronos Group, 2021, and its extensions.
 
 mod accessor;
+mod budget;
 mod builder;
 mod container;
 mod error;

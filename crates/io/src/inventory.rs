@@ -3,7 +3,7 @@
 use crate::load::load_scene_with;
 use crate::load_options::LoadOptions;
 use crate::source::Location;
-use crate::{Error, Warning, import, mgf, three_ds};
+use crate::{Error, MeshCounts, Warning, import, mgf, three_ds};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use traylib_scene::Light;
@@ -21,31 +21,6 @@ pub enum Inventory {
     Meshes(Box<MeshCounts>),
     /// Of a scene in RON or built in.
     Scene(SceneCounts),
-}
-
-/// What there is in an OBJ, PLY or glTF file, every place of a mesh anew.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct MeshCounts {
-    /// Meshes of one material each.
-    pub meshes: usize,
-    /// Their triangles, after polygons have been cut.
-    pub triangles: usize,
-    /// Their vertices: one for each position, normal and texture coordinates that meet.
-    pub vertices: usize,
-    /// Vertices with a normal.
-    pub normals: usize,
-    /// Vertices with texture coordinates.
-    pub texcoords: usize,
-    /// Materials, and one of what has none.
-    pub materials: usize,
-    /// Lights that are no surfaces.
-    pub lights: usize,
-    /// 1 if there is a camera.
-    pub cameras: usize,
-    /// Area of all triangles.
-    pub area: f64,
-    /// Least and greatest x, y and z of the vertices.
-    pub bbox: [f32; 6],
 }
 
 /// What there is in a scene.

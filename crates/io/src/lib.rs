@@ -27,6 +27,7 @@ mod limit;
 mod load;
 mod load_options;
 pub mod locate;
+mod mesh_counts;
 pub mod mgf;
 pub mod obj;
 pub mod picture;
@@ -49,10 +50,11 @@ pub use builtin::builtin_names;
 pub use error::{Error, Warning};
 pub use film::{FilmAbout, FilmReader, check_films_fit, load_film, merge_films, save_film};
 pub use film_fault::{FilmDifference, FilmFault};
-pub use inventory::{Inventory, MeshCounts, SceneCounts, inventory};
+pub use inventory::{Inventory, SceneCounts, inventory};
 pub use limit::{Limit, MAX_PIXELS};
 pub use load::{Loaded, load_scene, load_scene_with};
 pub use load_options::{Headlight, LoadOptions, SceneSettings};
+pub use mesh_counts::MeshCounts;
 pub use picture::{
     ExrChannel, ExrFile, ExrLayer, PictureInfo, check_picture, check_writable, load_exr, losses,
     open_exr, png_texts, save_picture, write_picture,

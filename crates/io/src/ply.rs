@@ -13,9 +13,11 @@
 //! Sources: G. Turk, *The PLY Polygon File Format*, 1994; what common writers add to it.
 
 mod body;
+mod declaration;
 mod element;
 mod error;
 mod header;
+mod kind;
 mod warning;
 
 pub use error::{Cause, Error, Place};

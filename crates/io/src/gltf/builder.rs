@@ -1,6 +1,7 @@
 //! From JSON and buffers to a document.
 
 use super::accessor::{Arrays, item};
+use super::budget::Budget;
 use super::json::{self, Root};
 use super::nodes::{self, Placed};
 use super::primitive::Reader;
@@ -17,25 +18,6 @@ use std::borrow::Cow;
 use std::ops::Range;
 use traylib_math::glam::{Affine2, DVec3};
 use traylib_math::{Rgb, Vec2, Vec3};
-
-/// What is left of a bound.
-pub(super) struct Budget {
-    what: &'static str,
-    most: u64,
-    left: u64,
-}
-
-impl Budget {
-    fn new(what: &'static str, most: u64) -> Self {
-        Self { what, most, left: most }
-    }
-
-    pub(super) fn take(&mut self, count: u64) -> Result<(), Cause> {
-        let (what, most, limit) = (self.what, self.most, Limit::Surfaces);
-        self.left = self.left.checked_sub(count).ok_or(Cause::TooMany { what, most, limit })?;
-        Ok(())
-    }
-}
 
 /// Extensions that are read.
 const READ: [&str; 5] = [

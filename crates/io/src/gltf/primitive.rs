@@ -1,7 +1,7 @@
 //! Triangles of a mesh.
 
 use super::accessor::Arrays;
-use super::builder::Budget;
+use super::budget::Budget;
 use super::{Cause, Error, Primitive, WarningKind, json};
 use crate::tally::Tally;
 use traylib_math::{Vec2, Vec3};

@@ -8,7 +8,7 @@
 mod surroundings;
 
 use super::imported_object::ImportedObject;
-use super::model::{Fov, ModelCamera};
+use super::model_camera::{Fov, ModelCamera};
 use std::f32::consts::{PI, TAU};
 use surroundings::Tree;
 use traylib_geometry::{Aabb, Ray, Vec2, Vec3};

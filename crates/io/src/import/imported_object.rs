@@ -1,6 +1,7 @@
 //! What scenes are built from, wherever it came from.
 
-use super::model::{ImportedMaterial, ModelPart, ModelSide};
+use super::imported_material::ImportedMaterial;
+use super::model_part::{ModelPart, ModelSide};
 use traylib_geometry::{Mesh, Primitive, SidedPrimitive, Sides, Vec3};
 use traylib_math::Rgb;
 use traylib_scene::ObjectShape;

@@ -3,9 +3,11 @@
 use super::counter::Counter;
 use super::files::SceneFile;
 use super::frame;
+use super::imported_material::ImportedMaterial;
 use super::imported_object::{ImportedObject, ObjectMaterial};
 use super::material::Materials;
-use super::model::{Format, ImportedMaterial, ModelFile, ModelFiles, ModelSide, NumberedFile};
+use super::model::{Format, ModelFile, ModelFiles, NumberedFile};
+use super::model_part::ModelSide;
 use super::place::Place;
 use super::placement::Placement;
 use crate::locate::Step;

@@ -17,81 +17,18 @@ mod three_ds;
 pub(super) use format::Format;
 
 use super::counter::Counter;
+use super::imported_material::ImportedMaterial;
+use super::model_camera::ModelCamera;
+use super::model_part::ModelPart;
 use super::placement::Placement;
 use crate::load_options::LoadOptions;
 use crate::source::{Location, why};
 use crate::{Error, Warning};
 use std::collections::HashMap;
 use std::rc::Rc;
-use traylib_geometry::{self as geometry, Aabb, Sides};
+use traylib_geometry::{self as geometry, Aabb};
 use traylib_materials::Material;
-use traylib_math::{Rgb, Vec3};
-use traylib_scene::{ObjectShape, PointLight};
-
-/// A material of a file.
-#[derive(Clone, Debug)]
-pub(super) struct ImportedMaterial {
-    /// As the file calls it; may be empty, or that of others too.
-    pub(super) name: String,
-    pub(super) surface: Material,
-    pub(super) sides: Sides,
-    /// Radiance that it emits by itself. 3D Studio's has no unit.
-    pub(super) emission: Rgb,
-}
-
-/// Something with one material.
-#[derive(Debug)]
-pub(super) struct ModelPart {
-    pub(super) shape: ObjectShape,
-    /// Index into the file's looks.
-    pub(super) material: usize,
-    pub(super) side: ModelSide,
-}
-
-/// Which part of a surface this is. Surfaces emit from their fronts only, so that
-/// one which emits from both sides becomes two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum ModelSide {
-    /// All of it.
-    Whole,
-    /// Its front, the back apart.
-    Front,
-    /// Its back, turned round.
-    Back,
-}
-
-/// Where the picture is taken from, according to a file.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ModelCamera {
-    pub(super) position: Vec3,
-    pub(super) target: Vec3,
-    pub(super) up: Vec3,
-    pub(super) fov: Fov,
-    /// Width by height of the picture that it is made for, if the file says.
-    pub(super) aspect: Option<f32>,
-}
-
-/// An angle of view in degrees.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Fov {
-    /// From the left edge to the right one.
-    Horizontal(f32),
-    /// From the lower edge to the upper one.
-    Vertical(f32),
-}
-
-impl Fov {
-    /// From the left edge to the right one, of a picture this much wider than high.
-    pub(super) fn horizontal(self, aspect: f32) -> f32 {
-        match self {
-            Self::Horizontal(degrees) => degrees,
-            Self::Vertical(degrees) => {
-                let half = (0.5 * degrees).to_radians().tan();
-                2.0 * (aspect * half).atan().to_degrees()
-            }
-        }
-    }
-}
+use traylib_scene::PointLight;
 
 /// A file with what does not depend on where it goes.
 pub(super) struct ModelFile {

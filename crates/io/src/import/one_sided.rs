@@ -9,7 +9,7 @@ mod harmless;
 
 use super::counter::Counter;
 use super::imported_object::ImportedObject;
-use super::model::ModelSide;
+use super::model_part::ModelSide;
 use crate::Warning;
 use harmless::Surroundings;
 pub(super) use harmless::is_closed_mesh;

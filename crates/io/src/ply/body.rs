@@ -1,6 +1,7 @@
 //! Numbers after the header.
 
-use super::header::{Element, Kind, Number};
+use super::declaration::Element;
+use super::kind::{Kind, Number};
 use super::{Cause, Place};
 use crate::suggest::shown;
 

@@ -1,7 +1,9 @@
 //! Vertices and faces.
 
 use super::body::Body;
-use super::header::{Element, Header, Kind, Property};
+use super::declaration::{Element, Property};
+use super::header::Header;
+use super::kind::Kind;
 use super::{Cause, Document, Error, Limits, WarningKind};
 use traylib_math::{Vec2, Vec3};
 

@@ -6,7 +6,7 @@
 
 use super::{Vec3, direction};
 use crate::import::imported_object::ImportedObject;
-use crate::import::model::ModelSide;
+use crate::import::model_part::ModelSide;
 use traylib_geometry::{Aabb, Bvh, Primitive, Ray, Shapes, SidedPrimitive, Sides, Vec2};
 use traylib_scene::PointLight;
 

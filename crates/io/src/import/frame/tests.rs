@@ -1,6 +1,6 @@
 use super::*;
 use crate::import::imported_object::ObjectMaterial;
-use crate::import::model::ModelSide;
+use crate::import::model_part::ModelSide;
 use traylib_geometry::{Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere};
 use traylib_math::Rgb;
 use traylib_scene::ObjectShape;

@@ -1,7 +1,8 @@
 //! What a file of meshes holds, in figures.
 
-use super::{Format, ModelFile, ModelSide};
+use super::{Format, ModelFile};
 use crate::import::counter::Counter;
+use crate::import::model_part::ModelSide;
 use crate::import::placement::Placement;
 use crate::load_options::LoadOptions;
 use crate::source::Location;

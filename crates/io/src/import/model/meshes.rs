@@ -1,6 +1,8 @@
 //! Meshes, the places where they stand, lights and a camera: what OBJ, PLY and glTF come to.
 
-use super::{ImportedMaterial, ModelCamera, ModelPart, ModelSide};
+use crate::import::imported_material::ImportedMaterial;
+use crate::import::model_camera::ModelCamera;
+use crate::import::model_part::{ModelPart, ModelSide};
 use crate::import::one_sided::is_closed_mesh;
 use crate::import::placement::Placement;
 use traylib_geometry::{self as geometry, Mesh, Sides, Vec3};

@@ -4,8 +4,10 @@ mod material;
 mod place;
 mod triangles;
 
-use super::{Content, Format, ImportedMaterial, ModelFile, ModelPart, ModelSide};
+use super::{Content, Format, ModelFile};
 use crate::import::counter::Counter;
+use crate::import::imported_material::ImportedMaterial;
+use crate::import::model_part::{ModelPart, ModelSide};
 use crate::import::placement::Placement;
 use crate::load_options::LoadOptions;
 use crate::mgf::{self, Shape, Surface};

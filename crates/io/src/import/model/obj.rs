@@ -7,8 +7,9 @@ mod welder;
 
 use super::beside::Beside;
 use super::meshes::{Content, Piece};
-use super::{Format, ImportedMaterial, ModelFile, plain};
+use super::{Format, ModelFile, plain};
 use crate::import::counter::Counter;
+use crate::import::imported_material::ImportedMaterial;
 use crate::import::textures::Textures;
 use crate::load_options::LoadOptions;
 use crate::obj::{self, Document};

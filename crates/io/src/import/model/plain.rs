@@ -1,6 +1,6 @@
 //! What has no material.
 
-use super::ImportedMaterial;
+use crate::import::imported_material::ImportedMaterial;
 use traylib_geometry::Sides;
 use traylib_materials::{Error, Lambert, SurfaceModel};
 use traylib_math::Rgb;

@@ -3,8 +3,9 @@
 use super::arrays::Arrays;
 use super::beside::Beside;
 use super::meshes::{Content, Piece};
-use super::{Format, ImportedMaterial, ModelFile, plain};
+use super::{Format, ModelFile, plain};
 use crate::import::counter::Counter;
+use crate::import::imported_material::ImportedMaterial;
 use crate::import::textures::{Meaning, Textures, Usage};
 use crate::load_options::LoadOptions;
 use crate::ply::{self, Document};

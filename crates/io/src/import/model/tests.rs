@@ -1,7 +1,9 @@
 use super::*;
+use crate::import::model_part::ModelSide;
 use crate::import::placement::Placement;
 use std::fs;
 use traylib_geometry::{Facing, Primitive};
+use traylib_scene::ObjectShape;
 
 /// The parts of an MGF text, its looks and what was dropped.
 fn parts_of(test: &str, text: &str) -> (Vec<ModelPart>, Vec<ImportedMaterial>, usize) {

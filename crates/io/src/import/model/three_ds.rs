@@ -7,8 +7,11 @@ mod skipped;
 mod welder;
 
 use super::folder::Folder;
-use super::{Format, Fov, ImportedMaterial, ModelCamera, ModelFile, ModelPart, ModelSide};
+use super::{Format, ModelFile};
 use crate::import::counter::Counter;
+use crate::import::imported_material::ImportedMaterial;
+use crate::import::model_camera::{Fov, ModelCamera};
+use crate::import::model_part::{ModelPart, ModelSide};
 use crate::import::placement::Placement;
 use crate::import::textures::Textures;
 use crate::source::Location;

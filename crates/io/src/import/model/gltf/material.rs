@@ -17,8 +17,9 @@
 
 use crate::gltf::{AlphaMode, Image, Material, Picture, Wrap};
 use crate::import::counter::Counter;
+use crate::import::imported_material::ImportedMaterial;
 use crate::import::model::beside::Beside;
-use crate::import::model::{ImportedMaterial, gloss};
+use crate::import::model::gloss;
 use crate::import::textures::{Meaning, PictureSource, Textures, Usage};
 use std::sync::Arc;
 use traylib_geometry::Sides;

@@ -1,7 +1,7 @@
 //! What becomes of glTF files, held against what they mean.
 
-use super::super::ModelPart;
 use super::*;
+use crate::import::model_part::ModelPart;
 use crate::import::placement::Placement;
 use traylib_geometry::{Mesh, Vec3};
 use traylib_materials::{Phong, SurfaceModel, Tiling};

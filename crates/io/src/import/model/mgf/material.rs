@@ -15,7 +15,7 @@
 //! direction, which turns by twice the angle, n = 1/(2a²).
 
 use crate::import::counter::Counter;
-use crate::import::model::ImportedMaterial;
+use crate::import::imported_material::ImportedMaterial;
 use crate::mgf::{self, Part};
 use std::f32::consts::PI;
 use traylib_geometry::Sides;

@@ -1,7 +1,7 @@
 //! Shapes cut into triangles, a mesh for each material.
 
 use super::narrow;
-use crate::import::model::{ModelPart, ModelSide};
+use crate::import::model_part::{ModelPart, ModelSide};
 use crate::mgf::tessellate::{self, DEFAULT_DIVISIONS};
 use crate::mgf::{Shape, Vertex};
 use std::collections::{BTreeMap, HashMap};

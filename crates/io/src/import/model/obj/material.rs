@@ -10,9 +10,10 @@
 //! | map_Bump | height, of which 1 is a hundredth of a unit of u times `-bm` |
 
 use crate::import::counter::Counter;
+use crate::import::imported_material::ImportedMaterial;
 use crate::import::model::beside::Beside;
+use crate::import::model::gloss;
 use crate::import::model::plain::GREY;
-use crate::import::model::{ImportedMaterial, gloss};
 use crate::import::textures::{Meaning, Textures, Usage};
 use crate::obj::mtl::{Map, MapKind, Material};
 use std::sync::Arc;

@@ -1,7 +1,8 @@
 //! What becomes of OBJ files, held against what they mean.
 
-use super::super::{Format, ModelFile, ModelPart, ModelSide};
+use super::super::{Format, ModelFile};
 use super::*;
+use crate::import::model_part::{ModelPart, ModelSide};
 use crate::import::placement::Placement;
 use std::fs;
 use std::path::PathBuf;

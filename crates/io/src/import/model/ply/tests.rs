@@ -1,5 +1,5 @@
 use super::*;
-use crate::import::model::ModelPart;
+use crate::import::model_part::ModelPart;
 use crate::import::placement::Placement;
 use traylib_geometry::{Mesh, Sides};
 use traylib_math::{Grid, Rgb, Vec2, Vec3};

@@ -1,7 +1,8 @@
 //! From 3D Studio's materials to models.
 
 use super::maps::MapImporter;
-use crate::import::model::{ImportedMaterial, gloss};
+use crate::import::imported_material::ImportedMaterial;
+use crate::import::model::gloss;
 use crate::three_ds::{self, Shading};
 use traylib_geometry::Sides;
 use traylib_materials::{self as materials, Material, SurfaceModel};

@@ -1,0 +1,23 @@
+//! Bounds on how much a file may hold in all.
+
+use super::Cause;
+use crate::Limit;
+
+/// What is left of a bound.
+pub(super) struct Budget {
+    what: &'static str,
+    most: u64,
+    left: u64,
+}
+
+impl Budget {
+    pub(super) fn new(what: &'static str, most: u64) -> Self {
+        Self { what, most, left: most }
+    }
+
+    pub(super) fn take(&mut self, count: u64) -> Result<(), Cause> {
+        let (what, most, limit) = (self.what, self.most, Limit::Surfaces);
+        self.left = self.left.checked_sub(count).ok_or(Cause::TooMany { what, most, limit })?;
+        Ok(())
+    }
+}

@@ -1,0 +1,24 @@
+//! Pieces of files of shapes, each with one material.
+
+use traylib_scene::ObjectShape;
+
+/// Something with one material.
+#[derive(Debug)]
+pub(super) struct ModelPart {
+    pub(super) shape: ObjectShape,
+    /// Index into the file's looks.
+    pub(super) material: usize,
+    pub(super) side: ModelSide,
+}
+
+/// Which part of a surface this is. Surfaces emit from their fronts only, so that
+/// one which emits from both sides becomes two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum ModelSide {
+    /// All of it.
+    Whole,
+    /// Its front, the back apart.
+    Front,
+    /// Its back, turned round.
+    Back,
+}

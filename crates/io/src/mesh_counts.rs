@@ -1,0 +1,28 @@
+//! What is in a file of meshes, in figures.
+
+use serde::Serialize;
+
+/// What there is in an OBJ, PLY or glTF file, every place of a mesh anew.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct MeshCounts {
+    /// Meshes of one material each.
+    pub meshes: usize,
+    /// Their triangles, after polygons have been cut.
+    pub triangles: usize,
+    /// Their vertices: one for each position, normal and texture coordinates that meet.
+    pub vertices: usize,
+    /// Vertices with a normal.
+    pub normals: usize,
+    /// Vertices with texture coordinates.
+    pub texcoords: usize,
+    /// Materials, and one of what has none.
+    pub materials: usize,
+    /// Lights that are no surfaces.
+    pub lights: usize,
+    /// 1 if there is a camera.
+    pub cameras: usize,
+    /// Area of all triangles.
+    pub area: f64,
+    /// Least and greatest x, y and z of the vertices.
+    pub bbox: [f32; 6],
+}
