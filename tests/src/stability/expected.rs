@@ -124,6 +124,20 @@ pub const CORRECTIONS: &[Correction] = &[
     corrected("F15", methods::COMBINED, Ok, JOINED),
     corrected("F15", methods::PARTICLE, V, HIT_OR_MISSED),
     corrected(
+        "F7",
+        methods::PURE_MC,
+        Alarm,
+        "slow, and more: less than a thousandth of its values are not black, too few to show that \
+         their tail ends, though no value is larger than the lamp's radiance",
+    ),
+    corrected(
+        "F10",
+        methods::PURE_MC,
+        V,
+        "walks are as they were, and a relMSE of 6 a pass is 17 times the best since that draws \
+         points of a near lamp by solid angle",
+    ),
+    corrected(
         "F10",
         methods::DIRECT_LIGHT,
         Ok,
