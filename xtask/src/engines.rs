@@ -20,7 +20,7 @@ const PARTS: u32 = 7;
 /// What is rendered; each part takes some seconds.
 const PROGRAM: &str = "bdpt";
 const SCENE: &str = "cornell";
-const OPTIONS: &str = "--resolution 80x60 --spp 800";
+const OPTIONS: &str = "--resolution 80x60 --spp 400";
 
 /// Runs all engines; an error if any makes other bytes.
 pub(crate) fn run() -> Result<()> {

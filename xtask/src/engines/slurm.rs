@@ -44,13 +44,21 @@ pub(super) fn run(place: &Place) -> Result<String> {
         Ok(slurm("squeue", &["--noheader"])?.is_empty())
     })?;
     let end = slurm("scontrol", &["show", "job", &merge])?;
-    ensure!(end.contains("JobState=COMPLETED"), "the merge did not complete: {end}");
+    ensure!(end.contains("JobState=COMPLETED"), "the merge did not complete:\n{}", logs(place));
     for part in [0, 1, 2] {
         ensure!(place.went_on(&format!("part-{part}.log"))?, "part {part} did not go on");
     }
     Ok(format!(
         "{PARTS} tasks, one requeued, one killed, one out of time, and a merge by dependency"
     ))
+}
+
+/// What the parts and the controller have said.
+fn logs(place: &Place) -> String {
+    let parts = (0..PARTS).map(|part| format!("part-{part}.log"));
+    let files = parts.chain(["slurm/slurmctld.said".to_string()]);
+    let text = |file: &String| fs::read_to_string(place.folder.join(file)).unwrap_or_default();
+    files.map(|file| format!("== {file}\n{}", text(&file))).collect::<Vec<_>>().join("\n")
 }
 
 /// Its daemons, in the order in which they end.
