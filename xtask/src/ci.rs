@@ -24,8 +24,6 @@ pub(crate) fn run() -> Result<()> {
     step("apart", apart::packages)?;
     step("check", || bdpt(&["--check"]))?;
     step("picture", picture)?;
-    #[cfg(unix)]
-    step("engines", crate::engines::run)?;
     step("compare", compare)?;
     println!("ci: all steps passed, {:.1} s", start.elapsed().as_secs_f64());
     Ok(())
