@@ -142,8 +142,30 @@ impl Outline {
 
 /// The vectors whose dot products with an offset in the plane of two edges give its
 /// coordinates along them; `None` where the edges are too thin for that.
-fn duals([u, v]: [Vec3; 2]) -> Option<[Vec3; 2]> {
+fn duals(edges: [Vec3; 2]) -> Option<[Vec3; 2]> {
+    // In double precision: the fourth power of a length leaves the range of the single one.
+    let [u, v] = edges.map(Vec3::as_dvec3);
     let normal = u.cross(v);
-    let duals = [v.cross(normal), normal.cross(u)].map(|dual| dual / normal.length_squared());
+    let square = normal.length_squared();
+    let duals = [v.cross(normal), normal.cross(u)].map(|dual| (dual / square).as_vec3());
     duals.iter().all(|dual| dual.is_finite()).then_some(duals)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coordinates along edges of any length, from where fourth powers are zero to where they
+    /// are no numbers.
+    #[test]
+    fn coordinates_are_found_at_any_scale() {
+        let (u, v) = (Vec3::new(1.5, 0.0, 0.5), Vec3::new(-0.25, 2.0, 0.0));
+        for power in -40..=40 {
+            let scale = 2.0_f32.powi(power);
+            let [to_u, to_v] = duals([u * scale, v * scale]).unwrap();
+            let at = 0.25 * u * scale + 0.5 * v * scale;
+            assert!((at.dot(to_u) - 0.25).abs() < 1e-6, "2^{power}: {to_u}");
+            assert!((at.dot(to_v) - 0.5).abs() < 1e-6, "2^{power}: {to_v}");
+        }
+    }
 }
