@@ -33,6 +33,7 @@ pub mod obj;
 pub mod picture;
 pub mod ply;
 mod polygon;
+mod polygon_limits;
 mod printable;
 mod read_limits;
 mod replace;

@@ -23,27 +23,10 @@ mod words;
 pub use error::{Cause, Error};
 pub use warning::WarningKind;
 
+pub use crate::polygon_limits::PolygonLimits as Limits;
+
 use crate::tally::Tally;
 use traylib_math::{Vec2, Vec3};
-
-/// How much of a file is taken in. What exceeds it is an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
-    /// The most bytes of a file.
-    pub bytes: usize,
-    /// The most corners of a polygon.
-    pub corners: usize,
-    /// The most that the squares of the corners of large polygons may sum up to, which is
-    /// what cutting them takes.
-    pub cutting: u64,
-}
-
-impl Default for Limits {
-    /// 2²⁸ bytes, 4096 corners, and 48 Mi of their squares.
-    fn default() -> Self {
-        Self { bytes: 1 << 28, corners: 4096, cutting: 48 << 20 }
-    }
-}
 
 /// What an object file holds.
 #[derive(Clone, Debug, Default, PartialEq)]
