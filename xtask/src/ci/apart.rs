@@ -23,7 +23,8 @@ pub(super) fn deny() -> Result<()> {
     }
     for folder in [&["."][..], &APART].concat() {
         let manifest = format!("{folder}/Cargo.toml");
-        let of = ["deny", "--manifest-path", &manifest, "--log-level", "error"];
+        // Unlocked, it would write lock files anew, and no step would see that one is stale.
+        let of = ["deny", "--locked", "--manifest-path", &manifest, "--log-level", "error"];
         cargo(&[&of[..], &["check", "bans", "licenses", "sources"]].concat())?;
     }
     Ok(())
