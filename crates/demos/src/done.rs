@@ -5,7 +5,7 @@ use crate::job::Job;
 use crate::recipe;
 use std::collections::BTreeMap;
 use std::time::Duration;
-use traylib_integrators::Statistics;
+use traylib_integrators::{Method, Statistics};
 use traylib_io::{Loaded, PictureInfo};
 use traylib_math::{Grid, Rgb};
 
@@ -46,7 +46,7 @@ impl Done {
         PictureInfo {
             exposure: self.loaded.settings.exposure,
             program: format!("TrayLib {VERSION}"),
-            integrator: job.program.into(),
+            integrator: job.method.map_or(job.program, Method::name).into(),
             command: recipe::with_spp(&recipe::command(job, &self.loaded), self.passes),
             scene: self.loaded.name.clone(),
             seed: job.options.seed,

@@ -1,13 +1,14 @@
 //! What a program was asked to do.
 
+use crate::auto::Explain;
 use crate::command_line::CommandLine;
 use crate::options::RenderOptions;
 use std::path::Path;
-use traylib_integrators::{Limits, Method};
+use traylib_integrators::{Integrator, Limits, Method, Report};
 use traylib_io::{Headlight, Loaded};
 
 /// What a program was asked to do.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Job<'a> {
     /// The program's name.
     pub program: &'static str,
@@ -28,6 +29,8 @@ pub struct Job<'a> {
     /// How many pictures beside the picture there may be, to find out beforehand whether
     /// there is memory for them.
     pub layers: u64,
+    /// How a plan is explained, if one is made.
+    pub explain: Option<Explain>,
 }
 
 impl<'a> Job<'a> {
@@ -42,6 +45,7 @@ impl<'a> Job<'a> {
             headlight: Headlight::Never,
             folder: None,
             layers: 0,
+            explain: None,
         }
     }
 
@@ -49,6 +53,14 @@ impl<'a> Job<'a> {
     pub fn of<O>(line: &'a CommandLine<O>) -> Self {
         let CommandLine { render, method, .. } = line;
         Self { method: Some(*method), ..Self::new(method.name(), render) }
+    }
+
+    /// The integrator of its method, which also records this.
+    ///
+    /// # Panics
+    /// If it has none.
+    pub fn build(&self, report: Report) -> Box<dyn Integrator> {
+        self.method.expect("a job by a method").build_with(report)
     }
 
     /// The limits on its paths.

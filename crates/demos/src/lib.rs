@@ -3,6 +3,7 @@
 //! writes, and nothing more. `film` renders nothing: it looks into pictures and
 //! compares them ([`FilmCommand`]).
 
+mod auto;
 mod black;
 mod bug;
 mod checkpoint;
@@ -31,6 +32,7 @@ mod signals;
 mod stats;
 mod technique_pictures;
 
+pub use auto::Explain;
 pub use command_line::{CommandLine, parse};
 pub use conclude::conclude;
 pub use done::Done;

@@ -32,7 +32,7 @@ pub(crate) fn command(job: &Job<'_>, loaded: &Loaded) -> String {
     let options = job.options;
     let camera = loaded.scene.camera();
     let recipe = Recipe {
-        program: job.program,
+        program: job.method.map_or(job.program, Method::name),
         scene: &options.scene,
         resolution: (camera.width(), camera.height()),
         seed: options.seed,

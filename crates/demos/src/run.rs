@@ -1,5 +1,6 @@
 //! From a command line to a picture.
 
+use crate::auto::planned;
 use crate::black::{self, Picture};
 use crate::command_line::CommandLine;
 use crate::conclude::conclude;
@@ -16,7 +17,7 @@ use crate::say::{say, tell, tell_name};
 use crate::stats::stats;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
-use traylib_integrators::{Integrator, Method, Rendering};
+use traylib_integrators::{Integrator, Method, Rendering, Report};
 use traylib_io::{LoadOptions, Loaded, load_scene_with};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Scene;
@@ -24,15 +25,16 @@ use traylib_scene::Scene;
 /// Runs the program of a method that has no options beside those of all.
 pub fn render_by(plain: Method) -> ExitCode {
     let line = CommandLine::<()>::parse(plain);
-    run(&Job::of(&line), |_| Ok(line.method.build()), |_| Ok(()))
+    run(&Job::of(&line), |job, _| Ok(job.build(Report::None)), |_| Ok(()))
 }
 
-/// Loads, renders and saves with the integrator that `prepare` makes for the scene, then
+/// Loads, renders and saves with the integrator that `prepare` makes for the job, whose method
+/// is settled by then, and the scene; then
 /// hands everything to `finish`. Ends the program's `main`: prints what went wrong, a
 /// panic included, and returns the exit status.
 pub fn run(
     job: &Job<'_>,
-    prepare: impl FnOnce(&Scene) -> Result<Box<dyn Integrator>, Failure>,
+    prepare: impl FnOnce(&Job<'_>, &Scene) -> Result<Box<dyn Integrator>, Failure>,
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> ExitCode {
     conclude(job.program, || try_run(job, prepare, finish))
@@ -40,7 +42,7 @@ pub fn run(
 
 fn try_run(
     job: &Job<'_>,
-    prepare: impl FnOnce(&Scene) -> Result<Box<dyn Integrator>, Failure>,
+    prepare: impl FnOnce(&Job<'_>, &Scene) -> Result<Box<dyn Integrator>, Failure>,
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let options = job.options;
@@ -51,7 +53,8 @@ fn try_run(
         return stats(options, file);
     }
     let loaded = load(job)?;
-    let integrator = prepare(&loaded.scene)?;
+    let job = &planned(job, &loaded)?;
+    let integrator = prepare(job, &loaded.scene)?;
     let integrator = integrator.as_ref();
     if !options.quiet {
         announce(job.program, &loaded, integrator, job.limits());

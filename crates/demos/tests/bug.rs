@@ -33,7 +33,7 @@ fn a_panic_is_told_of_in_one_line() {
         let arguments = ["broken", "--resolution", "64x64", "-q", "--threads", "4", "-o"];
         let options = Options::parse_from(arguments.map(Into::into).into_iter().chain([file]));
         let job = Job::new("broken", &options.render);
-        let code = run(&job, |_| Ok(Box::new(Broken)), |_| Ok(()));
+        let code = run(&job, |_, _| Ok(Box::new(Broken)), |_| Ok(()));
         assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::from(1)));
         return;
     }

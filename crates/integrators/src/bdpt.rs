@@ -9,9 +9,12 @@
 //! that means prefixes, whose densities are known. Leaving out inner vertices
 //! would need a marginal density that nobody can evaluate.
 
+mod auto;
 mod connect;
 mod connection_roulette;
 mod direct_sum;
+mod found_path;
+mod paths_per_pixel;
 mod report;
 mod settings;
 mod subpath;
@@ -21,6 +24,9 @@ mod vertex;
 mod walk;
 mod weight;
 
+pub use auto::{Auto, MayLose};
+pub use found_path::FoundPath;
+pub use paths_per_pixel::PathsPerPixel;
 pub use report::{Report, Technique};
 pub use settings::BdptSettings;
 pub use subset::TechniqueSet;
@@ -60,6 +66,8 @@ pub struct Bdpt {
     pub weighting: Weighting,
     /// Which techniques take part.
     pub techniques: Techniques,
+    /// Light paths of a pass, for each of its pixels.
+    pub light_paths: PathsPerPixel,
     /// Whether walks from the camera aim at images of lamps in mirrors: see
     /// [`TowardLight`](crate::toolkit::TowardLight).
     pub aims_at_images: bool,
@@ -121,7 +129,7 @@ impl Integrator for Bdpt {
     fn light_paths(&self, pixels: u32) -> u32 {
         // The shortest path that one takes part in has two edges.
         let are_used = self.techniques.need_light_paths() && self.limits.allow(2);
-        if are_used { pixels } else { 0 }
+        if are_used { self.light_paths.over(pixels) } else { 0 }
     }
 
     fn render_chunk(&self, scene: &Scene, chunk: &Chunk<'_>, out: &mut ChunkOutput) {
@@ -156,7 +164,12 @@ impl Integrator for Bdpt {
     }
 
     fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot> {
-        facts.point_light_caustics_in_mirrors(self.techniques.mirror_connections)
+        let Techniques { splats, mirror_connections, .. } = self.techniques;
+        if splats {
+            facts.point_light_caustics_in_mirrors(mirror_connections)
+        } else {
+            facts.point_light_caustics(mirror_connections)
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! A part of a pass, and what came of it.
 
+use crate::bdpt::FoundPath;
 use crate::Control;
 use crate::numbers::{Dimensions, PathSampler, PointSet, Purpose, RealNumbers, rotation};
 use crate::tracer::{Statistics, Tracer};
@@ -103,6 +104,8 @@ pub struct ChunkOutput {
     pub(crate) layers: Vec<(u16, u32, Rgb)>,
     /// Text that a report asked for.
     pub(crate) notes: Vec<String>,
+    /// Paths that a report asked for.
+    pub(crate) paths: Vec<FoundPath>,
     /// Tally of the work.
     pub statistics: Statistics,
 }

@@ -77,6 +77,7 @@ mod numbers;
 mod particle;
 mod pass;
 mod path_scattering;
+pub mod planner;
 mod puremc;
 mod render;
 mod splat;
@@ -86,7 +87,8 @@ mod trace;
 mod tracer;
 
 pub use bdpt::{
-    Bdpt, BdptSettings, LightSampling, Report, Technique, TechniqueSet, Techniques, Weighting,
+    Auto, Bdpt, BdptSettings, FoundPath, LightSampling, MayLose, PathsPerPixel, Report, Technique,
+    TechniqueSet, Techniques, Weighting,
 };
 pub use blind::{BlindSpot, SceneFacts};
 pub use chunk::{Chunk, ChunkOutput};

@@ -11,10 +11,10 @@ mod tests;
 pub use option::{MethodOption, MethodSetting, OptionValues};
 pub use spelling::MethodError;
 
-use crate::bdpt::BdptSettings;
+use crate::bdpt::{BdptSettings, MayLose, PathsPerPixel};
 use crate::directlight::DirectLightOfPixel;
 use crate::{
-    DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Roulette, Techniques,
+    Auto, DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Roulette, Techniques,
     Trace,
 };
 use traylib_math::Heuristic;
@@ -139,13 +139,24 @@ impl Method {
     /// The options that it takes, in the order of help texts and spellings.
     pub fn options(self) -> &'static [MethodOption] {
         use MethodOption::{
-            Combine, DirectSum, Heuristic, Jitter, MaxDepth, NoConnections, NoImages, Roulette,
+            Auto, Combine, DirectSum, Heuristic, Jitter, LightPaths, MaxDepth, NoConnections,
+            NoImages, NoSplats, Roulette,
         };
         match self {
             Self::Trace(_) => &[Jitter],
             Self::PureMc(_) | Self::Particle(_) => &[MaxDepth, Roulette],
             Self::DirectLight(_) => &[MaxDepth, Roulette, Combine, Heuristic, NoImages],
-            Self::Bdpt(_) => &[MaxDepth, Roulette, Heuristic, DirectSum, NoConnections, NoImages],
+            Self::Bdpt(_) => &[
+                MaxDepth,
+                Roulette,
+                Heuristic,
+                DirectSum,
+                NoConnections,
+                NoSplats,
+                LightPaths,
+                NoImages,
+                Auto,
+            ],
         }
     }
 
@@ -217,6 +228,14 @@ impl Method {
         }
     }
 
+    /// What a plan may do, if one is to choose the method.
+    pub fn auto(self) -> Option<Auto> {
+        match self {
+            Self::Bdpt(BdptSettings { auto, .. }) => auto,
+            Self::Trace(_) | Self::PureMc(_) | Self::DirectLight(_) | Self::Particle(_) => None,
+        }
+    }
+
     /// The integrator.
     pub fn build(self) -> Box<dyn Integrator> {
         self.build_with(Report::None)
@@ -230,7 +249,7 @@ impl Method {
             Self::PureMc(pure_mc) => Box::new(pure_mc),
             Self::DirectLight(own) => match report {
                 Report::Pixel(pixel) => Box::new(DirectLightOfPixel { own, pixel }),
-                Report::None | Report::Techniques => Box::new(own),
+                Report::None | Report::Techniques | Report::Paths => Box::new(own),
             },
             Self::Particle(particle) => Box::new(particle),
             Self::Bdpt(settings) => Box::new(settings.integrator(report)),
@@ -241,6 +260,14 @@ impl Method {
     /// [`options`](Self::options).
     pub fn settings(self) -> Vec<MethodSetting> {
         let mut settings = Vec::new();
+        // All else is for the plan to set.
+        if let Self::Bdpt(BdptSettings { auto: Some(auto), limits, .. }) = self {
+            settings.extend(limits.max_depth.map(MethodSetting::MaxDepth));
+            let may_lose = Some(auto.may_lose).filter(|part| *part != MayLose::NOTHING);
+            settings.extend(may_lose.map(MethodSetting::MayLose));
+            settings.push(MethodSetting::Auto);
+            return settings;
+        }
         if let Some(Limits { max_depth, roulette }) = self.limits() {
             settings.extend(max_depth.map(MethodSetting::MaxDepth));
             settings.push(MethodSetting::Roulette(roulette));
@@ -258,6 +285,8 @@ impl Method {
                 settings.push(MethodSetting::Heuristic(own.heuristic));
                 settings.extend(own.direct_sum.then_some(MethodSetting::DirectSum));
                 settings.extend(own.no_connections.then_some(MethodSetting::NoConnections));
+                settings.extend(own.no_splats.then_some(MethodSetting::NoSplats));
+                settings.push(MethodSetting::LightPaths(own.light_paths));
                 settings.extend(own.no_images.then_some(MethodSetting::NoImages));
             }
         }
@@ -273,7 +302,7 @@ impl Method {
     pub fn with(self, given: &[MethodSetting]) -> Result<Self, MethodError> {
         let has = |setting| given.contains(&setting);
         let limits = limits(given, self.default_limits())?;
-        let heuristic = option::heuristic(given);
+        let (heuristic, auto) = (option::heuristic(given), option::auto(given)?);
         Ok(match self {
             Self::Trace(_) => Self::Trace(Trace { jitter: has(MethodSetting::Jitter) }),
             Self::PureMc(_) => Self::PureMc(PureMc { limits }),
@@ -287,10 +316,13 @@ impl Method {
             }
             Self::Particle(_) => Self::Particle(Particle { limits }),
             Self::Bdpt(_) => Self::Bdpt(BdptSettings {
+                auto,
                 limits,
                 heuristic: heuristic.unwrap_or_default(),
                 direct_sum: has(MethodSetting::DirectSum),
                 no_connections: has(MethodSetting::NoConnections),
+                no_splats: has(MethodSetting::NoSplats),
+                light_paths: option::light_paths(given).unwrap_or(PathsPerPixel::ONE),
                 no_images: has(MethodSetting::NoImages),
             }),
         })
@@ -304,11 +336,15 @@ fn limits(given: &[MethodSetting], mut limits: Limits) -> Result<Limits, MethodE
             MethodSetting::MaxDepth(edges) => limits.max_depth = Some(edges),
             MethodSetting::Roulette(roulette) => limits.roulette = roulette,
             MethodSetting::Jitter
+            | MethodSetting::MayLose(_)
             | MethodSetting::Combine
             | MethodSetting::Heuristic(_)
             | MethodSetting::DirectSum
             | MethodSetting::NoConnections
-            | MethodSetting::NoImages => {}
+            | MethodSetting::NoSplats
+            | MethodSetting::LightPaths(_)
+            | MethodSetting::NoImages
+            | MethodSetting::Auto => {}
         }
     }
     if limits.roulette == Roulette::OFF && limits.max_depth.is_none() {

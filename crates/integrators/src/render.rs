@@ -103,11 +103,7 @@ pub fn render_part(
     control: &Control,
     observe: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Rendering, ThreadError> {
-    // Threads of its own, so that the number asked for is kept.
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(settings.threads)
-        .build()
-        .map_err(|error| ThreadError(error.to_string()))?;
+    let pool = pool(settings.threads)?;
     let mut renderer = Renderer::new(scene, integrator, settings.seed, settings.points);
     if let Some(film) = part.film {
         renderer = renderer.going_on_from(film);
@@ -128,6 +124,12 @@ pub fn render_part(
         }
     }
     Ok(renderer.finish())
+}
+
+/// Threads of its own, so that the number asked for is kept; 0 for one a processor.
+pub(crate) fn pool(threads: usize) -> Result<rayon::ThreadPool, ThreadError> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.map_err(|error| ThreadError(error.to_string()))
 }
 
 /// [`render`] with nobody to watch it or to stop it.

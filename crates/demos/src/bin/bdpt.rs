@@ -3,7 +3,7 @@
 use clap::Args;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use traylib_demos::{CommandLine, Job, PixelName, print_notes, run, save_techniques};
+use traylib_demos::{CommandLine, Explain, Job, PixelName, print_notes, run, save_techniques};
 use traylib_integrators::{Method, Report};
 
 /// What it shows beside the picture.
@@ -11,7 +11,7 @@ use traylib_integrators::{Method, Report};
 struct Reports {
     /// Also write a picture of each technique (s, t), raw and weighted, into a
     /// folder
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", conflicts_with = "auto")]
     techniques: Option<PathBuf>,
     /// Print the paths that add to a pixel, counted from 0,0 at the top left,
     /// with densities and weights; writes no picture
@@ -23,8 +23,25 @@ struct Reports {
     /// finding the vertex by a walk from the lamp, `B` by one from the camera, 0 where
     /// no walk can; `weight of s=i` is that of the technique with i vertices from the
     /// lamp, and all of a path add up to 1.
-    #[arg(long, value_name = "X,Y", conflicts_with_all = ["techniques", "outfile"])]
+    #[arg(long, value_name = "X,Y", conflicts_with_all = ["techniques", "outfile", "auto"])]
     pixel: Option<PixelName>,
+    /// Render by this method, as --auto chose it before: `directlight --combine`, say
+    #[arg(
+        long,
+        value_name = "METHOD",
+        conflicts_with_all = ["techniques", "pixel", "auto", "max-depth", "roulette", "heuristic",
+            "direct-sum", "no-connections", "no-splats", "light-paths", "no-images"]
+    )]
+    plan: Option<Method>,
+    /// With --auto: print what was chosen from, and why
+    #[arg(
+        long,
+        value_name = "FORMAT",
+        requires = "auto",
+        num_args = 0..=1,
+        default_missing_value = "text"
+    )]
+    explain: Option<Explain>,
 }
 
 /// Pictures of techniques. Of paths of more than ten edges there are so few that most of
@@ -41,22 +58,24 @@ fn layers(line: &CommandLine<Reports>) -> u64 {
 
 fn main() -> ExitCode {
     let line = CommandLine::<Reports>::parse(Method::BDPT);
-    let Reports { techniques, pixel } = &line.own;
+    let Reports { techniques, pixel, plan, explain } = &line.own;
     let job = Job {
         wants_picture: pixel.is_none(),
         folder: techniques.as_deref(),
         layers: layers(&line),
+        explain: *explain,
+        method: Some(plan.unwrap_or(line.method)),
         ..Job::of(&line)
     };
     run(
         &job,
-        |scene| {
+        |job, scene| {
             let report = match (techniques, pixel) {
                 (Some(_), _) => Report::Techniques,
                 (None, Some(pixel)) => Report::Pixel(pixel.index_in(scene.camera())?),
                 (None, None) => Report::None,
             };
-            Ok(line.method.build_with(report))
+            Ok(job.build(report))
         },
         |done| {
             print_notes(done)?;

@@ -25,9 +25,9 @@ fn main() -> ExitCode {
     let job = Job { wants_picture: pixel.is_none(), ..Job::of(&line) };
     run(
         &job,
-        |scene| {
+        |job, scene| {
             let index = pixel.map(|pixel| pixel.index_in(scene.camera())).transpose()?;
-            Ok(line.method.build_with(index.map_or(Report::None, Report::Pixel)))
+            Ok(job.build(index.map_or(Report::None, Report::Pixel)))
         },
         print_notes,
     )

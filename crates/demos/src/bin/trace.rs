@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 use traylib_demos::{CommandLine, Job, RenderOptions, run};
-use traylib_integrators::Method;
+use traylib_integrators::{Method, Report};
 use traylib_io::Headlight;
 
 fn main() -> ExitCode {
@@ -13,5 +13,5 @@ fn main() -> ExitCode {
     }
     let job =
         Job { default_spp: Some(1), headlight: Headlight::WithoutPointLight, ..Job::of(&line) };
-    run(&job, |_| Ok(line.method.build()), |_| Ok(()))
+    run(&job, |job, _| Ok(job.build(Report::None)), |_| Ok(()))
 }

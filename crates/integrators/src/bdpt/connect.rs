@@ -8,7 +8,7 @@ use super::direct_sum::{JoinedPath, Joint};
 use super::subpath::Subpath;
 use super::vertex::{End, Vertex};
 use super::walk::LightStart;
-use super::{Bdpt, LightPath, Weighting, weight};
+use super::{Bdpt, FoundPath, LightPath, Report, Weighting, weight};
 use crate::direct::sample_light;
 use crate::mirrored_point::{MIRRORED_EDGES, mirrored_lights, walked_by_mirror};
 use crate::path_scattering::PathScattering;
@@ -309,6 +309,10 @@ impl<'a> Joiner<'a> {
             Weighting::DirectSum | Weighting::Among(_) => all_weights()[s],
         };
         out.add(pixel, *value * weight as f32);
+        if report == Report::Paths {
+            let logs = path.path_densities().log_densities(splats, takes_part);
+            out.paths.push(FoundPath::of(pixel, path, *value, &logs));
+        }
         report.record(out, pixel, path, *value, weight, all_weights);
         alone
     }

@@ -74,11 +74,16 @@ impl JoinedPath<'_> {
 
     /// Whether technique (s, t) takes part in finding this path.
     pub(crate) fn allows(&self, techniques: Techniques, s: usize, t: usize) -> bool {
-        if s == 2 && self.walked_by_mirror().is_some() {
+        if s == 2 && self.has_mirror_joint() {
             techniques.mirror_connections
         } else {
             techniques.allow(s, t, self.is_point)
         }
+    }
+
+    /// Whether s = 2 stands for joining a point light by way of a mirror.
+    pub(crate) fn has_mirror_joint(&self) -> bool {
+        self.walked_by_mirror().is_some()
     }
 
     /// See [`PathDensities::walked_by_mirror`].
@@ -185,17 +190,7 @@ impl PathDensities {
         heuristic: Heuristic,
         takes_part: impl Fn(usize, usize) -> bool,
     ) -> Vec<f64> {
-        let k = self.forward.len() - 1;
-        // Logarithms: products of many densities leave the range of numbers.
-        let logs: Vec<f64> = (0..=k)
-            .map(|s| {
-                if self.is_possible(s) && takes_part(s, k + 1 - s) {
-                    self.log_density(s, splats)
-                } else {
-                    f64::NEG_INFINITY
-                }
-            })
-            .collect();
+        let logs = self.log_densities(splats, takes_part);
         let largest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let exponent = match heuristic {
             Heuristic::Balance => 1.0,
@@ -205,6 +200,21 @@ impl PathDensities {
         let powers: Vec<f64> = logs.iter().map(|log| (exponent * (log - largest)).exp()).collect();
         let sum: f64 = powers.iter().sum();
         powers.iter().map(|power| power / sum).collect()
+    }
+
+    /// Logarithms of the densities of s = 0 … k, as products of many densities leave the
+    /// range of numbers; minus infinity for those that do not take part or cannot find the path.
+    pub(crate) fn log_densities(
+        &self,
+        splats: f64,
+        takes_part: impl Fn(usize, usize) -> bool,
+    ) -> Vec<f64> {
+        let k = self.forward.len() - 1;
+        let log = |s| {
+            let takes_part = self.is_possible(s) && takes_part(s, k + 1 - s);
+            if takes_part { self.log_density(s, splats) } else { f64::NEG_INFINITY }
+        };
+        (0..=k).map(log).collect()
     }
 
     /// Whether technique s can find the path: no edge can be chosen freely beside

@@ -15,6 +15,8 @@ pub enum Report {
     Techniques,
     /// All paths that add to this row-major pixel, as text.
     Pixel(u32),
+    /// Every path that is found, for the planner.
+    Paths,
 }
 
 /// Names the picture of one technique.
@@ -73,7 +75,7 @@ impl Report {
             Self::Pixel(wanted) if wanted == pixel => {
                 out.notes.push(describe(path, value, weight, &all_weights()));
             }
-            Self::None | Self::Pixel(_) => {}
+            Self::None | Self::Pixel(_) | Self::Paths => {}
         }
     }
 }

@@ -1,11 +1,12 @@
 //! What is chosen of bidirectional path tracing on a command line.
 
-use super::{Bdpt, Report, Techniques, Weighting};
+use super::{Auto, Bdpt, PathsPerPixel, Report, Techniques, Weighting};
 use crate::Limits;
 use traylib_math::Heuristic;
 
 /// The settings of [`Bdpt`] as a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each stands for an option of its own")]
 pub struct BdptSettings {
     /// How long paths get.
     pub limits: Limits,
@@ -15,8 +16,15 @@ pub struct BdptSettings {
     pub direct_sum: bool,
     /// Whether the techniques with s ≥ 2 and t ≥ 2 are left out.
     pub no_connections: bool,
+    /// Whether light paths are not joined to the camera: the techniques with t = 1.
+    pub no_splats: bool,
+    /// Light paths of a pass, for each of its pixels.
+    pub light_paths: PathsPerPixel,
     /// Whether images of lamps in mirrors are neither aimed at nor, of point lights, joined.
     pub no_images: bool,
+    /// Whether a [plan](crate::planner) chooses for each scene which method to render by, be it
+    /// another; without one all techniques take part. What is set above is left as it is then.
+    pub auto: Option<Auto>,
 }
 
 impl BdptSettings {
@@ -26,20 +34,27 @@ impl BdptSettings {
         heuristic: Heuristic::Power,
         direct_sum: false,
         no_connections: false,
+        no_splats: false,
+        light_paths: PathsPerPixel::ONE,
         no_images: false,
+        auto: None,
     };
 
     /// The techniques that take part.
     pub fn techniques(self) -> Techniques {
-        let (connections, mirror_connections) = (!self.no_connections, !self.no_images);
-        Techniques { connections, mirror_connections, ..Techniques::ALL }
+        Techniques {
+            connections: !self.no_connections,
+            splats: !self.no_splats,
+            mirror_connections: !self.no_images,
+            ..Techniques::ALL
+        }
     }
 
     /// The integrator, which also records this.
     pub fn integrator(self, report: Report) -> Bdpt {
         let weighting = if self.direct_sum { Weighting::DirectSum } else { Weighting::Recursive };
         let (limits, heuristic, techniques) = (self.limits, self.heuristic, self.techniques());
-        let aims_at_images = !self.no_images;
-        Bdpt { limits, heuristic, weighting, techniques, aims_at_images, report }
+        let (light_paths, aims_at_images) = (self.light_paths, !self.no_images);
+        Bdpt { limits, heuristic, weighting, techniques, light_paths, aims_at_images, report }
     }
 }

@@ -1,7 +1,8 @@
 //! The options of methods: how they are spelled, and how their values are read.
 
 use super::Method;
-use crate::Roulette;
+use super::MethodError;
+use crate::{Auto, MayLose, PathsPerPixel, Roulette};
 use std::fmt;
 use traylib_math::Heuristic;
 
@@ -22,8 +23,14 @@ pub enum MethodOption {
     DirectSum,
     /// `--no-connections`.
     NoConnections,
+    /// `--no-splats`.
+    NoSplats,
+    /// `--light-paths N`.
+    LightPaths,
     /// `--no-images`.
     NoImages,
+    /// `--auto`.
+    Auto,
 }
 
 /// What may stand after an option.
@@ -44,6 +51,8 @@ pub enum MethodSetting {
     Jitter,
     /// The longest path, in edges.
     MaxDepth(u32),
+    /// The longest path is the one that loses no more light than this.
+    MayLose(MayLose),
     /// From where on paths may end by chance.
     Roulette(Roulette),
     /// Light samples and hits are weighted against each other.
@@ -54,8 +63,14 @@ pub enum MethodSetting {
     DirectSum,
     /// The techniques with s and t from 2 on take no part.
     NoConnections,
+    /// The techniques with t = 1 take no part.
+    NoSplats,
+    /// Light paths of a pass, for each of its pixels.
+    LightPaths(PathsPerPixel),
     /// Images of lamps in mirrors are neither aimed at nor joined.
     NoImages,
+    /// A plan chooses the method.
+    Auto,
 }
 
 impl MethodOption {
@@ -69,14 +84,17 @@ impl MethodOption {
             Self::Heuristic => "heuristic",
             Self::DirectSum => "direct-sum",
             Self::NoConnections => "no-connections",
+            Self::NoSplats => "no-splats",
+            Self::LightPaths => "light-paths",
             Self::NoImages => "no-images",
+            Self::Auto => "auto",
         }
     }
 
     /// What may stand after it.
     pub fn values(self) -> OptionValues {
         match self {
-            Self::MaxDepth => OptionValues::Text("N"),
+            Self::MaxDepth | Self::LightPaths => OptionValues::Text("N"),
             Self::Roulette => OptionValues::Text("EDGE"),
             Self::Heuristic => OptionValues::OneOf(
                 "HEURISTIC",
@@ -89,7 +107,9 @@ impl MethodOption {
             | Self::Combine
             | Self::DirectSum
             | Self::NoConnections
-            | Self::NoImages => OptionValues::None,
+            | Self::NoSplats
+            | Self::NoImages
+            | Self::Auto => OptionValues::None,
         }
     }
 
@@ -101,12 +121,15 @@ impl MethodOption {
                 Method::Trace(_) | Method::Particle(_) | Method::Bdpt(_) => "3",
             }),
             Self::Heuristic => Some("power"),
+            Self::LightPaths => Some("1"),
             Self::Jitter
             | Self::MaxDepth
             | Self::Combine
             | Self::DirectSum
             | Self::NoConnections
-            | Self::NoImages => None,
+            | Self::NoSplats
+            | Self::NoImages
+            | Self::Auto => None,
         }
     }
 
@@ -136,9 +159,21 @@ impl MethodOption {
                 "Leave out the techniques that connect two walks (s and t from 2 on), which \
                  saves shadow rays; the others share their light"
             }
+            Self::NoSplats => {
+                "Leave out the techniques that join walks from lamps to the camera (t = 1)"
+            }
+            Self::LightPaths => {
+                "Walks from lamps for each pixel of a pass; where there are fewer than one, one is \
+                 joined with several walks from the camera"
+            }
             Self::NoImages => {
                 "Do not look for images of lamps in mirrors, for comparison: more noise, and less \
                  light where a mirror shows a point lamp"
+            }
+            Self::Auto => {
+                "Find out first which method and techniques reach a given error soonest on this \
+                 scene, and render by these alone; --explain tells why. With it --max-depth also \
+                 takes auto:0.5%: the longest path that loses no more light than that"
             }
         }
     }
@@ -154,7 +189,13 @@ impl MethodOption {
             Self::Combine => alone(MethodSetting::Combine),
             Self::DirectSum => alone(MethodSetting::DirectSum),
             Self::NoConnections => alone(MethodSetting::NoConnections),
+            Self::NoSplats => alone(MethodSetting::NoSplats),
+            Self::LightPaths => value.parse().map(MethodSetting::LightPaths),
             Self::NoImages => alone(MethodSetting::NoImages),
+            Self::Auto => alone(MethodSetting::Auto),
+            Self::MaxDepth if value.starts_with("auto") => {
+                value.parse().map(MethodSetting::MayLose)
+            }
             Self::MaxDepth => {
                 let edges = value.parse().ok().filter(|edges| *edges > 0);
                 edges.map(MethodSetting::MaxDepth).ok_or("wanted: a number of edges from 1 on")
@@ -184,13 +225,16 @@ impl MethodSetting {
     pub fn option(self) -> MethodOption {
         match self {
             Self::Jitter => MethodOption::Jitter,
-            Self::MaxDepth(_) => MethodOption::MaxDepth,
+            Self::MaxDepth(_) | Self::MayLose(_) => MethodOption::MaxDepth,
             Self::Roulette(_) => MethodOption::Roulette,
             Self::Combine => MethodOption::Combine,
             Self::Heuristic(_) => MethodOption::Heuristic,
             Self::DirectSum => MethodOption::DirectSum,
             Self::NoConnections => MethodOption::NoConnections,
+            Self::NoSplats => MethodOption::NoSplats,
+            Self::LightPaths(_) => MethodOption::LightPaths,
             Self::NoImages => MethodOption::NoImages,
+            Self::Auto => MethodOption::Auto,
         }
     }
 
@@ -198,15 +242,19 @@ impl MethodSetting {
     pub fn value(self) -> String {
         match self {
             Self::MaxDepth(edges) => edges.to_string(),
+            Self::MayLose(part) => part.to_string(),
             Self::Roulette(Roulette::OFF) => "off".into(),
             Self::Roulette(Roulette { from_edge }) => from_edge.to_string(),
             Self::Heuristic(Heuristic::Balance) => "balance".into(),
             Self::Heuristic(Heuristic::Power) => "power".into(),
+            Self::LightPaths(paths) => paths.to_string(),
             Self::Jitter
             | Self::Combine
             | Self::DirectSum
             | Self::NoConnections
-            | Self::NoImages => String::new(),
+            | Self::NoSplats
+            | Self::NoImages
+            | Self::Auto => String::new(),
         }
     }
 }
@@ -226,10 +274,62 @@ pub(super) fn heuristic(given: &[MethodSetting]) -> Option<Heuristic> {
         MethodSetting::Heuristic(heuristic) => Some(heuristic),
         MethodSetting::Jitter
         | MethodSetting::MaxDepth(_)
+        | MethodSetting::MayLose(_)
         | MethodSetting::Roulette(_)
         | MethodSetting::Combine
         | MethodSetting::DirectSum
         | MethodSetting::NoConnections
-        | MethodSetting::NoImages => None,
+        | MethodSetting::NoSplats
+        | MethodSetting::LightPaths(_)
+        | MethodSetting::NoImages
+        | MethodSetting::Auto => None,
     })
+}
+
+/// The number of light paths among settings.
+pub(super) fn light_paths(given: &[MethodSetting]) -> Option<PathsPerPixel> {
+    given.iter().find_map(|setting| match *setting {
+        MethodSetting::LightPaths(paths) => Some(paths),
+        MethodSetting::Jitter
+        | MethodSetting::MaxDepth(_)
+        | MethodSetting::MayLose(_)
+        | MethodSetting::Roulette(_)
+        | MethodSetting::Combine
+        | MethodSetting::Heuristic(_)
+        | MethodSetting::DirectSum
+        | MethodSetting::NoConnections
+        | MethodSetting::NoSplats
+        | MethodSetting::NoImages
+        | MethodSetting::Auto => None,
+    })
+}
+
+/// What a plan may do, if settings ask for one.
+///
+/// # Errors
+/// A setting is for the plan to choose, or wants a plan that there is none.
+pub(super) fn auto(given: &[MethodSetting]) -> Result<Option<Auto>, MethodError> {
+    let may_lose = given.iter().find_map(|setting| match *setting {
+        MethodSetting::MayLose(part) => Some(part),
+        MethodSetting::Jitter
+        | MethodSetting::MaxDepth(_)
+        | MethodSetting::Roulette(_)
+        | MethodSetting::Combine
+        | MethodSetting::Heuristic(_)
+        | MethodSetting::DirectSum
+        | MethodSetting::NoConnections
+        | MethodSetting::NoSplats
+        | MethodSetting::LightPaths(_)
+        | MethodSetting::NoImages
+        | MethodSetting::Auto => None,
+    });
+    if !given.contains(&MethodSetting::Auto) {
+        return if may_lose.is_some() { Err(MethodError::NothingPlanned) } else { Ok(None) };
+    }
+    // All but the length of paths is the plan's own.
+    let own = |option: &MethodOption| !matches!(option, MethodOption::MaxDepth | MethodOption::Auto);
+    match given.iter().map(|setting| setting.option()).find(own) {
+        Some(option) => Err(MethodError::Planned(option)),
+        None => Ok(Some(Auto { may_lose: may_lose.unwrap_or_default() })),
+    }
 }

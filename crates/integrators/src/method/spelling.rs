@@ -22,6 +22,10 @@ pub enum MethodError {
     Endless,
     /// Where nothing is weighted a heuristic has no meaning.
     NothingWeighted,
+    /// The option is for the plan to choose.
+    Planned(MethodOption),
+    /// How much light may be lost is for a plan to know.
+    NothingPlanned,
 }
 
 /// Every option that is not as by default, in the method's own order.
@@ -121,6 +125,10 @@ impl fmt::Display for MethodError {
                 f.write_str("--roulette off wants a --max-depth: some paths would never end")
             }
             Self::NothingWeighted => f.write_str("--heuristic wants --combine, which weights"),
+            Self::Planned(option) => {
+                write!(f, "--{} is for --auto to choose: leave one of them out", option.name())
+            }
+            Self::NothingPlanned => f.write_str("--max-depth auto:… wants --auto, and bdpt"),
         }
     }
 }

@@ -11,13 +11,16 @@ fn method(text: &str) -> Method {
 /// together.
 fn many() -> Vec<Method> {
     let values = |option: MethodOption| match option {
-        MethodOption::MaxDepth => vec!["1", "4294967295"],
+        MethodOption::MaxDepth => vec!["1", "4294967295", "auto:0.5%"],
         MethodOption::Roulette => vec!["2", "3", "4", "off"],
         MethodOption::Heuristic => vec!["balance", "power"],
+        MethodOption::LightPaths => vec!["0.25", "1"],
         MethodOption::Jitter
         | MethodOption::Combine
         | MethodOption::DirectSum
         | MethodOption::NoConnections
+        | MethodOption::NoSplats
+        | MethodOption::Auto
         | MethodOption::NoImages => vec![""],
     };
     let mut all = Vec::new();

@@ -1,0 +1,71 @@
+//! The method that a plan chooses, and what it says of its choice.
+
+mod explain;
+
+use crate::job::Job;
+use crate::outcome::Failure;
+use crate::say::{say, tell, tell_json};
+use explain::{as_json, as_text};
+use traylib_integrators::planner::{Choice, Plan, Request, plan};
+use traylib_integrators::{Auto, Control, Method};
+use traylib_io::Loaded;
+
+/// How a plan is explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Explain {
+    /// As tables, for people.
+    Text,
+    /// As JSON, for programs.
+    Json,
+}
+
+/// The job with the method that is to render it, if that was left to a plan.
+///
+/// # Errors
+/// The system refuses threads, or standard output the explanation.
+pub(crate) fn planned<'a>(job: &Job<'a>, loaded: &Loaded) -> Result<Job<'a>, Failure> {
+    let Some(asked) = job.method else { return Ok(*job) };
+    let Some(Auto { may_lose }) = asked.auto() else { return Ok(*job) };
+    let options = job.options;
+    let request = Request {
+        max_depth: asked.limits().and_then(|limits| limits.max_depth),
+        may_lose: may_lose.part(),
+        // Of a rendering that time ends nobody knows how long it will be.
+        spp: options.spp.unwrap_or(loaded.settings.spp),
+        seed: options.seed,
+        points: options.sampler,
+        threads: options.threads,
+    };
+    // Whoever interrupts now ends the program at once: there is no work to keep.
+    let plan = plan(&loaded.scene, &request, &Control::default()).map_err(Failure::output)?;
+    let plan = plan.ok_or_else(|| Failure::output("the plan was given up"))?;
+    if !options.quiet {
+        say(format_args!("plan: {}", in_a_line(&plan)));
+    }
+    match job.explain {
+        Some(Explain::Text) => as_text(&plan).lines().try_for_each(tell)?,
+        Some(Explain::Json) => tell_json(&as_json(&plan)?)?,
+        None => {}
+    }
+    Ok(Job { method: Some(plan.method), ..*job })
+}
+
+/// What was chosen, and by how much it is ahead of all techniques together.
+fn in_a_line(plan: &Plan) -> String {
+    let Some(evidence) = &plan.evidence else {
+        return format!("{}, as the picture is too small to choose", plan.method);
+    };
+    let whole = evidence.choices.iter().find(|choice| is_whole(choice.method));
+    let best = evidence.choices.first().map_or(f64::INFINITY, Choice::measured);
+    match whole.map(|whole| whole.measured() / best) {
+        Some(sooner) if sooner > 1.0 => {
+            format!("{}, {sooner:.2} times sooner than bdpt by trial", plan.method)
+        }
+        _ => plan.method.to_string(),
+    }
+}
+
+/// Whether it is bidirectional tracing by all techniques, up to any length.
+fn is_whole(method: Method) -> bool {
+    method.up_to(None) == Method::BDPT
+}

@@ -1,0 +1,50 @@
+//! What a path that was found tells of the techniques that did not find it.
+
+use super::direct_sum::JoinedPath;
+use traylib_math::Rgb;
+
+/// A path with what every technique would have had to do with it.
+///
+/// From many of these the noise of any subset of the techniques can be told without
+/// rendering by it: see [`planner`](crate::planner).
+#[derive(Clone, Debug, PartialEq)]
+pub struct FoundPath {
+    /// The row-major pixel that its light falls on.
+    pub pixel: u32,
+    /// What the technique that found it would add if it were alone.
+    pub value: Rgb,
+    /// Vertices from the light of that technique.
+    pub s: usize,
+    /// Whether it was joined to the camera (t = 1).
+    pub is_splat: bool,
+    /// Whether it begins at a point light.
+    pub is_point: bool,
+    /// Whether s = 2 stands for joining a point light by way of a mirror.
+    pub has_mirror_joint: bool,
+    /// Of s = 0 … k, how many times more often technique s finds the path than the one that
+    /// did, in numbers of samples a pixel; zero where it cannot.
+    pub ratios: Box<[f64]>,
+}
+
+impl FoundPath {
+    /// The path that was found in this way; `logs` are the logarithms of the densities of
+    /// all techniques.
+    pub(super) fn of(pixel: u32, path: &JoinedPath<'_>, value: Rgb, logs: &[f64]) -> Self {
+        let (s, t) = path.technique();
+        let ratio = |log: &f64| (log - logs[s]).exp();
+        Self {
+            pixel,
+            value,
+            s,
+            is_splat: t == 1,
+            is_point: path.is_point,
+            has_mirror_joint: path.has_mirror_joint(),
+            ratios: logs.iter().map(ratio).collect(),
+        }
+    }
+
+    /// Its edges.
+    pub fn edges(&self) -> usize {
+        self.ratios.len() - 1
+    }
+}

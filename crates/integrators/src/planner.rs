@@ -1,0 +1,205 @@
+//! Which method pays on a scene: no more is modelled than it needs.
+//!
+//! Bidirectional tracing costs several times a path tracer's sample. Where lamps are large it
+//! gains next to nothing, where they hide a path tracer never ends. [`plan`] finds out before
+//! a picture is rendered, and spends a few hundredths of its samples on that:
+//!
+//! 1. *Facts* of the scene leave out what can find nothing there
+//!    (`candidates`).
+//! 2. A *pilot* by all techniques of bidirectional tracing notes every path with the
+//!    densities of all techniques ([`FoundPath`]). They tell the noise of every other set of
+//!    techniques without rendering by it (`forecast`).
+//! 3. What a sample costs is *counted*, never timed, and priced by a table (`cost`): the same
+//!    command chooses the same method on every machine.
+//! 4. Those of the least noise times cost are put to the test with the numbers that the
+//!    picture will have (`trial`).
+//!
+//! The picture is rendered by the winner alone, and nothing of pilot and trials is in it: its
+//! mean does not depend on how it was chosen. After Grittmann et al., *Efficiency-aware
+//! multiple importance sampling for bidirectional rendering algorithms*, 2022, with variances
+//! in place of second moments.
+
+mod candidates;
+mod cost;
+mod evidence;
+mod forecast;
+mod length;
+mod pilot;
+mod probes;
+mod tiles;
+mod trial;
+mod work;
+
+pub use cost::{Price, price};
+pub use evidence::{Choice, Evidence, TechniqueShare};
+pub use forecast::Kind;
+pub use work::Work;
+
+use crate::{Control, Method, PointSet, SceneFacts, ThreadError};
+use candidates::{candidates, without_images};
+use forecast::{Forecast, forecast};
+use pilot::Pilot;
+use probes::Probes;
+use traylib_scene::Scene;
+use trial::trial;
+use work::count_work;
+
+/// What is to be planned.
+#[derive(Clone, Copy, Debug)]
+pub struct Request {
+    /// The longest path, for the methods that are chosen from.
+    pub max_depth: Option<u32>,
+    /// The part of all light that longer paths may hold and lose: where it is above zero, a
+    /// longest path is chosen, too.
+    pub may_lose: f64,
+    /// Samples a pixel of the picture, to spend a small part of them on the plan.
+    pub spp: u32,
+    /// Seed of the picture.
+    pub seed: u64,
+    /// Where the picture's numbers will come from.
+    pub points: PointSet,
+    /// Threads; 0 for one a processor. Does not change the plan.
+    pub threads: usize,
+}
+
+/// What was chosen, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// The method to render by.
+    pub method: Method,
+    /// What it was chosen for; `None` if the picture is too small to spend anything on it.
+    pub evidence: Option<Evidence>,
+}
+
+/// The part of the picture's samples that pilot and trials may take together.
+const BUDGET: f64 = 0.04;
+
+/// Fewer samples than these tell nothing.
+const LEAST_PROBES: u32 = 256;
+
+/// More of them tell no more.
+const MOST_PROBES: u32 = 4096;
+
+/// Passes of the pilot: two halves, each of which gives a mean of its own.
+const PILOT_PASSES: u32 = 2;
+
+/// Passes of a trial: two in each of four sequences.
+const TRIAL_PASSES: u32 = 8;
+
+/// Methods that are tried; with the safe one and those without images there may be more.
+const TRIED: usize = 3;
+
+/// Chooses the method that reaches a given error soonest.
+///
+/// The choice depends on the scene, the request and nothing else. `None` if `control` was
+/// cancelled meanwhile.
+///
+/// # Errors
+/// [`ThreadError`] if the system refuses the threads.
+pub fn plan(
+    scene: &Scene,
+    request: &Request,
+    control: &Control,
+) -> Result<Option<Plan>, ThreadError> {
+    let safe = Plan { method: Method::BDPT.up_to(request.max_depth), evidence: None };
+    let Some(probes) = affordable(scene, request) else { return Ok(Some(safe)) };
+    let pool = crate::render::pool(request.threads)?;
+    Ok(pool.install(|| {
+        let probes = Probes::spread(scene, probes, request.seed, control);
+        let pilot = Pilot::run(&probes, request.max_depth, PILOT_PASSES);
+        let max_depth = length::longest(&pilot, request);
+        let (facts, points) = (SceneFacts::of(scene), request.points);
+        let plan = Planner { probes: &probes, pilot, facts, points }.choose(max_depth);
+        (!control.is_cancelled()).then_some(plan)
+    }))
+}
+
+/// How many pixels to ask, if the picture is worth it.
+fn affordable(scene: &Scene, request: &Request) -> Option<u32> {
+    let pixels = u64::from(scene.camera().width()) * u64::from(scene.camera().height());
+    let samples = pixels as f64 * f64::from(request.spp);
+    let passes = PILOT_PASSES + TRIED as u32 * TRIAL_PASSES;
+    let probes = (BUDGET * samples / f64::from(passes)) as u32;
+    (probes >= LEAST_PROBES).then_some(probes.min(MOST_PROBES))
+}
+
+/// What a choice is made from.
+struct Planner<'a> {
+    probes: &'a Probes<'a>,
+    pilot: Pilot,
+    facts: SceneFacts,
+    points: PointSet,
+}
+
+impl Planner<'_> {
+    /// The plan of paths that are not longer than this.
+    fn choose(&self, max_depth: Option<u32>) -> Plan {
+        // All that may pay, the most promising first.
+        let methods = candidates(&self.facts).into_iter().map(|method| method.up_to(max_depth));
+        let mut choices: Vec<Choice> = methods.map(|method| self.forecast(method)).collect();
+        choices.retain(|choice| choice.forecast.is_finite());
+        choices.sort_by(|a, b| a.expected().total_cmp(&b.expected()));
+        // The first of them, and what is always worth a look, as they will be.
+        let mut tried = self.worth_trying(&choices, max_depth);
+        for choice in &mut tried {
+            choice.tried = Some(self.try_out(choice.method));
+        }
+        Self::settle(&mut tried, Method::BDPT.up_to(max_depth));
+        choices.retain(|choice| tried.iter().all(|tried| tried.method != choice.method));
+        let method = tried.first().map_or(Method::BDPT.up_to(max_depth), |best| best.method);
+        tried.append(&mut choices);
+        let techniques = TechniqueShare::list(forecast(&self.pilot, method).shares);
+        let beyond = length::lost_beyond(&length::light_by_edges(&self.pilot));
+        let evidence = Evidence { choices: tried, techniques, beyond, spent: 0.0 };
+        Plan { method, evidence: Some(evidence) }
+    }
+
+    fn forecast(&self, method: Method) -> Choice {
+        let Forecast { variance, .. } = forecast(&self.pilot, method);
+        let work = count_work(self.probes, method, self.points);
+        let cost = price(method, &work, self.probes.scene);
+        Choice { method, forecast: variance, tried: None, cost }
+    }
+
+    fn try_out(&self, method: Method) -> f64 {
+        trial(self.probes, &self.pilot.tiles, method, self.points, TRIAL_PASSES)
+    }
+
+    /// The best by forecast, the best that has no light paths and the best that has, the whole
+    /// of bidirectional tracing; and where mirrors show lamps the first of them without
+    /// looking for those images.
+    fn worth_trying(&self, choices: &[Choice], max_depth: Option<u32>) -> Vec<Choice> {
+        let whole = Method::BDPT.up_to(max_depth);
+        let walks = |choice: &&Choice| choice.method.techniques().need_light_paths();
+        let of_kind = [
+            choices.iter().find(walks),
+            choices.iter().find(|choice| !walks(choice)),
+            choices.iter().find(|choice| choice.method == whole),
+        ];
+        let mut tried: Vec<Choice> = Vec::new();
+        for choice in of_kind.into_iter().flatten().chain(choices.iter().take(TRIED)) {
+            if tried.iter().all(|other| other.method != choice.method) {
+                tried.push(*choice);
+            }
+        }
+        if self.probes.scene.lamps_are_small() {
+            let first = choices.first().and_then(|c| without_images(c.method, &self.facts));
+            tried.extend(first.map(|method| self.forecast(method)));
+        }
+        tried
+    }
+
+    /// Puts those that were tried in order. A trial that met none of the rare samples which the
+    /// forecast knows of must not win by that: half of the forecast counts in any case, times
+    /// what whole bidirectional tracing, whose samples are the most even, had of its own.
+    fn settle(tried: &mut [Choice], whole: Method) {
+        let of_whole = tried.iter().find(|choice| choice.method == whole);
+        let evenness = of_whole.and_then(|choice| Some(choice.tried? / choice.forecast));
+        let evenness = evenness.filter(|ratio| ratio.is_finite()).unwrap_or(1.0).min(1.0);
+        for choice in tried.iter_mut() {
+            let least = 0.5 * evenness * choice.forecast;
+            choice.tried = choice.tried.map(|variance| variance.max(least));
+        }
+        tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()));
+    }
+}

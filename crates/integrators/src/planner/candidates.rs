@@ -1,0 +1,89 @@
+//! The methods that a plan chooses from.
+
+use crate::{BdptSettings, DirectLight, Method, PathsPerPixel, SceneFacts};
+use traylib_math::Heuristic;
+
+const HEURISTICS: [Heuristic; 2] = [Heuristic::Power, Heuristic::Balance];
+
+/// Light paths for each pixel, in thousandths, where they are splatted.
+const SPLATTED: [u32; 4] = [250, 500, 1000, 2000];
+
+/// The same where they are only joined with camera paths: one more than one is joined with
+/// nothing.
+const JOINED: [u32; 2] = [500, 1000];
+
+/// All that may pay in a scene of such facts, each able to find whatever full bidirectional
+/// tracing finds there: what is faster for being blind to light is no choice.
+pub(super) fn candidates(facts: &SceneFacts) -> Vec<Method> {
+    let mut all = vec![Method::PURE_MC, Method::DIRECT_LIGHT, Method::PARTICLE];
+    // Point lights are not hit: there is nothing to combine.
+    if facts.area_lights {
+        all.extend(HEURISTICS.map(combined));
+    }
+    for heuristic in HEURISTICS {
+        let bdpt = BdptSettings { heuristic, ..BdptSettings::DEFAULT };
+        let lean = BdptSettings { no_connections: true, ..bdpt };
+        all.extend(SPLATTED.iter().flat_map(|&paths| [with(bdpt, paths), with(lean, paths)]));
+        let unsplatted = BdptSettings { no_splats: true, ..bdpt };
+        all.extend(JOINED.map(|paths| with(unsplatted, paths)));
+    }
+    let whole = Method::BDPT.build().blind_spots(facts);
+    let sees_all = |method: &Method| {
+        method.build().blind_spots(facts).iter().all(|spot| whole.contains(spot))
+    };
+    all.retain(sees_all);
+    all
+}
+
+fn combined(heuristic: Heuristic) -> Method {
+    Method::DirectLight(DirectLight { combine: Some(heuristic), ..DirectLight::default() })
+}
+
+fn with(settings: BdptSettings, thousandths: u32) -> Method {
+    let light_paths = PathsPerPixel::of_thousandths(thousandths);
+    Method::Bdpt(BdptSettings { light_paths, ..settings })
+}
+
+/// The method without images of lamps in mirrors, if it loses no light by that and is another.
+pub(super) fn without_images(method: Method, facts: &SceneFacts) -> Option<Method> {
+    // Images of points are the only way to some of their light.
+    if facts.point_lights {
+        return None;
+    }
+    match method {
+        Method::DirectLight(own) => {
+            Some(Method::DirectLight(DirectLight { no_images: true, ..own }))
+        }
+        Method::Bdpt(own) => Some(Method::Bdpt(BdptSettings { no_images: true, ..own })),
+        Method::Trace(_) | Method::PureMc(_) | Method::Particle(_) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn facts(area_lights: bool, point_lights: bool, mirrors: bool) -> SceneFacts {
+        SceneFacts { area_lights, point_lights, mirrors }
+    }
+
+    #[test]
+    fn nothing_is_chosen_that_is_blind() {
+        let names = |facts| -> Vec<&str> { candidates(&facts).into_iter().map(Method::name).collect() };
+        assert!(names(facts(true, false, false)).contains(&"particle"));
+        // What is seen in a mirror no light path shows, and points no walk from the camera finds
+        // by way of one.
+        assert!(!names(facts(true, false, true)).contains(&"particle"));
+        let beside_points = names(facts(true, true, true));
+        assert!(beside_points.iter().all(|name| *name == "bdpt"), "{beside_points:?}");
+    }
+
+    #[test]
+    fn each_stands_there_once() {
+        let all = candidates(&facts(true, false, false));
+        assert!((20..40).contains(&all.len()), "{}", all.len());
+        for (i, method) in all.iter().enumerate() {
+            assert!(!all[..i].contains(method), "{method}");
+        }
+    }
+}

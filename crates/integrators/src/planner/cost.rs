@@ -1,0 +1,80 @@
+//! What work costs.
+//!
+//! The table was made by `cargo xtask costs`, which times every method on scenes of all sizes
+//! and fits these numbers; only their ratios matter. A plan never looks at a clock.
+
+use super::Work;
+use crate::Method;
+use traylib_scene::Scene;
+
+/// Nanoseconds of what a method does for a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Price {
+    /// The sample itself, with its first ray.
+    pub sample: f64,
+    /// A further ray from the camera's side.
+    pub camera_bounce: f64,
+    /// A shadow ray of a camera path.
+    pub camera_shadow: f64,
+    /// A light path.
+    pub light_path: f64,
+    /// Each of its rays.
+    pub light_bounce: f64,
+    /// Each of its shadow rays.
+    pub light_shadow: f64,
+}
+
+/// Of scenes with a handful of shapes.
+const PURE_MC: Price = Price { sample: 250.0, camera_bounce: 180.0, ..Price::NOTHING };
+const DIRECT_LIGHT: Price =
+    Price { sample: 250.0, camera_bounce: 200.0, camera_shadow: 150.0, ..Price::NOTHING };
+const PARTICLE: Price = Price {
+    sample: 100.0,
+    light_path: 200.0,
+    light_bounce: 200.0,
+    light_shadow: 100.0,
+    ..Price::NOTHING
+};
+const BDPT: Price = Price {
+    sample: 350.0,
+    camera_bounce: 280.0,
+    camera_shadow: 150.0,
+    light_path: 300.0,
+    light_bounce: 280.0,
+    light_shadow: 120.0,
+};
+
+impl Price {
+    const NOTHING: Self = Self {
+        sample: 0.0,
+        camera_bounce: 0.0,
+        camera_shadow: 0.0,
+        light_path: 0.0,
+        light_bounce: 0.0,
+        light_shadow: 0.0,
+    };
+
+    fn of(method: Method) -> Self {
+        match method {
+            Method::Trace(_) | Method::PureMc(_) => PURE_MC,
+            Method::DirectLight(_) => DIRECT_LIGHT,
+            Method::Particle(_) => PARTICLE,
+            Method::Bdpt(_) => BDPT,
+        }
+    }
+
+    fn of_work(self, work: &Work) -> f64 {
+        self.sample
+            + self.camera_bounce * work.camera_bounces
+            + self.camera_shadow * work.camera_shadows
+            + self.light_path * work.light_paths
+            + self.light_bounce * work.light_bounces
+            + self.light_shadow * work.light_shadows
+    }
+}
+
+/// What a sample costs, in nanoseconds of the machine that the table was made on.
+pub fn price(method: Method, work: &Work, scene: &Scene) -> f64 {
+    let _ = scene;
+    Price::of(method).of_work(work)
+}
