@@ -46,6 +46,8 @@ Usage: cargo xtask TASK [ARGUMENTS]
   scaling [WHAT GROWS…] [OPTIONS]
            how time and memory grow with triangles, lamps, the length of paths,
            pixels and threads; --help for more
+  costs [SCENE…]
+           the table of prices by which `bdpt --auto` counts, made anew
   count-instructions [PART…] [OPTIONS]
            instructions a ray and a triangle, by valgrind; --help for more
   engines  a rendering in parts by Slurm, GNU parallel and Open Job Description, those
@@ -79,7 +81,7 @@ fn main() -> ExitCode {
         ["relations", ref arguments @ ..] => relations::run(arguments),
         ["stability", ref arguments @ ..] => stability::run(arguments),
         ["count-instructions", ref arguments @ ..] => count_instructions::run(arguments),
-        [program @ ("compare-integrators" | "scaling"), ref arguments @ ..] => {
+        [program @ ("compare-integrators" | "scaling" | "costs"), ref arguments @ ..] => {
             return charts::run(program, arguments).unwrap_or_else(|error| failed(&error));
         }
         ["help" | "-h" | "--help"] => {

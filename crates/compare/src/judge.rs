@@ -132,8 +132,18 @@ fn method(entry: &Entry, reference: &Reference, facts: SceneFacts) -> MethodResu
         rays: rays(entry),
         peak_bytes: entry.records.iter().map(|record| record.peak_bytes).max().unwrap_or(0),
         stability: steadiness(entry, reference),
+        plans: plans(entry),
     };
     if method.stability.alarm { without_high_ends(method) } else { method }
+}
+
+/// What was chosen for the runs, each once.
+fn plans(entry: &Entry) -> Vec<String> {
+    let mut plans: Vec<String> =
+        entry.records.iter().filter_map(|record| record.plan.clone()).collect();
+    plans.sort();
+    plans.dedup();
+    plans
 }
 
 /// How the error divides: with R runs, one has the error lost + noise, their mean

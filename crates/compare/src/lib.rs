@@ -10,10 +10,12 @@
 //! | [`page`], [`table`], [`csv`] | what is shown of it |
 //! | [`folder`] | where it is left |
 //! | [`scaling`] | how time and memory grow |
+//! | [`costs`] | what work costs, for plans |
 
 mod bootstrap;
 mod chart;
 pub mod compare;
+pub mod costs;
 pub mod csv;
 pub mod folder;
 pub mod how;

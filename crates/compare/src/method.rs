@@ -1,6 +1,8 @@
 //! Which methods are compared, and what a comparison has to know of them.
 
-use traylib_integrators::{BdptSettings, BlindSpot, DirectLight, Limits, Method, SceneFacts};
+use traylib_integrators::{
+    Auto, BdptSettings, BlindSpot, DirectLight, Limits, MayLose, Method, SceneFacts,
+};
 use traylib_math::Heuristic;
 
 /// Settings of the two best methods that may pay.
@@ -14,11 +16,17 @@ const SETTINGS: [Method; 3] = [
     Method::Bdpt(BdptSettings { no_connections: true, ..BdptSettings::DEFAULT }),
 ];
 
+/// What finds out by itself which of the others to render by.
+const PLANNED: Method = Method::Bdpt(BdptSettings {
+    auto: Some(Auto { may_lose: MayLose::NOTHING }),
+    ..BdptSettings::DEFAULT
+});
+
 /// What is compared unless something else is asked for: every method, and some settings
 /// unless it is done in a hurry.
 pub fn by_default(in_a_hurry: bool) -> Vec<Method> {
     let settings = if in_a_hurry { &[][..] } else { &SETTINGS };
-    [&Method::COMPARED, settings].concat()
+    [&Method::COMPARED[..], &[PLANNED], settings].concat()
 }
 
 /// Edges of the longest paths that it follows, if its settings limit them.
@@ -61,12 +69,13 @@ mod tests {
             "directlight --combine",
             "particle",
             "bdpt",
+            "bdpt --auto",
             "directlight --combine --heuristic balance",
             "bdpt --heuristic balance",
             "bdpt --no-connections",
         ];
         assert_eq!(names, expected);
-        assert_eq!(by_default(true), by_default(false)[..6]);
+        assert_eq!(by_default(true), by_default(false)[..7]);
     }
 
     #[test]

@@ -171,6 +171,8 @@ pub struct MethodResults {
     pub peak_bytes: u64,
     /// How steady it is.
     pub stability: Stability,
+    /// What plans chose for its runs, each once, if they were made.
+    pub plans: Vec<String>,
 }
 
 impl MethodResults {

@@ -6,9 +6,9 @@ use crate::reference::Reference;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use traylib_integrators::Method;
+use traylib_integrators::planner::{Request, plan};
 use traylib_integrators::{
-    Control, PointSet, Progress, Rendering, Settings, Statistics, ThreadError, render,
+    Auto, Control, Method, PointSet, Progress, Rendering, Settings, Statistics, ThreadError, render,
 };
 use traylib_scene::Scene;
 use traylib_statistics::PictureError;
@@ -31,6 +31,8 @@ pub struct Record {
     pub mean_ratio: f64,
     /// Rays from the camera, from surfaces and lamps, and between points.
     pub rays: [u64; 3],
+    /// What a plan chose for it, if one was made.
+    pub plan: Option<String>,
     /// Samples that were left out.
     pub rejected: u64,
     /// Most bytes held on the way, beside scene and reference.
@@ -77,8 +79,11 @@ impl Race<'_> {
     /// The system refuses threads.
     pub fn run(&self, method: Method, seed: u64) -> Result<Option<(Record, Picture)>, ThreadError> {
         let settings = Settings { spp: u32::MAX, seed, threads: self.threads, points: self.points };
-        let integrator = method.build();
         let mut watch = Watch::new(self);
+        // The time of a plan counts.
+        let Some(planned) = self.planned(method, seed)? else { return Ok(None) };
+        watch.plan = (planned != method).then(|| planned.to_string());
+        let integrator = planned.build();
         let (rendering, peak_bytes) = peak_during(|| {
             render(self.scene, integrator.as_ref(), &settings, self.stop, &mut |p| {
                 watch.after_pass(p)
@@ -87,6 +92,20 @@ impl Race<'_> {
         let rendering = rendering?;
         let finished = watch.has_finished();
         Ok(finished.then(|| (watch.record(&rendering, peak_bytes), rendering.film.mean())))
+    }
+
+    /// What a method renders by: another, if it leaves that to a plan; `None` if it was stopped.
+    fn planned(&self, method: Method, seed: u64) -> Result<Option<Method>, ThreadError> {
+        let Some(Auto { may_lose }) = method.auto() else { return Ok(Some(method)) };
+        let request = Request {
+            max_depth: method.limits().and_then(|limits| limits.max_depth),
+            may_lose: may_lose.part(),
+            spp: PLANNED_SPP,
+            seed,
+            points: self.points,
+            threads: self.threads,
+        };
+        Ok(plan(self.scene, &request, self.stop)?.map(|plan| plan.method))
     }
 
     /// Renders for about this long and keeps nothing: caches, clock rates and
@@ -106,6 +125,10 @@ impl Race<'_> {
     }
 }
 
+/// Samples a pixel that a plan thinks there will be. Nobody knows before the time is up: as many
+/// as programs take of scenes that do not say.
+const PLANNED_SPP: u32 = 64;
+
 /// Looks after each pass, with the clock stopped.
 struct Watch<'a> {
     race: &'a Race<'a>,
@@ -115,6 +138,7 @@ struct Watch<'a> {
     largest: Largest,
     looks: Vec<Look>,
     next_budget: usize,
+    plan: Option<String>,
     gone: Duration,
     since: Instant,
 }
@@ -130,6 +154,7 @@ impl<'a> Watch<'a> {
             largest: Largest::default(),
             looks: Vec::new(),
             next_budget: 0,
+            plan: None,
             gone: Duration::ZERO,
             since: Instant::now(),
         }
@@ -185,6 +210,7 @@ impl<'a> Watch<'a> {
             smape: error.map_or(0.0, |e| e.smape),
             mean_ratio: error.map_or(0.0, |e| e.mean_ratio),
             rays: [camera_rays, bounce_rays, shadow_rays],
+            plan: self.plan,
             rejected,
             peak_bytes,
             largest: self.largest.descending(),

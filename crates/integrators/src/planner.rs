@@ -30,7 +30,7 @@ mod tiles;
 mod trial;
 mod work;
 
-pub use cost::{Price, price};
+pub use cost::{Price, growth, price};
 pub use evidence::{Choice, Evidence, TechniqueShare};
 pub use forecast::Kind;
 pub use work::Work;
@@ -43,6 +43,9 @@ use probes::Probes;
 use traylib_scene::Scene;
 use trial::trial;
 use work::count_work;
+
+/// The part of a forecast that a trial cannot refute.
+const SURE: f64 = 0.2;
 
 /// What is to be planned.
 #[derive(Clone, Copy, Debug)]
@@ -114,6 +117,36 @@ pub fn plan(
     }))
 }
 
+/// The variance of one sample by each of these methods, relative as relMSE is, as the pilot of a
+/// plan has it that asks so many pixels: infinite for one that cannot find what was found.
+///
+/// # Errors
+/// [`ThreadError`] if the system refuses the threads.
+pub fn forecasts(
+    scene: &Scene,
+    methods: &[Method],
+    probes: u32,
+    seed: u64,
+) -> Result<Vec<f64>, ThreadError> {
+    let control = Control::default();
+    let pool = crate::render::pool(0)?;
+    Ok(pool.install(|| {
+        let pilot = Pilot::run(&Probes::spread(scene, probes, seed, &control), None, PILOT_PASSES);
+        methods.iter().map(|&method| forecast(&pilot, method).variance).collect()
+    }))
+}
+
+/// What a method does for a sample on a scene, as plans count it.
+///
+/// # Errors
+/// [`ThreadError`] if the system refuses the threads.
+pub fn work(scene: &Scene, method: Method, points: PointSet) -> Result<Work, ThreadError> {
+    let control = Control::default();
+    let pool = crate::render::pool(0)?;
+    let probes = Probes::spread(scene, MOST_PROBES, 0, &control);
+    Ok(pool.install(|| count_work(&probes, method, points)))
+}
+
 /// How many pixels to ask, if the picture is worth it.
 fn affordable(scene: &Scene, request: &Request) -> Option<u32> {
     let pixels = u64::from(scene.camera().width()) * u64::from(scene.camera().height());
@@ -144,7 +177,7 @@ impl Planner<'_> {
         for choice in &mut tried {
             choice.tried = Some(self.try_out(choice.method));
         }
-        Self::settle(&mut tried, Method::BDPT.up_to(max_depth));
+        self.settle(&mut tried, Method::BDPT.up_to(max_depth));
         choices.retain(|choice| tried.iter().all(|tried| tried.method != choice.method));
         let method = tried.first().map_or(Method::BDPT.up_to(max_depth), |best| best.method);
         tried.append(&mut choices);
@@ -190,14 +223,17 @@ impl Planner<'_> {
     }
 
     /// Puts those that were tried in order. A trial that met none of the rare samples which the
-    /// forecast knows of must not win by that: half of the forecast counts in any case, times
+    /// forecast knows of must not win by that: a part of the forecast counts in any case, times
     /// what whole bidirectional tracing, whose samples are the most even, had of its own.
-    fn settle(tried: &mut [Choice], whole: Method) {
+    fn settle(&self, tried: &mut [Choice], whole: Method) {
         let of_whole = tried.iter().find(|choice| choice.method == whole);
         let evenness = of_whole.and_then(|choice| Some(choice.tried? / choice.forecast));
         let evenness = evenness.filter(|ratio| ratio.is_finite()).unwrap_or(1.0).min(1.0);
         for choice in tried.iter_mut() {
-            let least = 0.5 * evenness * choice.forecast;
+            // What directlight aims at in mirrors is more than the pilot knows of.
+            let is_known = !self.probes.scene.lamps_are_small()
+                || choice.method.techniques().need_light_paths();
+            let least = if is_known { SURE * evenness * choice.forecast } else { 0.0 };
             choice.tried = choice.tried.map(|variance| variance.max(least));
         }
         tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()));

@@ -14,6 +14,7 @@ mod interreflection;
 mod laws;
 mod many_lamps;
 mod mirrored;
+mod planner;
 mod points;
 mod real_files;
 mod reference;

@@ -43,6 +43,7 @@ fn record(picture: &Picture, reference: &Reference) -> Record {
         smape: 0.0,
         mean_ratio: Sample::of(&all).mean,
         rays: [100, 200, 300],
+        plan: None,
         rejected: 0,
         peak_bytes: 5,
         largest: Vec::new(),

@@ -17,6 +17,7 @@ pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Optio
         Some(best) => lead(best, &rivals, methods),
         None => distrust.unwrap_or_else(|| without_best(&exact)),
     }];
+    sentences.extend(methods.iter().filter_map(planned));
     sentences.extend(alarms(methods));
     sentences.extend(methods.iter().filter_map(loss));
     sentences.extend(unseen(methods));
@@ -105,6 +106,17 @@ fn times(all: &[MethodResults], told: &[&str]) -> Vec<String> {
 /// Whether a name is that of a method with settings that not every chart compares.
 fn is_set(name: &str) -> bool {
     name.parse().is_ok_and(|method: Method| !Method::COMPARED.contains(&method))
+}
+
+/// What a plan chose, and what that took.
+fn planned(method: &MethodResults) -> Option<String> {
+    let plans: Vec<&str> = method.plans.iter().map(String::as_str).collect();
+    let chose = format!("{} chose {}", method.name, listed(&plans)?);
+    Some(if is_best(method) || method.biased {
+        format!("{chose}.")
+    } else {
+        format!("{chose} and took {}, its plan included.", ratio(method).as_long())
+    })
 }
 
 /// Whose values seem to have no variance.

@@ -11,14 +11,16 @@ use replay::FullPath;
 pub(crate) use room::room;
 use traylib_math::Rgb;
 
+const DEFAULT: BdptSettings = BdptSettings::DEFAULT;
 const HEURISTICS: [Heuristic; 2] = [Heuristic::Balance, Heuristic::Power];
 
 fn render(scene: &Scene, bdpt: &Bdpt) -> Vec<(u32, Rgb)> {
     let (mut out, control) = (ChunkOutput::default(), Control::default());
     for pass in 0..6 {
-        let (pixels, light_paths, control) = (0..1024, 0..1024, &control);
+        let light_path_count = bdpt.light_paths(scene.camera().width() * scene.camera().height());
+        let (pixels, light_paths, control) = (0..1024, 0..light_path_count, &control);
         let (points, dimensions) = (PointSet::default(), Dimensions::of(scene));
-        let (seed, light_path_count) = (3, 1024);
+        let seed = 3;
         let chunk = Chunk {
             seed,
             pass,
@@ -39,11 +41,23 @@ fn render(scene: &Scene, bdpt: &Bdpt) -> Vec<(u32, Rgb)> {
 #[test]
 fn recursive_weights_equal_the_direct_sum() {
     let scene = room();
-    for heuristic in HEURISTICS {
-        let plain = Bdpt { heuristic, weighting: Weighting::DirectSum, ..Bdpt::default() };
-        let fast = Bdpt { weighting: Weighting::Recursive, ..plain.clone() };
+    let part = |no_connections, no_splats, thousandths, heuristic| {
+        let light_paths = PathsPerPixel::of_thousandths(thousandths);
+        let settings = BdptSettings { no_connections, no_splats, light_paths, ..DEFAULT };
+        BdptSettings { heuristic, ..settings }
+    };
+    let whole = HEURISTICS.map(|heuristic| part(false, false, 1000, heuristic));
+    let parts = [
+        part(true, false, 250, Heuristic::Power),
+        part(false, true, 1000, Heuristic::Balance),
+        part(false, false, 500, Heuristic::Power),
+    ];
+    for settings in whole.into_iter().chain(parts) {
+        let fast = settings.integrator(Report::None);
+        let heuristic = settings.heuristic;
+        let plain = Bdpt { weighting: Weighting::DirectSum, ..fast.clone() };
         let (plain, fast) = (render(&scene, &plain), render(&scene, &fast));
-        assert!(plain.len() > 50_000, "{} contributions", plain.len());
+        assert!(plain.len() > 20_000, "{} contributions", plain.len());
         let brightest = plain.iter().map(|(_, value)| value.max_band()).fold(0.0, f32::max);
         let large = |light: &[(u32, Rgb)]| -> Vec<(u32, Rgb)> {
             // Weights that underflow single precision in one form may not in

@@ -24,24 +24,24 @@ pub struct Price {
     pub light_shadow: f64,
 }
 
-/// Of scenes with a handful of shapes.
-const PURE_MC: Price = Price { sample: 250.0, camera_bounce: 180.0, ..Price::NOTHING };
+/// Shapes of the scenes that the table is for.
+const FEW: f64 = 16.0;
+
+/// What each doubling of them adds.
+const A_DOUBLING: f64 = 0.1;
+
+const PURE_MC: Price = Price { sample: 150.0, camera_bounce: 290.0, ..Price::NOTHING };
 const DIRECT_LIGHT: Price =
-    Price { sample: 250.0, camera_bounce: 200.0, camera_shadow: 150.0, ..Price::NOTHING };
-const PARTICLE: Price = Price {
-    sample: 100.0,
-    light_path: 200.0,
-    light_bounce: 200.0,
-    light_shadow: 100.0,
-    ..Price::NOTHING
-};
+    Price { sample: 30.0, camera_bounce: 220.0, camera_shadow: 240.0, ..Price::NOTHING };
+const PARTICLE: Price =
+    Price { sample: 75.0, light_bounce: 265.0, light_shadow: 85.0, ..Price::NOTHING };
 const BDPT: Price = Price {
-    sample: 350.0,
-    camera_bounce: 280.0,
-    camera_shadow: 150.0,
-    light_path: 300.0,
-    light_bounce: 280.0,
-    light_shadow: 120.0,
+    sample: 75.0,
+    camera_bounce: 215.0,
+    camera_shadow: 280.0,
+    light_path: 0.0,
+    light_bounce: 320.0,
+    light_shadow: 30.0,
 };
 
 impl Price {
@@ -75,6 +75,12 @@ impl Price {
 
 /// What a sample costs, in nanoseconds of the machine that the table was made on.
 pub fn price(method: Method, work: &Work, scene: &Scene) -> f64 {
-    let _ = scene;
-    Price::of(method).of_work(work)
+    growth(scene.primitive_count()) * Price::of(method).of_work(work)
+}
+
+/// How much dearer everything is in a scene of so many shapes than in one of a few: rays go
+/// deeper into a larger tree, and find less of it in caches.
+pub fn growth(primitives: usize) -> f64 {
+    let doublings = (primitives.max(1) as f64 / FEW).log2().max(0.0);
+    1.0 + A_DOUBLING * doublings
 }

@@ -10,7 +10,7 @@ use traylib_math::Rgb;
 /// find one grows with its length. Trials have them.
 pub(super) const LONGEST: u32 = 16;
 
-/// What the pilot found.
+/// What the pilot found, but for lamps that the camera sees.
 pub(super) struct Pilot {
     /// Each path with the number of the probe that brought it and that of the pass, in the order
     /// of the probes.
@@ -40,7 +40,10 @@ impl Pilot {
             let found = |path| Found { path, probe, pass };
             probed.paths.into_iter().map(found).collect::<Vec<_>>()
         });
-        let found: Vec<Found> = found.into_iter().flatten().collect();
+        // Lamps that the camera sees are the same to all methods, and far brighter than what
+        // they light.
+        let found = found.into_iter().flatten().filter(|found| found.path.edges() > 1);
+        let found: Vec<Found> = found.collect();
         let samples = probes.pixels.len() as f64 * f64::from(passes);
         let light = found.iter().map(|found| (found.path.pixel, found.path.balanced()));
         let tiles = Tiles::of(probes, samples, light);

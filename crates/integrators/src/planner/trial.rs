@@ -15,11 +15,16 @@ pub(super) fn trial(
     passes: u32,
 ) -> f64 {
     let integrator = method.build();
-    let answers = probes.ask(&*integrator, points, passes, |_, _, probed| {
+    // Lamps that the camera sees are left out, as of the pilot: by the same rays alone.
+    let seen = Method::PURE_MC.up_to(Some(1)).build();
+    let seen = probes.ask(&*seen, points, passes, |_, _, probed| probed.radiance);
+    let answers = probes.ask(&*integrator, points, passes, |probe, pass, probed| {
         // Splats are rare in each pixel: their variance is their mean square.
         let splat = |(pixel, light)| tiles.weight(pixel) * product(bands(light), bands(light));
         let Probed { radiance, splats, .. } = probed;
-        (bands(radiance), splats.into_iter().map(splat).sum::<f64>())
+        let (mut rest, seen) = (bands(radiance), seen[probe * passes as usize + pass as usize]);
+        rest.iter_mut().zip(bands(seen)).for_each(|(rest, seen)| *rest -= seen);
+        (rest, splats.into_iter().map(splat).sum::<f64>())
     });
     let samples = answers.len() as f64;
     let splatted: f64 = answers.iter().map(|(_, squares)| squares).sum();
