@@ -14,8 +14,8 @@ pub use spelling::MethodError;
 use crate::bdpt::{BdptSettings, MayLose, PathsPerPixel};
 use crate::directlight::DirectLightOfPixel;
 use crate::{
-    Auto, DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Roulette, Techniques,
-    Trace,
+    Auto, DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Roulette,
+    Techniques, Trace,
 };
 use traylib_math::Heuristic;
 

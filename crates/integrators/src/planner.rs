@@ -36,16 +36,16 @@ pub use forecast::Kind;
 pub use work::Work;
 
 use crate::{Control, Method, PointSet, SceneFacts, ThreadError};
-use candidates::{candidates, without_images};
+use candidates::{Candidates, candidates, without_images};
 use forecast::{Forecast, forecast};
 use pilot::Pilot;
 use probes::Probes;
 use traylib_scene::Scene;
 use trial::trial;
-use work::count_work;
+use work::Counted;
 
-/// The part of a forecast that a trial cannot refute.
-const SURE: f64 = 0.2;
+/// How many times more, or less, a trial may have than was forecast.
+const DOUBT: f64 = 4.0;
 
 /// What is to be planned.
 #[derive(Clone, Copy, Debug)]
@@ -86,8 +86,14 @@ const MOST_PROBES: u32 = 4096;
 /// Passes of the pilot: two halves, each of which gives a mean of its own.
 const PILOT_PASSES: u32 = 2;
 
-/// Passes of a trial: two in each of four sequences.
-const TRIAL_PASSES: u32 = 8;
+/// Passes of a trial: four in each of four sequences.
+const TRIAL_PASSES: u32 = 16;
+
+/// One of so many probes is tried.
+const TRIED_PROBES: usize = 2;
+
+/// One of so many is counted.
+const COUNTED_PROBES: usize = 4;
 
 /// Methods that are tried; with the safe one and those without images there may be more.
 const TRIED: usize = 3;
@@ -105,14 +111,24 @@ pub fn plan(
     control: &Control,
 ) -> Result<Option<Plan>, ThreadError> {
     let safe = Plan { method: Method::BDPT.up_to(request.max_depth), evidence: None };
-    let Some(probes) = affordable(scene, request) else { return Ok(Some(safe)) };
+    let samples = samples(scene, request);
+    let Some(probes) = affordable(samples) else { return Ok(Some(safe)) };
     let pool = crate::render::pool(request.threads)?;
     Ok(pool.install(|| {
         let probes = Probes::spread(scene, probes, request.seed, control);
         let pilot = Pilot::run(&probes, request.max_depth, PILOT_PASSES);
         let max_depth = length::longest(&pilot, request);
-        let (facts, points) = (SceneFacts::of(scene), request.points);
-        let plan = Planner { probes: &probes, pilot, facts, points }.choose(max_depth);
+        let planner = Planner {
+            probes: &probes,
+            half: probes.one_of(TRIED_PROBES),
+            few: probes.one_of(COUNTED_PROBES),
+            counted: Counted::default(),
+            pilot,
+            facts: SceneFacts::of(scene),
+            points: request.points,
+            spp: request.spp,
+        };
+        let plan = planner.choose(max_depth, samples);
         (!control.is_cancelled()).then_some(plan)
     }))
 }
@@ -144,14 +160,20 @@ pub fn work(scene: &Scene, method: Method, points: PointSet) -> Result<Work, Thr
     let control = Control::default();
     let pool = crate::render::pool(0)?;
     let probes = Probes::spread(scene, MOST_PROBES, 0, &control);
-    Ok(pool.install(|| count_work(&probes, method, points)))
+    Ok(pool.install(|| Counted::default().of(&probes, method, points)))
+}
+
+/// Samples of the picture.
+fn samples(scene: &Scene, request: &Request) -> f64 {
+    let camera = scene.camera();
+    f64::from(camera.width()) * f64::from(camera.height()) * f64::from(request.spp)
 }
 
 /// How many pixels to ask, if the picture is worth it.
-fn affordable(scene: &Scene, request: &Request) -> Option<u32> {
-    let pixels = u64::from(scene.camera().width()) * u64::from(scene.camera().height());
-    let samples = pixels as f64 * f64::from(request.spp);
-    let passes = PILOT_PASSES + TRIED as u32 * TRIAL_PASSES;
+fn affordable(samples: f64) -> Option<u32> {
+    // With the three kinds that are always tried.
+    let tried = (TRIED + 2) as u32 * TRIAL_PASSES / TRIED_PROBES as u32;
+    let passes = PILOT_PASSES + tried;
     let probes = (BUDGET * samples / f64::from(passes)) as u32;
     (probes >= LEAST_PROBES).then_some(probes.min(MOST_PROBES))
 }
@@ -159,50 +181,60 @@ fn affordable(scene: &Scene, request: &Request) -> Option<u32> {
 /// What a choice is made from.
 struct Planner<'a> {
     probes: &'a Probes<'a>,
+    /// Some of the probes, on which methods are tried.
+    half: Probes<'a>,
+    /// Fewer, on which work is counted.
+    few: Probes<'a>,
+    counted: Counted,
     pilot: Pilot,
     facts: SceneFacts,
     points: PointSet,
+    spp: u32,
 }
 
 impl Planner<'_> {
-    /// The plan of paths that are not longer than this.
-    fn choose(&self, max_depth: Option<u32>) -> Plan {
+    /// The plan of paths that are not longer than this, for a picture of so many samples.
+    fn choose(mut self, max_depth: Option<u32>, samples: f64) -> Plan {
+        let whole = Method::BDPT.up_to(max_depth);
         // All that may pay, the most promising first.
-        let methods = candidates(&self.facts).into_iter().map(|method| method.up_to(max_depth));
+        let Candidates { methods, blind } = candidates(self.facts);
+        let methods = methods.into_iter().map(|method| method.up_to(max_depth));
         let mut choices: Vec<Choice> = methods.map(|method| self.forecast(method)).collect();
         choices.retain(|choice| choice.forecast.is_finite());
         choices.sort_by(|a, b| a.expected().total_cmp(&b.expected()));
         // The first of them, and what is always worth a look, as they will be.
-        let mut tried = self.worth_trying(&choices, max_depth);
+        let mut tried = self.worth_trying(&choices, whole);
         for choice in &mut tried {
             choice.tried = Some(self.try_out(choice.method));
         }
-        self.settle(&mut tried, Method::BDPT.up_to(max_depth));
+        self.settle(&mut tried, whole);
+        let method = tried.first().map_or(whole, |best| best.method);
+        // Why: all choices, what the techniques of the best hold, and how long its paths are.
+        let spent = self.samples(tried.len()) / samples;
         choices.retain(|choice| tried.iter().all(|tried| tried.method != choice.method));
-        let method = tried.first().map_or(Method::BDPT.up_to(max_depth), |best| best.method);
         tried.append(&mut choices);
         let techniques = TechniqueShare::list(forecast(&self.pilot, method).shares);
         let beyond = length::lost_beyond(&length::light_by_edges(&self.pilot));
-        let evidence = Evidence { choices: tried, techniques, beyond, spent: 0.0 };
+        let evidence = Evidence { choices: tried, blind, techniques, beyond, spent };
         Plan { method, evidence: Some(evidence) }
     }
 
-    fn forecast(&self, method: Method) -> Choice {
+    fn forecast(&mut self, method: Method) -> Choice {
         let Forecast { variance, .. } = forecast(&self.pilot, method);
-        let work = count_work(self.probes, method, self.points);
+        let work = self.counted.of(&self.few, method, self.points);
         let cost = price(method, &work, self.probes.scene);
         Choice { method, forecast: variance, tried: None, cost }
     }
 
     fn try_out(&self, method: Method) -> f64 {
-        trial(self.probes, &self.pilot.tiles, method, self.points, TRIAL_PASSES)
+        let by = (self.points, TRIAL_PASSES, self.spp);
+        trial(&self.half, &self.pilot.tiles, method, by)
     }
 
     /// The best by forecast, the best that has no light paths and the best that has, the whole
     /// of bidirectional tracing; and where mirrors show lamps the first of them without
     /// looking for those images.
-    fn worth_trying(&self, choices: &[Choice], max_depth: Option<u32>) -> Vec<Choice> {
-        let whole = Method::BDPT.up_to(max_depth);
+    fn worth_trying(&mut self, choices: &[Choice], whole: Method) -> Vec<Choice> {
         let walks = |choice: &&Choice| choice.method.techniques().need_light_paths();
         let of_kind = [
             choices.iter().find(walks),
@@ -216,15 +248,16 @@ impl Planner<'_> {
             }
         }
         if self.probes.scene.lamps_are_small() {
-            let first = choices.first().and_then(|c| without_images(c.method, &self.facts));
+            let first = choices.first().and_then(|c| without_images(c.method, self.facts));
             tried.extend(first.map(|method| self.forecast(method)));
         }
         tried
     }
 
     /// Puts those that were tried in order. A trial that met none of the rare samples which the
-    /// forecast knows of must not win by that: a part of the forecast counts in any case, times
-    /// what whole bidirectional tracing, whose samples are the most even, had of its own.
+    /// forecast knows of must not win by that, nor one that met more lose: it may not be farther
+    /// off its forecast, times what whole bidirectional tracing, whose samples are the most
+    /// even, had of its own.
     fn settle(&self, tried: &mut [Choice], whole: Method) {
         let of_whole = tried.iter().find(|choice| choice.method == whole);
         let evenness = of_whole.and_then(|choice| Some(choice.tried? / choice.forecast));
@@ -233,9 +266,19 @@ impl Planner<'_> {
             // What directlight aims at in mirrors is more than the pilot knows of.
             let is_known = !self.probes.scene.lamps_are_small()
                 || choice.method.techniques().need_light_paths();
-            let least = if is_known { SURE * evenness * choice.forecast } else { 0.0 };
-            choice.tried = choice.tried.map(|variance| variance.max(least));
+            if is_known {
+                let likely = evenness * choice.forecast;
+                let (least, most) = (likely / DOUBT, likely * DOUBT);
+                choice.tried = choice.tried.map(|variance| variance.clamp(least, most));
+            }
         }
         tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()));
+    }
+
+    /// Samples that all this took: of the pilot, of what was counted, and of so many trials.
+    fn samples(&self, trials: usize) -> f64 {
+        let pilot = self.probes.pixels.len() * PILOT_PASSES as usize;
+        let trials = self.half.pixels.len() * TRIAL_PASSES as usize * trials;
+        (pilot + trials + self.few.pixels.len() * self.counted.methods()) as f64
     }
 }

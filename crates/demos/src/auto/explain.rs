@@ -11,7 +11,7 @@ const SHOWN: usize = 12;
 /// Tables for people.
 pub(super) fn as_text(plan: &Plan) -> String {
     let mut text = format!("plan  {}\n", plan.method);
-    let Some(Evidence { choices, techniques, beyond, spent }) = &plan.evidence else {
+    let Some(Evidence { choices, blind, techniques, beyond, spent }) = &plan.evidence else {
         text += "The picture has too few samples to spend any on a choice.\n";
         return text;
     };
@@ -34,6 +34,11 @@ pub(super) fn as_text(plan: &Plan) -> String {
     }
     if let Some(rest) = choices.len().checked_sub(SHOWN).filter(|rest| *rest > 0) {
         let _ = writeln!(text, "  {rest} more were forecast to take longer");
+    }
+    if let Some((_, spot)) = blind.first() {
+        let mut names: Vec<&str> = blind.iter().map(|(method, _)| method.name()).collect();
+        names.dedup();
+        let _ = writeln!(text, "  no choice: {}, for they cannot produce {spot}", names.join(", "));
     }
     text += "\n  of the light  of the noise  what the plan's techniques find\n";
     for TechniqueShare { kind, light, squares } in techniques {
@@ -63,6 +68,9 @@ pub(super) fn as_json(plan: &Plan) -> Result<String, Failure> {
     let evidence = plan.evidence.as_ref().map(|evidence| {
         json!({
             "choices": evidence.choices.iter().map(choice).collect::<Vec<_>>(),
+            "blind": evidence.blind.iter().map(|(method, spot)| {
+                json!({ "method": method.to_string(), "to": spot.to_string() })
+            }).collect::<Vec<_>>(),
             "techniques": evidence.techniques.iter().map(technique).collect::<Vec<_>>(),
             "light_beyond_edges": evidence.beyond,
             "spent": evidence.spent,

@@ -327,7 +327,8 @@ pub(super) fn auto(given: &[MethodSetting]) -> Result<Option<Auto>, MethodError>
         return if may_lose.is_some() { Err(MethodError::NothingPlanned) } else { Ok(None) };
     }
     // All but the length of paths is the plan's own.
-    let own = |option: &MethodOption| !matches!(option, MethodOption::MaxDepth | MethodOption::Auto);
+    let own =
+        |option: &MethodOption| !matches!(option, MethodOption::MaxDepth | MethodOption::Auto);
     match given.iter().map(|setting| setting.option()).find(own) {
         Some(option) => Err(MethodError::Planned(option)),
         None => Ok(Some(Auto { may_lose: may_lose.unwrap_or_default() })),

@@ -1,6 +1,6 @@
 //! The methods that a plan chooses from.
 
-use crate::{BdptSettings, DirectLight, Method, PathsPerPixel, SceneFacts};
+use crate::{BdptSettings, BlindSpot, DirectLight, Method, PathsPerPixel, SceneFacts};
 use traylib_math::Heuristic;
 
 const HEURISTICS: [Heuristic; 2] = [Heuristic::Power, Heuristic::Balance];
@@ -12,9 +12,16 @@ const SPLATTED: [u32; 4] = [250, 500, 1000, 2000];
 /// nothing.
 const JOINED: [u32; 2] = [500, 1000];
 
-/// All that may pay in a scene of such facts, each able to find whatever full bidirectional
-/// tracing finds there: what is faster for being blind to light is no choice.
-pub(super) fn candidates(facts: &SceneFacts) -> Vec<Method> {
+/// What may pay, and what does not come into question.
+pub(super) struct Candidates {
+    /// Each finds whatever whole bidirectional tracing finds.
+    pub(super) methods: Vec<Method>,
+    /// What is blind to some of it: to be faster for that is no merit.
+    pub(super) blind: Vec<(Method, BlindSpot)>,
+}
+
+/// What there is to choose from in a scene of such facts.
+pub(super) fn candidates(facts: SceneFacts) -> Candidates {
     let mut all = vec![Method::PURE_MC, Method::DIRECT_LIGHT, Method::PARTICLE];
     // Point lights are not hit: there is nothing to combine.
     if facts.area_lights {
@@ -27,12 +34,14 @@ pub(super) fn candidates(facts: &SceneFacts) -> Vec<Method> {
         let unsplatted = BdptSettings { no_splats: true, ..bdpt };
         all.extend(JOINED.map(|paths| with(unsplatted, paths)));
     }
-    let whole = Method::BDPT.build().blind_spots(facts);
-    let sees_all = |method: &Method| {
-        method.build().blind_spots(facts).iter().all(|spot| whole.contains(spot))
+    let whole = Method::BDPT.build().blind_spots(&facts);
+    let blind_to = |method: Method| {
+        method.build().blind_spots(&facts).into_iter().find(|spot| !whole.contains(spot))
     };
-    all.retain(sees_all);
-    all
+    let blind: Vec<(Method, BlindSpot)> =
+        all.iter().filter_map(|&method| Some((method, blind_to(method)?))).collect();
+    all.retain(|method| blind.iter().all(|(other, _)| other != method));
+    Candidates { methods: all, blind }
 }
 
 fn combined(heuristic: Heuristic) -> Method {
@@ -45,7 +54,7 @@ fn with(settings: BdptSettings, thousandths: u32) -> Method {
 }
 
 /// The method without images of lamps in mirrors, if it loses no light by that and is another.
-pub(super) fn without_images(method: Method, facts: &SceneFacts) -> Option<Method> {
+pub(super) fn without_images(method: Method, facts: SceneFacts) -> Option<Method> {
     // Images of points are the only way to some of their light.
     if facts.point_lights {
         return None;
@@ -69,7 +78,9 @@ mod tests {
 
     #[test]
     fn nothing_is_chosen_that_is_blind() {
-        let names = |facts| -> Vec<&str> { candidates(&facts).into_iter().map(Method::name).collect() };
+        let names = |facts| -> Vec<&str> {
+            candidates(facts).methods.into_iter().map(Method::name).collect()
+        };
         assert!(names(facts(true, false, false)).contains(&"particle"));
         // What is seen in a mirror no light path shows, and points no walk from the camera finds
         // by way of one.
@@ -80,7 +91,7 @@ mod tests {
 
     #[test]
     fn each_stands_there_once() {
-        let all = candidates(&facts(true, false, false));
+        let all = candidates(facts(true, false, false)).methods;
         assert!((20..40).contains(&all.len()), "{}", all.len());
         for (i, method) in all.iter().enumerate() {
             assert!(!all[..i].contains(method), "{method}");

@@ -1,7 +1,7 @@
 //! Why a method was chosen.
 
 use super::forecast::{Kind, Share};
-use crate::Method;
+use crate::{BlindSpot, Method};
 
 /// A method that could have been chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,8 @@ impl Choice {
 pub struct Evidence {
     /// All that was chosen from: first those that were tried, each group with the best first.
     pub choices: Vec<Choice>,
+    /// What is blind to light of such scenes, and to which.
+    pub blind: Vec<(Method, BlindSpot)>,
     /// What the chosen one's techniques hold, those that hold anything.
     pub techniques: Vec<TechniqueShare>,
     /// The part of all light on paths with more than 0, 1, 2 … edges.
@@ -57,8 +59,6 @@ pub struct TechniqueShare {
 impl TechniqueShare {
     pub(super) fn list(shares: [Share; Kind::ALL.len()]) -> Vec<Self> {
         let shares = Kind::ALL.into_iter().zip(shares).filter(|(_, share)| share.light > 0.0);
-        shares
-            .map(|(kind, Share { light, squares })| Self { kind, light, squares })
-            .collect()
+        shares.map(|(kind, Share { light, squares })| Self { kind, light, squares }).collect()
     }
 }

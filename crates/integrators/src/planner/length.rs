@@ -56,8 +56,8 @@ mod tests {
         for albedo in [0.2_f64, 0.5, 0.8, 0.95] {
             let light: Vec<f64> =
                 (0..=16).map(|k| if k == 0 { 0.0 } else { albedo.powi(k - 1) }).collect();
-            for (k, lost) in lost_beyond(&light).into_iter().enumerate() {
-                let expected = albedo.powi(k as i32);
+            for (k, lost) in (0..).zip(lost_beyond(&light)) {
+                let expected = albedo.powi(k);
                 assert!((lost - expected).abs() < 1e-9, "{albedo} {k}: {lost} {expected}");
             }
         }

@@ -53,6 +53,12 @@ impl<'a> Probes<'a> {
         Self { scene, pixels, seed, control }
     }
 
+    /// One of each so many.
+    pub(super) fn one_of(&self, many: usize) -> Self {
+        let pixels = self.pixels.iter().copied().step_by(many).collect();
+        Self { pixels, ..*self }
+    }
+
     /// Asks each for these passes, on all threads; in the order of the probes, pass by pass
     /// within each. Nothing more once the control is cancelled.
     pub(super) fn ask<T: Send>(
@@ -72,12 +78,8 @@ impl<'a> Probes<'a> {
         self.pixels.par_iter().enumerate().flat_map_iter(each_pass).collect()
     }
 
-    /// The tally of light walks alone, of some of the probes, and how many these are.
-    pub(super) fn light_work(
-        &self,
-        integrator: &dyn Integrator,
-        points: PointSet,
-    ) -> Statistics {
+    /// The tally of the light path of each probe alone.
+    pub(super) fn light_work(&self, integrator: &dyn Integrator, points: PointSet) -> Statistics {
         let tally = |&pixel: &u32| self.probe(integrator, points, pixel, 0, false).statistics;
         let tallies: Vec<Statistics> = self.pixels.par_iter().map(tally).collect();
         tallies.into_iter().fold(Statistics::default(), |mut sum, one| {

@@ -4,15 +4,18 @@ use super::probes::{Probed, Probes};
 use super::tiles::{Tiles, bands, product};
 use crate::{BdptSettings, Method, PointSet};
 
-/// Variance of one sample a pixel, relative as relMSE is, from `passes` of every probe: that
-/// of a mean of them, times their number, since quasi-random points make means better than
-/// their samples are.
+/// Probes whose variance is left out, of all: the largest, since a few rare samples among so few
+/// would decide. It is a choice that this makes steadier, never a picture.
+const LEFT_OUT: f64 = 0.005;
+
+/// Variance of one sample a pixel, relative as relMSE is, from `passes` of every probe. It is
+/// that of the mean of as many samples as a picture has, times their number: quasi-random
+/// points make means better than their samples are, the more so the more there are.
 pub(super) fn trial(
     probes: &Probes<'_>,
     tiles: &Tiles,
     method: Method,
-    points: PointSet,
-    passes: u32,
+    (points, passes, spp): (PointSet, u32, u32),
 ) -> f64 {
     let integrator = method.build();
     // Lamps that the camera sees are left out, as of the pilot: by the same rays alone.
@@ -26,15 +29,46 @@ pub(super) fn trial(
         rest.iter_mut().zip(bands(seen)).for_each(|(rest, seen)| *rest -= seen);
         (rest, splats.into_iter().map(splat).sum::<f64>())
     });
-    let samples = answers.len() as f64;
-    let splatted: f64 = answers.iter().map(|(_, squares)| squares).sum();
     // One light path was asked for each sample, whatever their number in a pass.
-    let splats = splatted / samples * light_paths(method);
-    let own = answers.chunks(passes as usize).zip(&probes.pixels).map(|(answers, &pixel)| {
-        let values = answers.iter().map(|(radiance, _)| *radiance);
-        tiles.weight(pixel) * variance_of_sample(values, points.sequences())
-    });
-    splats + own.sum::<f64>() / probes.pixels.len() as f64
+    let of_probes = || answers.chunks(passes as usize);
+    let splats = of_probes()
+        .map(|answers| answers.iter().map(|(_, squares)| squares).sum::<f64>() / f64::from(passes));
+    let splats = light_paths(method) * steady_mean(splats.collect());
+    let own = |groups: Groups| {
+        let variances = of_probes().zip(&probes.pixels).map(|(answers, &pixel)| {
+            let values: Vec<[f64; 3]> = answers.iter().map(|(radiance, _)| *radiance).collect();
+            tiles.weight(pixel) * groups.variance(&values)
+        });
+        steady_mean(variances.collect())
+    };
+    let sequences = points.sequences() as usize;
+    if sequences == 1 {
+        return splats + own(Groups { side_by_side: passes as usize, of: 1 });
+    }
+    // Of single samples, and of means of several in a sequence.
+    let in_sequence = passes as usize / sequences;
+    let single = own(Groups { side_by_side: sequences, of: 1 });
+    let several = own(Groups { side_by_side: sequences, of: in_sequence });
+    splats + several * grown(several / single, in_sequence, spp as usize / sequences)
+}
+
+/// What is left of a sample's variance in means of `wanted`, for each that is left in those of
+/// `measured`, where `left` is left of it in these: it goes on as a power.
+fn grown(left: f64, measured: usize, wanted: usize) -> f64 {
+    let doublings = |of: usize| (of.max(1) as f64).log2();
+    let by = (left.log2() / doublings(measured)).clamp(-1.0, 0.0);
+    // What is smooth enough to go on like that for long has little error anyway.
+    let more = (doublings(wanted) - doublings(measured)).clamp(-doublings(measured), 4.0);
+    if by.is_finite() { (by * more).exp2() } else { 1.0 }
+}
+
+/// The mean without the largest, which count as the largest of the others.
+fn steady_mean(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let count = values.len();
+    let kept = count - (LEFT_OUT * count as f64).ceil() as usize;
+    let Some(most) = kept.checked_sub(1).map(|last| values[last]) else { return f64::NAN };
+    (values[..kept].iter().sum::<f64>() + (count - kept) as f64 * most) / count as f64
 }
 
 /// Light paths for each pixel of a pass.
@@ -45,25 +79,37 @@ fn light_paths(method: Method) -> f64 {
     }
 }
 
-/// Variance of the mean of all values times their number, from means of the sequences that
-/// they belong to by turns; of those that are each a sequence of their own, the usual.
-fn variance_of_sample(values: impl Iterator<Item = [f64; 3]>, sequences: u32) -> f64 {
-    let values: Vec<[f64; 3]> = values.collect();
-    let groups = if sequences > 1 { sequences as usize } else { values.len() };
-    let in_group = (values.len() / groups) as f64;
-    let mut means = vec![[0.0; 3]; groups];
-    for (i, value) in values.iter().enumerate() {
-        for (mean, band) in means[i % groups].iter_mut().zip(value) {
-            *mean += band / in_group;
-        }
+/// Values in the order of their passes, which belong to sequences by turns.
+#[derive(Clone, Copy)]
+struct Groups {
+    /// Sequences.
+    side_by_side: usize,
+    /// Values of each that make a mean.
+    of: usize,
+}
+
+impl Groups {
+    /// The variance of such a mean, times the number of its values: the mean of all that can be
+    /// told between sequences.
+    fn variance(self, values: &[[f64; 3]]) -> f64 {
+        let Self { side_by_side, of } = self;
+        let sets = values.chunks_exact(side_by_side * of);
+        let count = sets.len() as f64;
+        let all = sets.map(|set| {
+            let mean = |sequence: usize, band: usize| {
+                set.iter().skip(sequence).step_by(side_by_side).map(|v| v[band]).sum::<f64>()
+                    / of as f64
+            };
+            let n = side_by_side as f64;
+            let band = |band: usize| {
+                let middle = (0..side_by_side).map(|i| mean(i, band)).sum::<f64>() / n;
+                let square = |i| (mean(i, band) - middle).powi(2);
+                (0..side_by_side).map(square).sum::<f64>() / (n - 1.0)
+            };
+            of as f64 * (0..3).map(band).sum::<f64>() / 3.0
+        });
+        all.sum::<f64>() / count
     }
-    let n = groups as f64;
-    let band = |band: usize| {
-        let mean = means.iter().map(|m| m[band]).sum::<f64>() / n;
-        means.iter().map(|m| (m[band] - mean).powi(2)).sum::<f64>() / (n - 1.0)
-    };
-    // Of one group's mean; a sample's is as many times more as it has samples.
-    in_group * (0..3).map(band).sum::<f64>() / 3.0
 }
 
 #[cfg(test)]
@@ -72,11 +118,28 @@ mod tests {
 
     #[test]
     fn sequences_are_the_unit() {
-        let grey = |values: &[f64]| values.iter().map(|&v| [v; 3]).collect::<Vec<_>>();
-        // Means 1 and 3 of two samples each.
-        let even = grey(&[0.0, 2.0, 2.0, 4.0]);
-        assert_eq!(variance_of_sample(even.iter().copied(), 2), 2.0 * 2.0);
-        // The same as samples of their own: squares of −2, 0, 0, 2 over three.
-        assert!((variance_of_sample(even.into_iter(), 1) - 8.0 / 3.0).abs() < 1e-12);
+        let values = [0.0, 2.0, 2.0, 4.0].map(|value| [value; 3]);
+        // Means 1 and 3 of two values each.
+        let variance = |side_by_side, of| Groups { side_by_side, of }.variance(&values);
+        assert_eq!(variance(2, 2), 2.0 * 2.0);
+        // Between each two that are side by side.
+        assert_eq!(variance(2, 1), 2.0);
+        assert!((variance(4, 1) - 8.0 / 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn gains_go_on_as_they_began() {
+        // Half of it is left in means of four: a quarter in means of sixteen.
+        assert!((grown(0.5, 4, 16) - 0.5).abs() < 1e-12);
+        assert!((grown(0.5, 4, 1) - 2.0).abs() < 1e-12);
+        assert_eq!(grown(1.3, 4, 64), 1.0);
+        assert_eq!(grown(f64::NAN, 4, 64), 1.0);
+    }
+
+    #[test]
+    fn one_of_two_hundred_does_not_decide() {
+        let mut values = vec![1.0; 200];
+        values[7] = 1e9;
+        assert_eq!(steady_mean(values), 1.0);
     }
 }

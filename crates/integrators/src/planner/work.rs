@@ -1,7 +1,8 @@
 //! What a method does for a sample, counted.
 
 use super::probes::Probes;
-use crate::{BdptSettings, Method, PointSet, Statistics};
+use crate::{BdptSettings, DirectLight, Method, PathsPerPixel, PointSet, Statistics};
+use traylib_math::Heuristic;
 
 /// Means for one sample a pixel, with the light paths that belong to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -18,26 +19,71 @@ pub struct Work {
     pub light_shadows: f64,
 }
 
-/// Counts it over all probes, once.
-pub(super) fn count_work(probes: &Probes<'_>, method: Method, points: PointSet) -> Work {
+impl Work {
+    /// With so many light paths for each that there was.
+    fn with_light_paths(self, ratio: f64) -> Self {
+        Self {
+            light_paths: ratio * self.light_paths,
+            light_bounces: ratio * self.light_bounces,
+            light_shadows: ratio * self.light_shadows,
+            ..self
+        }
+    }
+}
+
+/// What has been counted, for methods that differ only in weights or in how many light paths
+/// they have: both leave the work of each path as it is, but for a few connections.
+#[derive(Default)]
+pub(super) struct Counted(Vec<(Method, Work)>);
+
+impl Counted {
+    /// The work of a method over all probes, once.
+    pub(super) fn of(&mut self, probes: &Probes<'_>, method: Method, points: PointSet) -> Work {
+        let (plain, ratio) = without_weights(method);
+        let found = self.0.iter().find(|(other, _)| *other == plain).map(|(_, work)| *work);
+        let work = found.unwrap_or_else(|| {
+            let work = count(probes, plain, points);
+            self.0.push((plain, work));
+            work
+        });
+        work.with_light_paths(ratio)
+    }
+
+    /// How many methods were counted.
+    pub(super) fn methods(&self) -> usize {
+        self.0.len()
+    }
+}
+
+/// The method with one light path a pixel and the usual weights, and how many it has.
+fn without_weights(method: Method) -> (Method, f64) {
+    match method {
+        Method::Trace(_) | Method::PureMc(_) | Method::Particle(_) => (method, 1.0),
+        Method::DirectLight(own) => {
+            let combine = own.combine.map(|_| Heuristic::Power);
+            (Method::DirectLight(DirectLight { combine, ..own }), 1.0)
+        }
+        Method::Bdpt(own) => {
+            let (heuristic, light_paths) = (Heuristic::Power, PathsPerPixel::ONE);
+            let plain = BdptSettings { heuristic, light_paths, ..own };
+            (Method::Bdpt(plain), own.light_paths.ratio())
+        }
+    }
+}
+
+fn count(probes: &Probes<'_>, method: Method, points: PointSet) -> Work {
     let integrator = method.build();
-    let count = probes.pixels.len() as f64;
     let light = probes.light_work(&*integrator, points);
     let mut all = Statistics::default();
     for statistics in probes.ask(&*integrator, points, 1, |_, _, probed| probed.statistics) {
         all += statistics;
     }
-    // Light paths of a pass for each of its pixels, of which every probe had one.
-    let ratio = match method {
-        Method::Bdpt(BdptSettings { light_paths, .. }) => light_paths.ratio(),
-        Method::Trace(_) | Method::PureMc(_) | Method::DirectLight(_) | Method::Particle(_) => 1.0,
-    };
-    let per_sample = |all: u64| all as f64 / count;
+    let per_sample = |all: u64| all as f64 / probes.pixels.len() as f64;
     Work {
         camera_bounces: per_sample(all.bounce_rays - light.bounce_rays),
         camera_shadows: per_sample(all.shadow_rays - light.shadow_rays),
-        light_paths: ratio * per_sample(light.light_paths),
-        light_bounces: ratio * per_sample(light.bounce_rays),
-        light_shadows: ratio * per_sample(light.shadow_rays),
+        light_paths: per_sample(light.light_paths),
+        light_bounces: per_sample(light.bounce_rays),
+        light_shadows: per_sample(light.shadow_rays),
     }
 }
