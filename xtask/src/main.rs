@@ -43,6 +43,9 @@ Usage: cargo xtask TASK [ARGUMENTS]
            every method over every failure scene, judged; --help for more
   compare-integrators [SCENE…] [OPTIONS]
            which method reaches which error in which time; --help for more
+  needs [SCENE] [OPTIONS]
+           what a scene needs of bidirectional tracing: one part at a time is taken
+           away; --help for more
   scaling [WHAT GROWS…] [OPTIONS]
            how time and memory grow with triangles, lamps, the length of paths,
            pixels and threads; --help for more
@@ -59,7 +62,7 @@ Usage: cargo xtask TASK [ARGUMENTS]
            step that fails
 
 Exit status: 0 done, 1 a task failed, 2 the command line was not understood;
-of compare-integrators and scaling also 3 a scene or picture makes no sense, 4 nothing can
+of compare-integrators, needs, costs and scaling also 3 a scene or picture makes no sense, 4 nothing can
 be written, 130 interrupted, 143 told to terminate.";
 
 fn main() -> ExitCode {
@@ -81,7 +84,7 @@ fn main() -> ExitCode {
         ["relations", ref arguments @ ..] => relations::run(arguments),
         ["stability", ref arguments @ ..] => stability::run(arguments),
         ["count-instructions", ref arguments @ ..] => count_instructions::run(arguments),
-        [program @ ("compare-integrators" | "scaling" | "costs"), ref arguments @ ..] => {
+        [program @ ("compare-integrators" | "needs" | "scaling" | "costs"), ref arguments @ ..] => {
             return charts::run(program, arguments).unwrap_or_else(|error| failed(&error));
         }
         ["help" | "-h" | "--help"] => {

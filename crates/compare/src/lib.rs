@@ -10,6 +10,7 @@
 //! | [`page`], [`table`], [`csv`] | what is shown of it |
 //! | [`folder`] | where it is left |
 //! | [`scaling`] | how time and memory grow |
+//! | [`needs`](mod@needs) | what a scene needs of bidirectional tracing |
 //! | [`costs`] | what work costs, for plans |
 
 mod bootstrap;
@@ -24,6 +25,7 @@ pub mod lengths;
 pub mod memory;
 pub mod method;
 mod mirrors;
+pub mod needs;
 pub(crate) mod number;
 pub mod options;
 pub mod oracle;

@@ -37,15 +37,12 @@ pub use work::Work;
 
 use crate::{Control, Method, PointSet, SceneFacts, ThreadError};
 use candidates::{Candidates, candidates, without_images};
-use forecast::{Forecast, forecast};
+use forecast::{Forecast, RARE, forecast};
 use pilot::Pilot;
 use probes::Probes;
 use traylib_scene::Scene;
 use trial::trial;
 use work::Counted;
-
-/// How many times more, or less, a trial may have than was forecast.
-const DOUBT: f64 = 4.0;
 
 /// What is to be planned.
 #[derive(Clone, Copy, Debug)]
@@ -207,7 +204,7 @@ impl Planner<'_> {
         for choice in &mut tried {
             choice.tried = Some(self.try_out(choice.method));
         }
-        self.settle(&mut tried, whole);
+        tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()));
         let method = tried.first().map_or(whole, |best| best.method);
         // Why: all choices, what the techniques of the best hold, and how long its paths are.
         let spent = self.samples(tried.len()) / samples;
@@ -226,9 +223,18 @@ impl Planner<'_> {
         Choice { method, forecast: variance, tried: None, cost }
     }
 
+    /// The noise of a method by trial, but for what is too rare to be tried.
     fn try_out(&self, method: Method) -> f64 {
         let by = (self.points, TRIAL_PASSES, self.spp);
-        trial(&self.half, &self.pilot.tiles, method, by)
+        let variance = |clip| trial(&self.half, &self.pilot.tiles, method, by, clip);
+        // What directlight aims at in mirrors the pilot does not know of.
+        let is_known =
+            method.techniques().need_light_paths() || !self.probes.scene.lamps_are_small();
+        if is_known {
+            variance(RARE) + forecast(&self.pilot, method).rare
+        } else {
+            variance(f64::INFINITY)
+        }
     }
 
     /// The best by forecast, the best that has no light paths and the best that has, the whole
@@ -252,27 +258,6 @@ impl Planner<'_> {
             tried.extend(first.map(|method| self.forecast(method)));
         }
         tried
-    }
-
-    /// Puts those that were tried in order. A trial that met none of the rare samples which the
-    /// forecast knows of must not win by that, nor one that met more lose: it may not be farther
-    /// off its forecast, times what whole bidirectional tracing, whose samples are the most
-    /// even, had of its own.
-    fn settle(&self, tried: &mut [Choice], whole: Method) {
-        let of_whole = tried.iter().find(|choice| choice.method == whole);
-        let evenness = of_whole.and_then(|choice| Some(choice.tried? / choice.forecast));
-        let evenness = evenness.filter(|ratio| ratio.is_finite()).unwrap_or(1.0).min(1.0);
-        for choice in tried.iter_mut() {
-            // What directlight aims at in mirrors is more than the pilot knows of.
-            let is_known = !self.probes.scene.lamps_are_small()
-                || choice.method.techniques().need_light_paths();
-            if is_known {
-                let likely = evenness * choice.forecast;
-                let (least, most) = (likely / DOUBT, likely * DOUBT);
-                choice.tried = choice.tried.map(|variance| variance.clamp(least, most));
-            }
-        }
-        tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()));
     }
 
     /// Samples that all this took: of the pilot, of what was counted, and of so many trials.

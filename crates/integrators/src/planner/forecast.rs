@@ -18,6 +18,8 @@ pub(super) struct Forecast {
     /// Variance of one sample a pixel, relative as relMSE is; infinite if it cannot find what
     /// was found.
     pub(super) variance: f64,
+    /// Of that, what samples of more than [`RARE`] times the light around add above it.
+    pub(super) rare: f64,
     /// What its techniques hold of light and of second moments.
     pub(super) shares: [Share; Kind::ALL.len()],
 }
@@ -74,6 +76,10 @@ impl Kind {
     }
 }
 
+/// Samples of more than so many times the light around are rare where they matter: a trial
+/// meets none or one of them, and tells nothing of how many there are.
+pub(super) const RARE: f64 = 8.0;
+
 /// Light that may be missing for rounding alone, as a part of all.
 const NEGLIGIBLE: f64 = 1e-5;
 
@@ -82,7 +88,7 @@ pub(super) fn forecast(pilot: &Pilot, method: Method) -> Forecast {
     let use_of = Use::by(method);
     let mut sums = [Share::default(); Kind::ALL.len()];
     let mut means = Means::of(pilot);
-    let (mut all, mut lost) = (0.0, 0.0);
+    let (mut all, mut lost, mut rare) = (0.0, 0.0, 0.0);
     for Found { path, probe, pass } in &pilot.found {
         let value = bands(path.value);
         let balance = 1.0 / path.ratios.iter().sum::<f64>();
@@ -96,7 +102,7 @@ pub(super) fn forecast(pilot: &Pilot, method: Method) -> Forecast {
         }
         // Found by camera paths alone, for the means of the techniques from the camera.
         let from_camera: f64 = path.ratios[..path.edges()].iter().sum();
-        let weight = pilot.tiles.weight(path.pixel) * product(value, value) * balance;
+        let square = pilot.tiles.weight(path.pixel) * product(value, value);
         for s in 0..path.ratios.len() {
             let count = use_of.count(path, s);
             if count * path.ratios[s] <= 0.0 {
@@ -104,11 +110,14 @@ pub(super) fn forecast(pilot: &Pilot, method: Method) -> Forecast {
             }
             let share = raised(s) / sum;
             // (n·p)^(2b−1)/(Σ (n·p)^b)², as the share squared over n·p.
-            let moment = share * share / (count * path.ratios[s]);
+            let moment = square * balance * share * share / (count * path.ratios[s]);
+            // What the technique would have added, had it found the path.
+            let size = square.sqrt() * share / (count * path.ratios[s]);
+            rare += moment * (1.0 - (RARE / size).powi(2)).max(0.0);
             let kind = Kind::of(path, s);
             let own = &mut sums[kind as usize];
             own.light += balance * grey(path.value) * share;
-            own.squares += weight * moment;
+            own.squares += moment;
             if !path.is_splat && kind != Kind::Splats {
                 means.add(*probe, *pass, (s, path.edges()), value, share / from_camera);
             }
@@ -127,7 +136,7 @@ pub(super) fn forecast(pilot: &Pilot, method: Method) -> Forecast {
         light: part(share.light, all),
         squares: part(share.squares, squares),
     });
-    Forecast { variance, shares }
+    Forecast { variance, rare: rare / pilot.samples(), shares }
 }
 
 /// How a method uses techniques.

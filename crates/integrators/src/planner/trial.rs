@@ -4,18 +4,18 @@ use super::probes::{Probed, Probes};
 use super::tiles::{Tiles, bands, product};
 use crate::{BdptSettings, Method, PointSet};
 
-/// Probes whose variance is left out, of all: the largest, since a few rare samples among so few
-/// would decide. It is a choice that this makes steadier, never a picture.
-const LEFT_OUT: f64 = 0.005;
-
 /// Variance of one sample a pixel, relative as relMSE is, from `passes` of every probe. It is
 /// that of the mean of as many samples as a picture has, times their number: quasi-random
 /// points make means better than their samples are, the more so the more there are.
+///
+/// Samples of more than `clip` times the light around count as so many times: of what is as
+/// rare among so few a forecast knows more.
 pub(super) fn trial(
     probes: &Probes<'_>,
     tiles: &Tiles,
     method: Method,
     (points, passes, spp): (PointSet, u32, u32),
+    clip: f64,
 ) -> f64 {
     let integrator = method.build();
     // Lamps that the camera sees are left out, as of the pilot: by the same rays alone.
@@ -23,23 +23,29 @@ pub(super) fn trial(
     let seen = probes.ask(&*seen, points, passes, |_, _, probed| probed.radiance);
     let answers = probes.ask(&*integrator, points, passes, |probe, pass, probed| {
         // Splats are rare in each pixel: their variance is their mean square.
-        let splat = |(pixel, light)| tiles.weight(pixel) * product(bands(light), bands(light));
+        let square = |pixel, light| tiles.weight(pixel) * product(light, light);
+        let splat = |(pixel, light)| square(pixel, bands(light)).min(clip * clip);
         let Probed { radiance, splats, .. } = probed;
         let (mut rest, seen) = (bands(radiance), seen[probe * passes as usize + pass as usize]);
         rest.iter_mut().zip(bands(seen)).for_each(|(rest, seen)| *rest -= seen);
+        let size = square(probes.pixels[probe], rest).sqrt();
+        if size > clip {
+            rest = rest.map(|band| band * clip / size);
+        }
         (rest, splats.into_iter().map(splat).sum::<f64>())
     });
     // One light path was asked for each sample, whatever their number in a pass.
     let of_probes = || answers.chunks(passes as usize);
     let splats = of_probes()
         .map(|answers| answers.iter().map(|(_, squares)| squares).sum::<f64>() / f64::from(passes));
-    let splats = light_paths(method) * steady_mean(splats.collect());
+    let mean = |sum: f64| sum / probes.pixels.len() as f64;
+    let splats = light_paths(method) * mean(splats.sum());
     let own = |groups: Groups| {
         let variances = of_probes().zip(&probes.pixels).map(|(answers, &pixel)| {
             let values: Vec<[f64; 3]> = answers.iter().map(|(radiance, _)| *radiance).collect();
             tiles.weight(pixel) * groups.variance(&values)
         });
-        steady_mean(variances.collect())
+        mean(variances.sum())
     };
     let sequences = points.sequences() as usize;
     if sequences == 1 {
@@ -60,15 +66,6 @@ fn grown(left: f64, measured: usize, wanted: usize) -> f64 {
     // What is smooth enough to go on like that for long has little error anyway.
     let more = (doublings(wanted) - doublings(measured)).clamp(-doublings(measured), 4.0);
     if by.is_finite() { (by * more).exp2() } else { 1.0 }
-}
-
-/// The mean without the largest, which count as the largest of the others.
-fn steady_mean(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let count = values.len();
-    let kept = count - (LEFT_OUT * count as f64).ceil() as usize;
-    let Some(most) = kept.checked_sub(1).map(|last| values[last]) else { return f64::NAN };
-    (values[..kept].iter().sum::<f64>() + (count - kept) as f64 * most) / count as f64
 }
 
 /// Light paths for each pixel of a pass.
@@ -134,12 +131,5 @@ mod tests {
         assert!((grown(0.5, 4, 1) - 2.0).abs() < 1e-12);
         assert_eq!(grown(1.3, 4, 64), 1.0);
         assert_eq!(grown(f64::NAN, 4, 64), 1.0);
-    }
-
-    #[test]
-    fn one_of_two_hundred_does_not_decide() {
-        let mut values = vec![1.0; 200];
-        values[7] = 1e9;
-        assert_eq!(steady_mean(values), 1.0);
     }
 }
