@@ -83,11 +83,11 @@ const MOST_PROBES: u32 = 4096;
 /// Passes of the pilot: two halves, each of which gives a mean of its own.
 const PILOT_PASSES: u32 = 2;
 
-/// Passes of a trial: four in each of four sequences.
-const TRIAL_PASSES: u32 = 16;
+/// Passes of a trial: eight in each of four sequences.
+const TRIAL_PASSES: u32 = 32;
 
 /// One of so many probes is tried.
-const TRIED_PROBES: usize = 2;
+const TRIED_PROBES: usize = 4;
 
 /// One of so many is counted.
 const COUNTED_PROBES: usize = 4;
@@ -117,7 +117,7 @@ pub fn plan(
         let max_depth = length::longest(&pilot, request);
         let planner = Planner {
             probes: &probes,
-            half: probes.one_of(TRIED_PROBES),
+            quarter: probes.one_of(TRIED_PROBES),
             few: probes.one_of(COUNTED_PROBES),
             counted: Counted::default(),
             pilot,
@@ -179,7 +179,7 @@ fn affordable(samples: f64) -> Option<u32> {
 struct Planner<'a> {
     probes: &'a Probes<'a>,
     /// Some of the probes, on which methods are tried.
-    half: Probes<'a>,
+    quarter: Probes<'a>,
     /// Fewer, on which work is counted.
     few: Probes<'a>,
     counted: Counted,
@@ -226,7 +226,7 @@ impl Planner<'_> {
     /// The noise of a method by trial, but for what is too rare to be tried.
     fn try_out(&self, method: Method) -> f64 {
         let by = (self.points, TRIAL_PASSES, self.spp);
-        let variance = |clip| trial(&self.half, &self.pilot.tiles, method, by, clip);
+        let variance = |clip| trial(&self.quarter, &self.pilot.tiles, method, by, clip);
         // What directlight aims at in mirrors the pilot does not know of.
         let is_known =
             method.techniques().need_light_paths() || !self.probes.scene.lamps_are_small();
@@ -263,7 +263,7 @@ impl Planner<'_> {
     /// Samples that all this took: of the pilot, of what was counted, and of so many trials.
     fn samples(&self, trials: usize) -> f64 {
         let pilot = self.probes.pixels.len() * PILOT_PASSES as usize;
-        let trials = self.half.pixels.len() * TRIAL_PASSES as usize * trials;
+        let trials = self.quarter.pixels.len() * TRIAL_PASSES as usize * trials;
         (pilot + trials + self.few.pixels.len() * self.counted.methods()) as f64
     }
 }

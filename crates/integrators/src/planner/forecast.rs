@@ -101,7 +101,7 @@ pub(super) fn forecast(pilot: &Pilot, method: Method) -> Forecast {
             continue;
         }
         // Found by camera paths alone, for the means of the techniques from the camera.
-        let from_camera: f64 = path.ratios[..path.edges()].iter().sum();
+        let from_camera = path.found_from_camera();
         let square = pilot.tiles.weight(path.pixel) * product(value, value);
         for s in 0..path.ratios.len() {
             let count = use_of.count(path, s);

@@ -1,7 +1,7 @@
 //! A few passes by all techniques, path by path.
 
 use super::probes::Probes;
-use super::tiles::Tiles;
+use super::tiles::{Tiles, grey};
 use crate::bdpt::{Bdpt, BdptSettings, FoundPath, Report};
 use crate::{Limits, PointSet};
 use traylib_math::Rgb;
@@ -42,11 +42,10 @@ impl Pilot {
         });
         // Lamps that the camera sees are the same to all methods, and far brighter than what
         // they light.
-        let found = found.into_iter().flatten().filter(|found| found.path.edges() > 1);
-        let found: Vec<Found> = found.collect();
-        let samples = probes.pixels.len() as f64 * f64::from(passes);
-        let light = found.iter().map(|found| (found.path.pixel, found.path.balanced()));
-        let tiles = Tiles::of(probes, samples, light);
+        let (seen, found): (Vec<Found>, Vec<Found>) =
+            found.into_iter().flatten().partition(|found| found.path.edges() == 1);
+        let seen = seen.iter().map(|found| grey(found.path.balanced())).sum();
+        let tiles = Tiles::of(probes, passes, &found, seen);
         Self { found, pixels: probes.pixels.clone(), passes, tiles }
     }
 
@@ -61,5 +60,18 @@ impl FoundPath {
     /// unbiased sample.
     pub(super) fn balanced(&self) -> Rgb {
         self.value * (1.0 / self.ratios.iter().sum::<f64>()) as f32
+    }
+
+    /// The same over those that begin at the camera, if it was found by one of them: light of
+    /// its own pixel.
+    pub(super) fn own_light(&self) -> Option<Rgb> {
+        (!self.is_splat).then(|| self.value * (1.0 / self.found_from_camera()) as f32)
+    }
+
+    /// How much more often techniques from the camera find it, all together, than the one that
+    /// did.
+    pub(super) fn found_from_camera(&self) -> f64 {
+        // The last, t = 1, begins at no camera.
+        self.ratios[..self.edges()].iter().sum()
     }
 }

@@ -1,5 +1,6 @@
 //! The pixels that stand for all.
 
+use super::tiles::Grid;
 use crate::bdpt::FoundPath;
 use crate::{Chunk, ChunkOutput, Control, Dimensions, Integrator, PointSet, Statistics};
 use rayon::prelude::*;
@@ -17,6 +18,8 @@ pub(super) struct Probes<'a> {
     pub(super) scene: &'a Scene,
     /// Row-major pixels, one in each cell of a grid over the film.
     pub(super) pixels: Vec<u32>,
+    /// The cells of that grid.
+    pub(super) grid: Grid,
     seed: u64,
     control: &'a Control,
 }
@@ -42,6 +45,7 @@ impl<'a> Probes<'a> {
         let side = (f64::from(width) * f64::from(height) / f64::from(count)).sqrt().max(1.0);
         let columns = ((f64::from(width) / side).round() as u32).clamp(1, width);
         let rows = ((f64::from(height) / side).round() as u32).clamp(1, height);
+        let grid = Grid { columns, rows, width, height };
         let cell = |column: u32, row: u32| {
             let mut sampler = Sampler::new(seed, [1, u64::from(column), u64::from(row)]);
             let x = within(column, columns, width, sampler.next_1d());
@@ -50,7 +54,7 @@ impl<'a> Probes<'a> {
         };
         let pixels = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
         let pixels = pixels.map(|(column, row)| cell(column, row)).collect();
-        Self { scene, pixels, seed, control }
+        Self { scene, pixels, grid, seed, control }
     }
 
     /// One of each so many.
@@ -131,8 +135,7 @@ impl<'a> Probes<'a> {
 
 /// A place in one of `parts` equal parts of `0..whole`.
 fn within(part: u32, parts: u32, whole: u32, u: f32) -> u32 {
-    let edge = |part: u32| (u64::from(part) * u64::from(whole) / u64::from(parts)) as u32;
-    let (from, to) = (edge(part), edge(part + 1));
+    let (from, to) = (Grid::edge(part, parts, whole), Grid::edge(part + 1, parts, whole));
     (from + (u * (to - from) as f32) as u32).min(to - 1)
 }
 
