@@ -142,6 +142,24 @@ fn within(part: u32, parts: u32, whole: u32, u: f32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Method;
+
+    /// Else the picture would be rendered with the samples that it was chosen by.
+    #[test]
+    fn a_plan_draws_no_sample_of_its_picture() {
+        let (scene, control, seed) = (crate::bdpt::room(), Control::default(), 7);
+        let method = Method::COMBINED.build();
+        let probes = Probes::spread(&scene, 256, seed, &control);
+        let of_picture = Probes { seed, pixels: probes.pixels.clone(), ..probes };
+        for points in PointSet::ALL {
+            let [planned, drawn] = [&probes, &of_picture]
+                .map(|probes| probes.ask(&*method, points, 2, |_, _, probed| probed.radiance));
+            let lit = drawn.iter().filter(|radiance| !radiance.is_black()).count();
+            let pairs = planned.iter().zip(&drawn);
+            let alike = pairs.filter(|(a, b)| a == b && !a.is_black()).count();
+            assert!(lit > 300 && 10 * alike < lit, "{points}: {alike} of {lit} alike");
+        }
+    }
 
     #[test]
     fn places_lie_in_their_parts() {
