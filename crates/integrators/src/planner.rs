@@ -72,7 +72,7 @@ pub struct Plan {
 }
 
 /// The part of the picture's samples that pilot and trials may take together.
-const BUDGET: f64 = 0.04;
+const BUDGET: f64 = 0.035;
 
 /// Fewer samples than these tell nothing.
 const LEAST_PROBES: u32 = 256;

@@ -16,6 +16,9 @@ pub(super) fn as_text(plan: &Plan) -> String {
         return text;
     };
     // Writing to a string does not fail.
+    // What trials have of forecasts, as of the first: points are even, and walks long.
+    let first = choices.first().and_then(|first| Some(first.tried? / first.forecast));
+    let tried_over_forecast = first.unwrap_or(1.0);
     let best = choices.first().map_or(1.0, Choice::measured);
     text += "\n  noise of a sample         cost of one  time to an error\n";
     text += "  by trial  by forecast     us           times the best's\n";
@@ -24,7 +27,7 @@ pub(super) fn as_text(plan: &Plan) -> String {
         let tried_text = tried.map_or(String::from("-"), |variance| format!("{variance:.4}"));
         let (sign, time) = match tried {
             Some(_) => (' ', choice.measured()),
-            None => ('~', choice.expected()),
+            None => ('~', choice.expected() * tried_over_forecast),
         };
         let (us, times) = (cost / 1000.0, time / best);
         let _ = writeln!(
