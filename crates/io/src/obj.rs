@@ -103,13 +103,17 @@ impl Document {
 /// # Errors
 /// A statement that is read makes no sense, or asks for too much: the first, with its line.
 pub fn decode(bytes: &[u8], limits: Limits) -> Result<Document, Error> {
+    check_text(bytes, limits)?;
+    reader::read(bytes, limits)
+}
+
+/// Refuses files that are too long, and text in words of 16 bits.
+fn check_text(bytes: &[u8], limits: Limits) -> Result<(), Error> {
     if bytes.len() > limits.bytes {
         return Err(Error::TooLong(limits.bytes));
     }
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err(Error::Utf16);
-    }
-    reader::read(bytes, limits)
+    let is_utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+    if is_utf16 { Err(Error::Utf16) } else { Ok(()) }
 }
 
 #[cfg(test)]

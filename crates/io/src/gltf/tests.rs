@@ -132,6 +132,24 @@ fn sparse_accessors_replace_some() {
     assert_eq!(document.primitives[0].positions, wanted);
 }
 
+/// Without a view all elements are zero, more of them than there are bytes.
+#[test]
+fn sparse_accessors_need_no_view() {
+    let accessor = r#"{"componentType":5126,"count":999,"type":"VEC3","sparse":{"count":1,
+        "indices":{"bufferView":1,"byteOffset":6,"componentType":5121},
+        "values":{"bufferView":0,"byteOffset":24}}}"#;
+    let text = json(
+        r#","meshes":[{"primitives":[{"attributes":{"POSITION":4},"indices":1}]}],
+        "nodes":[{"mesh":0}]"#,
+    );
+    let text = text.replace(r#""type":"VEC2"}]"#, &format!(r#""type":"VEC2"}},{accessor}]"#));
+    let document = decoded(&text).unwrap();
+    let positions = &document.primitives[0].positions;
+    assert_eq!((positions.len(), positions[3]), (999, Vec3::new(1.0, 1.0, 0.0)));
+    let fault = decoded(&text.replace("999", "99999999999")).unwrap_err().to_string();
+    assert!(fault.contains("--limit surfaces="), "{fault}");
+}
+
 #[test]
 fn materials_lights_and_cameras_are_read() {
     let text = json(

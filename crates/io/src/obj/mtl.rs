@@ -6,7 +6,7 @@
 
 use super::lines::Lines;
 use super::words::{name, number, words};
-use super::{Cause, Error, Limits, WarningKind};
+use super::{Cause, Error, Limits, WarningKind, check_text};
 use crate::tally::Tally;
 use traylib_math::{Rgb, Vec2};
 
@@ -93,9 +93,7 @@ pub struct Map {
 /// # Errors
 /// A statement that is read makes no sense: the first, with its line.
 pub fn decode(bytes: &[u8], limits: Limits) -> Result<Library, Error> {
-    if bytes.len() > limits.bytes {
-        return Err(Error::TooLong(limits.bytes));
-    }
+    check_text(bytes, limits)?;
     let mut library = Library::default();
     for (line, text) in Lines::new(bytes) {
         library.statement(&text).map_err(|cause| Error::Line { line, cause })?;

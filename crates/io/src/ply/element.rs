@@ -66,14 +66,18 @@ impl Reader<'_> {
     /// Reads all of an element; `number` is that of the item that is read.
     fn element(&mut self, element: &Element, number: &mut usize) -> Result<(), Cause> {
         let count = self.body.check_count(element)?;
+        if element.properties.is_empty() && element.name != "vertex" {
+            // They take no bytes, so that nothing bounds how many there are.
+            let kind = WarningKind::Element(shown(&element.name));
+            self.document.warnings.add_many(kind, count);
+            return Ok(());
+        }
         match element.name.as_str() {
             "vertex" => self.vertices(element, count, number),
             "face" => self.faces(element, count, number),
             "tristrips" => self.strips(element, count, number),
             name => {
-                self.document.warnings.add_many(WarningKind::Element(name.to_string()), count);
-                // What has no properties takes no bytes, however many there are.
-                let count = if element.properties.is_empty() { 0 } else { count };
+                self.document.warnings.add_many(WarningKind::Element(shown(name)), count);
                 for item in 0..count {
                     *number = item;
                     self.skip_all(&element.properties)?;
