@@ -69,7 +69,7 @@ impl Chunk<'_> {
         });
     }
 
-    /// The same for an estimate that also wants the pixel's row-major index.
+    /// Samples each pixel for an estimate that also wants the pixel's row-major index.
     pub(crate) fn sample_each_pixel(
         &self,
         scene: &Scene,
@@ -103,7 +103,7 @@ pub struct ChunkOutput {
     pub(crate) layers: Vec<(u16, u32, Rgb)>,
     /// Text that a report asked for.
     pub(crate) notes: Vec<String>,
-    /// Tally of the work.
+    /// Counters of the work.
     pub statistics: Statistics,
 }
 

@@ -23,9 +23,9 @@ mod words;
 pub use error::{Cause, Error};
 pub use warning::WarningKind;
 
-pub use crate::polygon_limits::PolygonLimits as Limits;
+pub use crate::polygon_limits::{PolygonFault, PolygonLimits as Limits};
 
-use crate::tally::Tally;
+use crate::warning_counts::WarningCounts;
 use traylib_math::{Vec2, Vec3};
 
 /// What an object file holds.
@@ -46,7 +46,7 @@ pub struct Document {
     /// What `mtllib` names, as it stands there.
     pub libraries: Vec<String>,
     /// What was skipped or repaired.
-    pub warnings: Tally<WarningKind>,
+    pub warnings: WarningCounts<WarningKind>,
 }
 
 /// A corner of a polygon, by numbers from 0.

@@ -103,7 +103,7 @@ impl<'a> Arrays<'a> {
         Self { root, buffers }
     }
 
-    /// The bytes of a view.
+    /// Returns the bytes of a view.
     pub(super) fn view(&self, index: u64) -> Result<&[u8], Error> {
         let view = item(&self.root.buffer_views, index, "buffer view");
         let place = || format!("bufferViews[{index}]");
@@ -113,7 +113,7 @@ impl<'a> Arrays<'a> {
         part(buffer, view.byte_offset, view.byte_length).map_err(|cause| Error::at(place(), cause))
     }
 
-    /// Elements in a view, which are so many and so long.
+    /// Finds elements in a view, which are so many and so long.
     fn strided(
         &self,
         view: u64,
@@ -141,7 +141,7 @@ impl<'a> Arrays<'a> {
         found.map_err(|cause| Error::at(place, cause))
     }
 
-    /// How many elements an accessor has.
+    /// Returns how many elements an accessor has.
     pub(super) fn count(&self, index: u64, place: &str) -> Result<u64, Error> {
         Ok(self.accessor(index, place)?.count)
     }
@@ -239,13 +239,13 @@ impl<'a> Arrays<'a> {
     }
 }
 
-/// What an index names.
+/// Returns what an index names.
 pub(super) fn item<'a, T>(items: &'a [T], index: u64, what: &'static str) -> Result<&'a T, Cause> {
     let found = usize::try_from(index).ok().and_then(|index| items.get(index));
     found.ok_or(Cause::OutOfRange { what, index, count: items.len() })
 }
 
-/// So many bytes from an offset on.
+/// Returns so many bytes from an offset on.
 fn part(bytes: &[u8], offset: u64, length: u64) -> Result<&[u8], Cause> {
     let there = bytes.len() as u64;
     let end = offset.saturating_add(length);

@@ -31,7 +31,7 @@ fn corners_name_what_they_have() {
         numbers(&document, 3),
         [(0, Some(0), Some(0)), (1, Some(1), Some(0)), (2, Some(0), Some(0))]
     );
-    assert_eq!(document.warnings, Tally::default());
+    assert_eq!(document.warnings, WarningCounts::default());
 }
 
 #[test]

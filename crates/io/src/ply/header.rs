@@ -5,7 +5,7 @@ use super::declaration::{Element, Property};
 use super::kind::{Kind, Number};
 use super::{Cause, Error, WarningKind};
 use crate::suggest::shown;
-use crate::tally::Tally;
+use crate::warning_counts::WarningCounts;
 
 /// What a file says it holds.
 #[derive(Debug, Default)]
@@ -13,10 +13,10 @@ pub(super) struct Header {
     pub(super) elements: Vec<Element>,
     /// Pictures that comments name.
     pub(super) textures: Vec<String>,
-    pub(super) warnings: Tally<WarningKind>,
+    pub(super) warnings: WarningCounts<WarningKind>,
 }
 
-/// The header and what follows it.
+/// Reads the header, and returns what follows it.
 pub(super) fn read(bytes: &[u8]) -> Result<(Header, Body<'_>), Error> {
     let mut lines = Lines { bytes, at: 0, line: 0, ends_in_return: false };
     if lines.next().is_none_or(|first| first != "ply") {
@@ -81,7 +81,7 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// The next line in any coding, without blanks around it.
+    /// Returns the next line in any coding, without blanks around it.
     fn next(&mut self) -> Option<String> {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
