@@ -18,8 +18,9 @@ fn shares_of_splats(scene: &Scene, passes: u32) -> Sample {
     let bdpt = Bdpt { report: Report::Techniques, ..Bdpt::default() };
     let share = |seed| {
         let settings = Settings { spp: passes, seed, ..Settings::default() };
-        let go_on = &mut |_: &_| ControlFlow::Continue(());
-        let rendering = render(scene, &bdpt, &settings, &Control::default(), go_on).unwrap();
+        let control = Control::default();
+        let rendering =
+            render(scene, &bdpt, &settings, &control, &mut |_| ControlFlow::Continue(())).unwrap();
         let (mut splats, mut all) = (0.0, 0.0);
         for (layer, picture) in rendering.film.develop_layers() {
             let technique = Technique::of_layer(layer);
