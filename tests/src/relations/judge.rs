@@ -52,7 +52,7 @@ pub enum Side {
 /// What is claimed of the two sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
-    /// The same picture, bit for bit.
+    /// Both are the same picture, bit for bit.
     SameBits,
     /// The same mean, up to this part of it, over all and over each quarter.
     SameMean(f64),

@@ -165,7 +165,7 @@ fn combined_agrees_on_a() {
     compare(setup("A5", methods::COMBINED, 64, 256));
 }
 
-/// The same on 256 × 256 pixels.
+/// Both renderers agree on 256 × 256 pixels.
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn full_pictures_agree() {

@@ -1,4 +1,4 @@
-//! The same picture again: on other numbers of threads, at another scale, by
+//! A picture comes again: on other numbers of threads, at another scale, by
 //! another method that does the same, with other roulette.
 
 use std::ops::ControlFlow;

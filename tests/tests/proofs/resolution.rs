@@ -40,7 +40,7 @@ fn resized(scene: &Scene, [width, height]: [u32; 2]) -> Scene {
     scene.seen_by(Camera::new(settings).unwrap())
 }
 
-/// The same number of paths of either kind, in few pixels and in many.
+/// As many paths of either kind fall into few pixels as into many.
 #[test]
 fn splats_have_the_same_share_at_any_resolution() {
     let scene = still_life(1.0);

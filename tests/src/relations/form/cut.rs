@@ -1,4 +1,4 @@
-//! The same surfaces in other pieces: boxes as quads, quads as triangles, meshes
+//! Cuts surfaces into other pieces: boxes as quads, quads as triangles, meshes
 //! as triangles; lamps in two; objects in another order.
 
 use crate::relations::scene::{DrawnScene, Mesh, Object, Shape, sides_of_box};

@@ -1,4 +1,4 @@
-//! The same scene with most of it in a file of another format.
+//! Writes a scene with most of it in a file of another format.
 
 use super::ron::{self, Entry};
 use super::{Files, mgf, three_ds};

@@ -1,4 +1,4 @@
-//! The same scene elsewhere: moved, turned, scaled, mirrored.
+//! Takes a scene elsewhere: moved, turned, scaled, mirrored.
 
 use crate::relations::scene::{Camera, DrawnScene, Light, Mesh, Object, Shape, Spot};
 use traylib_math::Vec3;
