@@ -2,7 +2,7 @@
 //!
 //! A batch is a rendering with a seed of its own; batches are independent.
 
-use crate::ledger::Finding;
+use crate::findings::Finding;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use traylib_integrators::{

@@ -10,7 +10,7 @@
 //! of a mirror and seen in one, a small lamp in `puremc`. A tile where one pass
 //! makes up much of the variance is left out and counted.
 
-use crate::ledger::Finding;
+use crate::findings::Finding;
 use crate::methods;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Settings};
 use traylib_known::{each_pass, samples_in_a_pass, settings_by_pass};
@@ -25,7 +25,7 @@ const BATCHES: usize = 32;
 /// The largest part of a tile's variance that one pass may make up. Of n normal
 /// values the largest makes up about 2·ln n/n.
 const CHANCE: f64 = 0.15;
-/// Of the interval that has to lie within the promise.
+/// The level of the interval that has to lie within the promise.
 const EQUIVALENCE_LEVEL: f64 = 1e-3;
 
 /// A method to hold against `bdpt`.
@@ -96,10 +96,10 @@ pub fn agree(subject: &Subject<'_>, others: &[Other], budget: &Budget) -> Agreem
     done
 }
 
-/// Whether the probabilities of all tiles are as even as those of the same
+/// Tells whether the probabilities of all tiles are as even as those of the same
 /// pictures must be: sees a bias that is too small for any one tile.
 ///
-/// Of one method alone: all are held against the same picture of `bdpt`, so
+/// The agreements are of one method alone: all are held against the same picture of `bdpt`, so
 /// what they find hangs together.
 pub fn evenness(method: Method, agreements: &[Agreement]) -> Finding {
     let p_values: Vec<f64> = agreements
@@ -232,7 +232,7 @@ impl Comparison {
         (self.ratio - 1.0).abs() + self.half_width <= self.promise
     }
 
-    /// Whether half the picture has noise that can be judged.
+    /// Tells whether half the picture has noise that can be judged.
     fn sees_enough(&self) -> bool {
         2 * self.p_values.len() >= self.tiles
     }

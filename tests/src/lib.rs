@@ -3,8 +3,8 @@
 
 pub mod ablation;
 pub mod agreement;
+pub mod findings;
 pub mod laws;
-pub mod ledger;
 pub mod measure;
 pub mod methods;
 pub mod relations;

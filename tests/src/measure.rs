@@ -1,6 +1,6 @@
 //! Whether a known radiance is among what the passes of a rendering leave possible.
 
-use crate::ledger::{Finding, settle};
+use crate::findings::{Finding, settle};
 use traylib_integrators::{Method, PointSet, Settings, Statistics};
 use traylib_known::{Case, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_statistics::{Interval, mean_interval, sidak};
@@ -29,7 +29,7 @@ pub fn compare(case: &Case, method: Method, passes: u32, seed: u64) -> Finding {
     compare_within(case, method, passes, seed, EQUIVALENCE)
 }
 
-/// The same, where the interval may be as wide as `equivalence` to either side,
+/// Compares where the interval may be as wide as `equivalence` to either side,
 /// relative to the truth.
 pub fn compare_within(
     case: &Case,

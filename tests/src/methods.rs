@@ -64,25 +64,25 @@ pub fn from_camera(passes: u32) -> Vec<(Method, u32)> {
     methods.map(|method| (method, passes)).collect()
 }
 
-/// Whether it walks from lamps, and so sees some surfaces from their other side first.
-pub fn walks_from_lamps(method: Method) -> bool {
+/// Tells whether it walks from lamps, and so sees some surfaces from their other side first.
+pub fn walks_from_lights(method: Method) -> bool {
     let techniques = method.techniques();
     techniques.splats || techniques.connections
 }
 
-/// Whether all that it shows of lit surfaces comes from walks from lamps.
+/// Tells whether all that it shows of lit surfaces comes from walks from lamps.
 pub fn splats_alone(method: Method) -> bool {
     let techniques = method.techniques();
     techniques.splats && !techniques.hits && techniques.light_samples == LightSampling::Off
 }
 
-/// Whether it never hits a lamp by itself, so that light near a sharp lobe or close to a
+/// Tells whether it never hits a lamp by itself, so that light near a sharp lobe or close to a
 /// lamp is found rarely and counts for much.
 pub fn never_hits(method: Method) -> bool {
     !method.techniques().hits
 }
 
-/// Whether walks find lamps, or the camera, and nothing is aimed at lamps with an area:
+/// Tells whether walks find lamps, or the camera, and nothing is aimed at lamps with an area:
 /// whatever is small is found rarely.
 pub fn finds_by_chance(method: Method) -> bool {
     let techniques = method.techniques();
@@ -122,10 +122,10 @@ mod tests {
         let those = |fact: fn(Method) -> bool| {
             WALKING.into_iter().filter(|&method| fact(method)).collect::<Vec<_>>()
         };
-        assert_eq!(those(walks_from_lamps), [BDPT, BDPT_BALANCE, PARTICLE]);
+        assert_eq!(those(walks_from_lights), [BDPT, BDPT_BALANCE, PARTICLE]);
         assert_eq!(those(splats_alone), [PARTICLE]);
         assert_eq!(those(never_hits), [DIRECT_LIGHT, PARTICLE]);
         assert_eq!(those(finds_by_chance), [PURE_MC, PARTICLE]);
-        assert!(!finds_by_chance(JITTERED_TRACE) && !walks_from_lamps(JITTERED_TRACE));
+        assert!(!finds_by_chance(JITTERED_TRACE) && !walks_from_lights(JITTERED_TRACE));
     }
 }

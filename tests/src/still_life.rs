@@ -21,7 +21,7 @@ pub fn still_life(scale: f32) -> Scene {
     room.surface(on_the_wall, mirror(0.9, 0.0))
         .surface(ball(at(0.7, -1.3, -0.4), 0.7 * scale), phong(0.3, 0.6, 30.0))
         .mesh(octahedron(at(-0.7, -1.3, 0.1), 0.6 * scale), lambert(0.7))
-        .lamp(ball(at(0.8, 1.2, -0.3), 0.35 * scale), 6.0, black())
+        .light(ball(at(0.8, 1.2, -0.3), 0.35 * scale), 6.0, black())
         .point(at(-1.1, 1.3, 0.7), 2.0 * scale * scale)
         .build()
 }

@@ -7,12 +7,12 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::relations::case::{Case, files};
 use traylib_tests::relations::form::Files;
 use traylib_tests::relations::relation::Relation;
 use traylib_tests::relations::render::{Estimator, Workshop};
-use traylib_tests::relations::run::{Bench, Plan, Tally, run};
+use traylib_tests::relations::run::{Bench, Plan, Summary, run};
 use traylib_tests::relations::{draw, judge, shrink};
 
 /// How often a right program fails one of the tests here: 10⁻⁹ for each claim, of
@@ -26,12 +26,12 @@ fn folder() -> PathBuf {
 }
 
 /// A finding for each relation.
-fn findings(subject: &str, tally: &Tally, passes: u32) -> Vec<Finding> {
+fn findings(subject: &str, summary: &Summary, passes: u32) -> Vec<Finding> {
     let mut by_relation: BTreeMap<Relation, (u64, Vec<String>)> = BTreeMap::new();
-    for (relation, _, _) in &tally.held {
+    for (relation, _, _) in &summary.held {
         by_relation.entry(*relation).or_default().0 += 1;
     }
-    for outcome in &tally.others {
+    for outcome in &summary.others {
         by_relation.entry(outcome.relation).or_default().1.push(outcome.to_string());
     }
     let finding = |(relation, (held, broken)): (Relation, (u64, Vec<String>))| Finding {
@@ -50,8 +50,8 @@ fn findings(subject: &str, tally: &Tally, passes: u32) -> Vec<Finding> {
 #[test]
 fn drawn_scenes_keep_all_relations() {
     let plan = Plan { scenes: 0..200, passes: 16, changes: 3, shrink: None, ..Plan::default() };
-    let tally = run(&plan, &|outcome| println!("{outcome}"));
-    settle(&findings("drawn scenes", &tally, plan.passes));
+    let summary = run(&plan, &|outcome| println!("{outcome}"));
+    settle(&findings("drawn scenes", &summary, plan.passes));
 }
 
 /// Scenes that broke a relation once, and the right values of those that have one.

@@ -26,7 +26,7 @@ macro_rules! faults {
     };
 }
 
-/// Whether this fault is awake.
+/// Tells whether this fault is awake.
 ///
 /// # Panics
 /// If the environment names a fault that there is not: a run without it would pass

@@ -137,7 +137,7 @@ impl Place {
         bail!("part {part} was done before it could be killed")
     }
 
-    /// Whether a log tells that a part went on from its checkpoint.
+    /// Tells whether a log tells that a part went on from its checkpoint.
     fn went_on(&self, log: &str) -> Result<bool> {
         Ok(fs::read_to_string(self.folder.join(log))?.contains("going on from part-"))
     }

@@ -37,13 +37,13 @@ pub(crate) fn run(names: &[&str]) -> Result<()> {
     let chosen = chosen(&faults, names)?;
     let folder = root().join(copy::FOLDER);
     let proofs = build(&faults, &folder)?;
-    let ledger = folder.join("ledger.jsonl");
-    let sound = proofs.run(Extent::Fast, &ledger, |_| {})?;
+    let findings = folder.join("findings.jsonl");
+    let sound = proofs.run(Extent::Fast, &findings, |_| {})?;
     ensure!(sound.failed.is_empty(), "without a fault {:?} fail", sound.failed);
     println!("{} tests pass without a fault", sound.passed.len());
     let mut catches = Vec::new();
     for fault in chosen {
-        let found = catch(&proofs, &fault.name, &ledger)?;
+        let found = catch(&proofs, &fault.name, &findings)?;
         print!("{}", row(&found));
         catches.push(found);
     }
@@ -73,15 +73,15 @@ fn build(faults: &[Fault], folder: &Path) -> Result<Proofs> {
 }
 
 /// The fast tests first; those at length only if they must.
-fn catch<'a>(proofs: &Proofs, fault: &'a str, ledger: &Path) -> Result<Catch<'a>> {
+fn catch<'a>(proofs: &Proofs, fault: &'a str, findings: &Path) -> Result<Catch<'a>> {
     let awaken = |command: &mut Command| {
         command.env(support::VARIABLE, fault);
     };
-    let outcome = proofs.run(Extent::Fast, ledger, awaken)?;
+    let outcome = proofs.run(Extent::Fast, findings, awaken)?;
     if !outcome.failed.is_empty() {
         return Ok(Catch { fault, extent: Extent::Fast, outcome });
     }
-    let outcome = proofs.run(Extent::Whole, ledger, awaken)?;
+    let outcome = proofs.run(Extent::Whole, findings, awaken)?;
     Ok(Catch { fault, extent: Extent::Whole, outcome })
 }
 

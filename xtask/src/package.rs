@@ -4,7 +4,7 @@ use crate::workspace::{cargo, finish};
 use anyhow::Result;
 use std::process::Command;
 
-/// Those that can be published, from the lowest floor up.
+/// The libraries that can be published, from the lowest floor up.
 const LIBRARIES: [&str; 6] = [
     "traylib-math",
     "traylib-geometry",

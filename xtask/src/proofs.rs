@@ -27,9 +27,9 @@ const PACKAGES: [&str; 8] = [
 /// Which tests to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// Those of `cargo test`.
+    /// The tests that `cargo test` runs.
     Fast,
-    /// All, those at length too.
+    /// All tests, those at length too.
     Whole,
 }
 
@@ -55,19 +55,19 @@ impl Proofs {
         Ok(Self { programs, folder: root.join("tests") })
     }
 
-    /// Runs them one after the other; what they find is written to `ledger`.
+    /// Runs them one after the other; what they find is written to `findings`.
     pub(crate) fn run(
         &self,
         extent: Extent,
-        ledger: &Path,
+        findings: &Path,
         settings: impl Fn(&mut Command),
     ) -> Result<Outcome> {
         // Left from an earlier run, or not there at all.
-        let _ = std::fs::remove_file(ledger);
+        let _ = std::fs::remove_file(findings);
         let mut outcome = Outcome::default();
         for program in &self.programs {
             let mut command = Command::new(program);
-            command.env("TRAYLIB_LEDGER", ledger).env("RUST_BACKTRACE", "0");
+            command.env("TRAYLIB_FINDINGS", findings).env("RUST_BACKTRACE", "0");
             command.current_dir(&self.folder);
             if extent == Extent::Whole {
                 command.arg("--include-ignored");
@@ -77,7 +77,7 @@ impl Proofs {
             let output = output.with_context(|| format!("{} does not start", program.display()))?;
             outcome.add(program, &output);
         }
-        outcome.findings = Finding::read(ledger)?;
+        outcome.findings = Finding::read(findings)?;
         Ok(outcome)
     }
 }

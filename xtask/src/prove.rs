@@ -16,7 +16,7 @@ pub(crate) fn run() -> Result<()> {
     let proofs = Proofs::build(root(), |_| {})?;
     println!("built in {:.0} s; proving, which takes a while", start.elapsed().as_secs_f64());
     let start = Instant::now();
-    let outcome = proofs.run(Extent::Whole, &folder.join("ledger.jsonl"), |_| {})?;
+    let outcome = proofs.run(Extent::Whole, &folder.join("findings.jsonl"), |_| {})?;
     let file = folder.join("report.md");
     fs::write(&file, report(&outcome, start.elapsed()))
         .with_context(|| format!("cannot write {}", file.display()))?;

@@ -10,7 +10,7 @@ fn spans(line: &str) -> impl Iterator<Item = &str> {
     line.split('`').skip(1).step_by(2)
 }
 
-/// Whether it stands for a file that is to be made.
+/// Tells whether it stands for a file that is to be made.
 fn is_to_come(path: &str) -> bool {
     path.contains("NAME") || path.ends_with("/name.rs") || path == "name.rs"
 }
@@ -56,7 +56,7 @@ fn missing(page: &str, root: &Path) -> Vec<String> {
     missing
 }
 
-/// Whether a folder, at any depth, has a path with this end.
+/// Tells whether a folder, at any depth, has a path with this end.
 fn holds(folder: &Path, end: &Path) -> bool {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();

@@ -14,7 +14,7 @@ pub fn lines(scene: &str, entries: &[Entry], reference: &Reference, first_seed: 
     for entry in entries {
         for (record, seed) in entry.records.iter().zip(first_seed..) {
             let [camera, bounce, shadow] = record.rays;
-            let error = record.looks.last().map_or(f64::NAN, |look| look.error);
+            let error = record.snapshots.last().map_or(f64::NAN, |snapshot| snapshot.error);
             // Writing to a string does not fail.
             let _ = writeln!(
                 text,

@@ -23,7 +23,7 @@ use traylib_statistics::{Sample, quantile, relative_square_errors};
 /// The errors whose price is asked.
 pub const TARGETS: [f64; 3] = [1e-1, 1e-2, 1e-3];
 
-/// Of every interval but those that hold together.
+/// The level of every interval but those that hold together.
 const LEVEL: f64 = 0.05;
 
 /// A method and its runs.
@@ -66,7 +66,7 @@ impl Entry {
 
 impl Record {
     fn last_error(&self) -> f64 {
-        self.looks.last().map_or(f64::NAN, |look| look.error)
+        self.snapshots.last().map_or(f64::NAN, |snapshot| snapshot.error)
     }
 }
 

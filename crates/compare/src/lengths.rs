@@ -10,6 +10,7 @@ use crate::techniques::{edges, weighted_pass};
 use traylib_integrators::{Technique, ThreadError};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::{Film, PassImage, Scene};
+use traylib_statistics::own_rel_mse;
 
 /// Lengths told apart; the last stands for all longer ones too.
 const LENGTHS: usize = 12;
@@ -32,8 +33,8 @@ const LENGTHS: usize = 12;
 pub fn lengths(scene: &Scene, epsilon: f64, passes: u32) -> Result<Vec<LengthShare>, ThreadError> {
     let films = films(scene, passes)?;
     let light = shares(&films.each_ref().map(light));
-    let squares = squares(&films, epsilon);
-    let variance = shares(&films.each_ref().map(|film| noise(film, &squares)));
+    let whole = whole(&films);
+    let variance = shares(&films.each_ref().map(|film| noise(film, &whole, epsilon)));
     let rays = shares(&rays::rays(scene)?);
     let share = |i: usize| LengthShare {
         edges: i as u32 + 1,
@@ -76,20 +77,19 @@ fn light(film: &Film) -> f64 {
     film.mean().values().as_flattened().iter().sum()
 }
 
-/// r² + ε of every pixel and band.
-fn squares(films: &[Film; LENGTHS], epsilon: f64) -> Vec<f64> {
-    let means: Vec<Grid<[f64; 3]>> = films.iter().map(Film::mean).collect();
-    let whole = |i: usize| means.iter().map(|mean| mean.values().as_flattened()[i]).sum::<f64>();
-    let values = means[0].values().as_flattened().len();
-    (0..values).map(|i| whole(i).powi(2) + epsilon).collect()
+/// The mean of all lengths together.
+fn whole(films: &[Film; LENGTHS]) -> Vec<[f64; 3]> {
+    let means = films.each_ref().map(Film::mean);
+    let pixels = means[0].values().len();
+    let whole = |i: usize| {
+        std::array::from_fn(|band| means.iter().map(|mean| mean.values()[i][band]).sum::<f64>())
+    };
+    (0..pixels).map(whole).collect()
 }
 
-fn noise(film: &Film, squares: &[f64]) -> f64 {
-    let Some(variance) = film.variance_of_mean() else { return 0.0 };
-    let pairs = variance.values().as_flattened().iter().zip(squares);
-    // Where there is never any light there is no noise.
-    let noisy = pairs.filter(|&(&variance, _)| variance > 0.0);
-    noisy.fold(0.0, |sum, (variance, square)| sum + variance / square)
+/// The noise of a length, by what the whole picture is; none in one pass.
+fn noise(film: &Film, whole: &[[f64; 3]], epsilon: f64) -> f64 {
+    film.variance_of_mean().map_or(0.0, |variance| own_rel_mse(whole, variance.values(), epsilon))
 }
 
 fn shares(parts: &[f64; LENGTHS]) -> [f64; LENGTHS] {

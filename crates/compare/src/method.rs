@@ -39,14 +39,14 @@ pub fn blind_spots(method: Method, facts: &SceneFacts) -> Vec<String> {
     method.build().blind_spots(facts).iter().map(ToString::to_string).collect()
 }
 
-/// Whether it loses light that full bidirectional tracing finds: for a limit on path
+/// Tells whether it loses light that full bidirectional tracing finds: for a limit on path
 /// lengths, or because it is blind to it.
 pub fn is_biased(method: Method, facts: &SceneFacts) -> bool {
     let [all, blind] = [Method::BDPT, method].map(|method| method.build().blind_spots(facts));
     longest_path(method).is_some() || blind.iter().any(|spot| !all.contains(spot))
 }
 
-/// Whether there is any light in such a scene that it is for.
+/// Tells whether there is any light in such a scene that it is for.
 pub fn suits(method: Method, facts: &SceneFacts) -> bool {
     facts.point_lights || !method.build().blind_spots(facts).contains(&BlindSpot::AreaLights)
 }

@@ -6,7 +6,7 @@ use traylib_scene::Scene;
 /// Points of a pixel, along each side, that are looked through.
 const STEPS: u32 = 8;
 
-/// Whether a pixel or a neighbour of it sees a surface that reflects ideally.
+/// Tells whether a pixel or a neighbour of it sees a surface that reflects ideally.
 pub(crate) fn mirrors(scene: &Scene) -> Grid<bool> {
     let (width, height) = (scene.camera().width(), scene.camera().height());
     let seen: Vec<bool> =

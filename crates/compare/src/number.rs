@@ -134,7 +134,7 @@ pub(crate) fn interval(estimate: Estimate) -> String {
     interval_of(estimate, 3)
 }
 
-/// The same with another number of digits.
+/// Writes an interval with another number of digits.
 pub(crate) fn interval_of(estimate: Estimate, digits: u8) -> String {
     let value = significant(estimate.value, digits);
     if estimate.low >= estimate.high || !estimate.value.is_finite() {

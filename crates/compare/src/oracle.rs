@@ -17,7 +17,7 @@ use traylib_math::Heuristic;
 use traylib_statistics::normal::OUTSIDE_1E_3;
 use traylib_statistics::{Interval, Moments};
 
-/// Those whose noise is known.
+/// The estimators whose noise is known.
 const ESTIMATORS: [Estimator; 4] = [
     Estimator::Walks,
     Estimator::LightSamples,

@@ -1,6 +1,6 @@
 //! All runs on a scene: every method once, then all again with the next seed.
 //!
-//! By turns, so that whatever else the machine does falls on all alike.
+//! Methods run by turns, so that whatever else the machine does falls on all alike.
 
 use crate::judge::Entry;
 use crate::picture::{Picture, double, single};

@@ -39,7 +39,7 @@ impl Reference {
         Self { picture, variance, epsilon, checked: true, results }
     }
 
-    /// The same radiance everywhere.
+    /// Makes a reference of the same radiance everywhere.
     pub fn constant(width: usize, height: usize, radiance: f64) -> Self {
         let origin = format!("a closed form: {radiance} W/m²/sr everywhere");
         let picture = Grid::filled(width, height, [radiance; 3]);
@@ -71,7 +71,7 @@ impl Reference {
         (error - self.results.own_error).max(0.01 * error).max(f64::MIN_POSITIVE)
     }
 
-    /// Whether it is good enough to measure such an error.
+    /// Tells whether it is good enough to measure such an error.
     pub fn is_solid_at(&self, error: f64) -> bool {
         self.results.own_error < LARGEST_OWN_SHARE * error
     }

@@ -22,7 +22,7 @@ pub struct Results {
 }
 
 impl Results {
-    /// Whether nothing at all was found.
+    /// Tells whether nothing at all was found.
     pub fn is_empty(&self) -> bool {
         self.scenes.is_empty() && self.oracle.is_none()
     }
@@ -114,7 +114,7 @@ pub struct ReferenceAgreement {
     pub mean_ratio: Option<Estimate>,
     /// Tiles compared by Welch's test.
     pub tiles: u32,
-    /// Those that differ, at 0.1 % for all tiles together.
+    /// How many tiles differ, at 0.1 % for all tiles together.
     pub refused: u32,
     /// Share of pixels left out because they see a mirror, which one of the two
     /// cannot.
@@ -127,7 +127,7 @@ pub struct Verdict {
     /// The method that reaches a given error soonest; `None` where no factor between
     /// methods means anything, and the sentence says why.
     pub best: Option<String>,
-    /// Those that cannot be told from it, at 5 % for all pairs of the scene.
+    /// The methods that cannot be told from it, at 5 % for all pairs of the scene.
     pub rivals: Vec<String>,
     /// Both in a sentence, with the factor; and what stands against it.
     pub sentence: String,
@@ -230,7 +230,7 @@ pub struct Target {
 pub struct Metrics {
     /// relMSE, the reference's own noise taken off.
     pub rel_mse: f64,
-    /// The same without the worst 0.1 % of pixels; the reference's noise stays.
+    /// The mean without the worst 0.1 % of pixels; the reference's noise stays.
     pub trimmed_rel_mse: f64,
     /// Mean |x − r|/(|x| + |r|), from 0 to 1.
     pub smape: f64,
@@ -251,7 +251,7 @@ pub struct Rays {
     pub bounce: f64,
     /// Between two points.
     pub shadow: f64,
-    /// Of all kinds, a second.
+    /// Rays of all kinds, a second.
     pub per_second: f64,
 }
 
@@ -318,7 +318,7 @@ pub struct Oracle {
 pub struct OracleCurve {
     /// Its name, as of a method.
     pub method: String,
-    /// By R/h, ascending.
+    /// The points by R/h, ascending.
     pub points: Vec<OraclePoint>,
 }
 
@@ -338,8 +338,8 @@ pub struct OraclePoint {
 /// Where two methods are worth the same.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OracleCrossing {
-    /// By measurement, with its 95 % interval.
+    /// What was measured, with its 95 % interval.
     pub measured: Estimate,
-    /// By theory; for the crossing in time, with the measured cost of a sample.
+    /// What theory says; for the crossing in time, with the measured cost of a sample.
     pub theory: f64,
 }

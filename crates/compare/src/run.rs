@@ -21,8 +21,8 @@ pub struct Record {
     pub passes: u32,
     /// Seconds that they took.
     pub seconds: f64,
-    /// Looks at it on the way, by time; the last is at its end.
-    pub looks: Vec<Look>,
+    /// Snapshots of it on the way, by time; the last is at its end.
+    pub snapshots: Vec<Snapshot>,
     /// relMSE without the worst 0.1 % of pixels, at the end.
     pub trimmed_rel_mse: f64,
     /// SMAPE at the end.
@@ -43,7 +43,7 @@ pub struct Record {
 
 /// The error at some time; the reference's own noise is in it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Look {
+pub struct Snapshot {
     /// Passes so far.
     pub passes: u32,
     /// Seconds so far.
@@ -129,14 +129,14 @@ impl Race<'_> {
 /// as programs take of scenes that do not say.
 const PLANNED_SPP: u32 = 64;
 
-/// Looks after each pass, with the clock stopped.
+/// Takes snapshots after each pass, with the clock stopped.
 struct Watch<'a> {
     race: &'a Race<'a>,
     /// What pass values are divided by: roots of r² + ε, of the mean of the bands.
     units: Vec<f64>,
     before: Vec<f64>,
     largest: Largest,
-    looks: Vec<Look>,
+    snapshots: Vec<Snapshot>,
     next_budget: usize,
     plan: Option<String>,
     gone: Duration,
@@ -152,7 +152,7 @@ impl<'a> Watch<'a> {
             units: reference.picture.values().iter().map(unit).collect(),
             before: vec![0.0; reference.picture.values().len()],
             largest: Largest::default(),
-            looks: Vec::new(),
+            snapshots: Vec::new(),
             next_budget: 0,
             plan: None,
             gone: Duration::ZERO,
@@ -172,7 +172,7 @@ impl<'a> Watch<'a> {
         let budget = (used > 0).then(|| self.next_budget - 1);
         if budget.is_some() || passes.is_power_of_two() {
             let error = self.race.reference.rel_mse(&mean);
-            self.looks.push(Look { passes, seconds, error, budget });
+            self.snapshots.push(Snapshot { passes, seconds, error, budget });
         }
         if self.has_finished() {
             return ControlFlow::Break(());
@@ -181,7 +181,7 @@ impl<'a> Watch<'a> {
         ControlFlow::Continue(())
     }
 
-    /// Whether all budgets are used up; not if the run was stopped before.
+    /// Tells whether all budgets are used up; not if the run was stopped before.
     fn has_finished(&self) -> bool {
         self.next_budget == self.race.budgets.len()
     }
@@ -205,7 +205,7 @@ impl<'a> Watch<'a> {
         Record {
             passes: rendering.film.passes(),
             seconds: self.gone.as_secs_f64(),
-            looks: self.looks,
+            snapshots: self.snapshots,
             trimmed_rel_mse: error.map_or(0.0, |e| e.trimmed_rel_mse),
             smape: error.map_or(0.0, |e| e.smape),
             mean_ratio: error.map_or(0.0, |e| e.mean_ratio),

@@ -11,7 +11,7 @@ pub use text::{csv, table};
 use serde::Serialize;
 use traylib_integrators::Method;
 
-/// Those whose growth is charted.
+/// The methods whose growth is charted.
 pub const METHODS: [Method; 2] = [Method::COMBINED, Method::BDPT];
 
 /// What was found along every axis.

@@ -41,7 +41,7 @@ pub(crate) fn reason(picture: &Picture<'_>, options: &RenderOptions) -> Option<S
     ))
 }
 
-/// Whether a picture of this name has 256 steps of brightness.
+/// Tells whether a picture of this name has 256 steps of brightness.
 fn is_stepped(file: &Path) -> bool {
     let ending = file.extension().unwrap_or_default();
     !["exr", "hdr"].iter().any(|keeps_light| ending.eq_ignore_ascii_case(keeps_light))
@@ -152,7 +152,7 @@ fn surface(scene: &Scene, mut ray: Ray) -> Option<SurfacePoint> {
     None
 }
 
-/// Whether a surface throws nothing toward `wo`, by some of its samples.
+/// Tells whether a surface throws nothing toward `wo`, by some of its samples.
 fn is_black(point: &SurfacePoint, wo: Vec3) -> bool {
     let numbers = [[0.1, 0.3, 0.7], [0.5, 0.2, 0.1], [0.9, 0.6, 0.4], [0.99, 0.1, 0.9]];
     let sample = |u| point.model.sample(point.shading_normal, wo, u);

@@ -37,7 +37,7 @@ pub(crate) struct Checkpoint<'a> {
 }
 
 impl<'a> Checkpoint<'a> {
-    /// That of a job, if it wants one.
+    /// Makes the checkpoint of a job, if it wants one.
     pub(crate) fn of(job: &Job<'a>, loaded: &Loaded, plan: &Plan) -> Option<Self> {
         let options = &job.options.keep;
         let file = options.checkpoint.as_deref()?;
@@ -71,7 +71,7 @@ impl<'a> Checkpoint<'a> {
         }
         let (film, about) = load_film(file).map_err(|error| self.damaged(error))?;
         self.check(file, &film, &about, plan)?;
-        self.about.tallies = about.tallies;
+        self.about.counters = about.counters;
         self.saved = is_there.then_some(film.passes());
         if !options.quiet {
             let (done, wanted) = (film.passes(), plan.spp.map(|_| plan.passes.len()));
@@ -81,7 +81,7 @@ impl<'a> Checkpoint<'a> {
         Ok(Some(film))
     }
 
-    /// Whether it is a film of this rendering, and of this part of it.
+    /// Tells whether it is a film of this rendering, and of this part of it.
     fn check(
         &self,
         file: &Path,
@@ -150,7 +150,7 @@ impl<'a> Checkpoint<'a> {
             return Ok(());
         }
         let start = Instant::now();
-        let about = FilmAbout { tallies: self.tallies(statistics), ..self.about.clone() };
+        let about = FilmAbout { counters: self.counters(statistics), ..self.about.clone() };
         save_film(self.file, Some(&self.previous), film, &about)?;
         self.saved = Some(film.passes());
         self.last = Some((Instant::now(), start.elapsed()));
@@ -158,8 +158,8 @@ impl<'a> Checkpoint<'a> {
     }
 
     /// What was counted in all runs, with what was counted in this one.
-    fn tallies(&self, statistics: Statistics) -> Vec<(String, u64)> {
-        about::tallies(&self.about.tallies, statistics)
+    fn counters(&self, statistics: Statistics) -> Vec<(String, u64)> {
+        about::counters(&self.about.counters, statistics)
     }
 
     /// Samples that were left out in runs before.

@@ -21,7 +21,7 @@ pub fn parse<O: Parser>() -> O {
 pub struct CommandLine<O> {
     /// What to render and how much.
     pub render: RenderOptions,
-    /// By what.
+    /// The method by which it is rendered.
     pub method: Method,
     /// The program's other options.
     pub own: O,

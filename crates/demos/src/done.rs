@@ -22,7 +22,7 @@ pub struct Done {
     pub layers: BTreeMap<u16, Grid<Rgb>>,
     /// Text that was asked for.
     pub notes: Vec<String>,
-    /// Tally of the work of this run.
+    /// Counters of the work of this run.
     pub statistics: Statistics,
     /// Time that it took.
     pub elapsed: Duration,

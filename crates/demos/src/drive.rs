@@ -19,7 +19,7 @@ use traylib_scene::Film;
 /// What came of a job.
 #[derive(Debug)]
 pub(crate) struct Outcome {
-    /// The film, and the tally of this run.
+    /// The film, and the counters of this run.
     pub(crate) rendering: Rendering,
     /// The time that it took.
     pub(crate) elapsed: Duration,

@@ -79,7 +79,7 @@ impl Stop {
         })
     }
 
-    /// By which signal the user or the system asked, if it was not the clock.
+    /// Tells by which signal the user or the system asked, if it was not the clock.
     pub(crate) fn interrupted(&self) -> Option<Signal> {
         self.interrupted.get().copied()
     }

@@ -68,7 +68,7 @@ impl<'a> Job<'a> {
         self.method.and_then(Method::limits).unwrap_or_default()
     }
 
-    /// Whether pictures come of it; a part of a rendering is kept for others.
+    /// Tells whether pictures come of it; a part of a rendering is kept for others.
     pub(crate) fn makes_pictures(&self) -> bool {
         self.options.keep.shard.is_none()
     }

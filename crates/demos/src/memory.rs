@@ -35,7 +35,7 @@ pub(crate) fn check(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> Result<(), F
     }
 }
 
-/// Whether another pass has room after this many; it may need more than the one before only
+/// Tells whether another pass has room after this many; it may need more than the one before only
 /// where their number doubles.
 pub(crate) fn has_room(job: &Job<'_>, camera: &Camera, passes: u32) -> bool {
     let pixels = u64::from(camera.width()) * u64::from(camera.height());
@@ -148,7 +148,7 @@ mod tests {
         assert_eq!(of(2, 3), 84 + 2 * 3 * 24 + 3 * 12);
     }
 
-    /// Of four sequences the first passes are a sum each; later as many wait in each of them.
+    /// The first passes of four sequences are a sum each; later as many wait in each of them.
     #[test]
     fn sequences_wait_apart() {
         let of = |passes| bytes_per_pixel(passes, PointSet::Sobol, 0);

@@ -17,7 +17,7 @@ pub(crate) struct Outputs<'a> {
 }
 
 impl<'a> Outputs<'a> {
-    /// Of this job.
+    /// Makes the outputs of this job.
     pub(crate) fn of(job: &Job<'a>) -> Self {
         // A part of a rendering makes no picture.
         let folder = job.folder.filter(|_| job.makes_pictures());

@@ -213,7 +213,7 @@ mod tests {
         assert_eq!(fraction_done(1.0, u32::MAX, 5 * second, limit), 1.0);
     }
 
-    /// Of what was done before the clock tells nothing.
+    /// The clock tells nothing of what was done before.
     #[test]
     fn time_left_is_that_of_this_run() {
         let (second, limit) = (Duration::from_secs(1), Some(Duration::from_secs(4)));

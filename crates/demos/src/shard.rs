@@ -9,7 +9,7 @@ use std::str::FromStr;
 pub struct Shard {
     /// Which, from 0.
     index: u32,
-    /// Of how many.
+    /// How many there are.
     count: u32,
 }
 
@@ -21,7 +21,7 @@ impl Shard {
     /// The only part.
     pub(crate) const WHOLE: Self = Self { index: 0, count: 1 };
 
-    /// Whether both are parts of as many.
+    /// Tells whether both are parts of as many.
     pub(crate) fn is_beside(self, other: Self) -> bool {
         self.count == other.count
     }

@@ -68,7 +68,7 @@ mod system {
         let _ = thread::Builder::new().name("signals".into()).spawn(wait);
     }
 
-    /// By the process's own entry where there is one, on Linux.
+    /// Asks the process's own entry where there is one, on Linux.
     fn is_ignored(number: i32) -> bool {
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

@@ -14,7 +14,7 @@ use traylib_geometry::{Bvh, Hit, Ray, Shape, SidedPrimitive};
 
 const RAYS: usize = 4096;
 
-/// The same number of rays: a picture of this many pixels squared.
+/// One number of rays for all: a picture of this many pixels squared.
 const SIDE: u32 = 64;
 
 /// Both kinds of question, each ray by itself.

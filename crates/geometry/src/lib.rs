@@ -159,9 +159,7 @@ pub use normals::Normals;
 pub use point::SurfaceSite;
 pub use primitive::{Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
-pub use shape::{
-    Cone, Disk, Facing, Quad, Shape, ShapeKind, ShapeList, SidedTriangle, Sides, Sphere, Triangle,
-};
+pub use shape::*;
 pub use shape_hit::ShapeHit;
 pub use traylib_math::{Vec2, Vec3, glam};
 pub use tree::build::Quality;

@@ -59,7 +59,7 @@ pub(crate) struct Tree {
     /// Numbers of what is in no block, in the order the leaves list them.
     pub(crate) order: Vec<u32>,
     root: Option<Child>,
-    /// Of its triangles.
+    /// The extents of its triangles.
     extents: QuantisedExtents,
     /// Whether there are any.
     has_triangles: bool,
@@ -156,7 +156,7 @@ fn blocks<B: Send>(
     parallel::map(numbers.len(), GRAIN, |i| block(numbers[i]))
 }
 
-/// Of all boxes, along an axis.
+/// Returns the greatest extent of all boxes, along an axis.
 fn greatest_extent(boxes: &[Aabb]) -> f32 {
     let of = |boxes: &[Aabb]| boxes.iter().map(|b| b.extent().max_element()).fold(0.0, f32::max);
     parallel::chunks(boxes.len(), GRAIN, |range| of(&boxes[range])).into_iter().fold(0.0, f32::max)

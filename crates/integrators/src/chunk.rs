@@ -70,7 +70,7 @@ impl Chunk<'_> {
         });
     }
 
-    /// The same for an estimate that also wants the pixel's row-major index.
+    /// Samples each pixel for an estimate that also wants the pixel's row-major index.
     pub(crate) fn sample_each_pixel(
         &self,
         scene: &Scene,
@@ -106,7 +106,7 @@ pub struct ChunkOutput {
     pub(crate) notes: Vec<String>,
     /// Paths that a report asked for.
     pub(crate) paths: Vec<FoundPath>,
-    /// Tally of the work.
+    /// Counters of the work.
     pub statistics: Statistics,
 }
 

@@ -18,7 +18,7 @@ pub struct LightSample {
     pub x0: LightPoint,
     /// Unit direction from the vertex to the lamp.
     pub wi: Vec3,
-    /// Of the two points, in m².
+    /// The squared distance of the two points, in m².
     pub distance_squared: f32,
     /// What the vertex makes of this direction.
     pub scattering: PathScattering,

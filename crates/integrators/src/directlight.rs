@@ -73,7 +73,7 @@ impl DirectLight {
         let mut throughput = Rgb::WHITE;
         let mut arrival = Arrival::Alone;
         // Images of large lamps are hit without aiming.
-        let aims = !self.no_images && scene.lamps_are_small();
+        let aims = !self.no_images && scene.lights_are_small();
         // Those of points cannot be hit.
         let joins = !self.no_images && scene.has_point_images();
         for edges in 1.. {

@@ -22,7 +22,7 @@ pub struct Emitted {
     /// Le·cos₀/(F₀·p), with the densities of start and direction, and what the
     /// edge passed; of a point light its intensity in place of Le·cos₀.
     pub throughput: Rgb,
-    /// Those of its start, as a weight needs them.
+    /// The densities of its start, as a weight needs them.
     pub densities: LightDensities,
 }
 

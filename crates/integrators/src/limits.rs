@@ -18,7 +18,7 @@ impl Limits {
     /// No longest path, and roulette where it begins for camera walks alone.
     pub const OF_CAMERA_WALKS: Self = Self { max_depth: None, roulette: Roulette::OF_CAMERA_WALKS };
 
-    /// Whether a path of this many edges may be rendered.
+    /// Tells whether a path of this many edges may be rendered.
     pub fn allow(&self, edges: u32) -> bool {
         self.max_depth.is_none_or(|max| edges <= max)
     }

@@ -179,7 +179,7 @@ impl Method {
         }
     }
 
-    /// The same with these limits, where it has any.
+    /// Returns the method with these limits, where it has any.
     #[must_use]
     pub fn with_limits(self, limits: Limits) -> Self {
         match self {
@@ -191,14 +191,14 @@ impl Method {
         }
     }
 
-    /// The same for paths of at most so many edges.
+    /// Returns the method for paths of at most so many edges.
     #[must_use]
     pub fn up_to(self, max_depth: Option<u32>) -> Self {
         let limits = self.limits().unwrap_or_default();
         self.with_limits(Limits { max_depth, ..limits })
     }
 
-    /// The same for pictures of many samples a pixel, which find its mean: `trace` then
+    /// Returns the method for pictures of many samples a pixel, which find its mean: `trace` then
     /// draws their places.
     #[must_use]
     pub fn for_many_samples(self) -> Self {
@@ -208,7 +208,7 @@ impl Method {
         }
     }
 
-    /// By which techniques of bidirectional path tracing it finds light; lamps are seen
+    /// Tells by which techniques of bidirectional path tracing it finds light; lamps are seen
     /// directly by all.
     pub fn techniques(self) -> Techniques {
         let from_camera = Techniques { hits: false, ..Techniques::COMBINED };
@@ -293,7 +293,7 @@ impl Method {
         settings
     }
 
-    /// The same method with these settings, and what is not among them by default. They are
+    /// Returns the method with these settings, and what is not among them by default. They are
     /// of its [`options`](Self::options), others mean nothing to it.
     ///
     /// # Errors

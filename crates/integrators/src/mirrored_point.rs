@@ -36,7 +36,7 @@ pub(crate) fn mirrored_lights<'a>(
 }
 
 impl MirroredLight {
-    /// Of an image that the surface makes anything of.
+    /// Estimates the light of an image that the surface makes anything of.
     #[inline(never)]
     fn of(image: PointImage, point: &SurfacePoint, wo: Vec3) -> Option<Self> {
         let scattering = PathScattering::by_surface(point, Walk::FromCamera, wo, image.wi);

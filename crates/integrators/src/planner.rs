@@ -229,7 +229,7 @@ impl Planner<'_> {
         let variance = |clip| trial(&self.quarter, &self.pilot.tiles, method, by, clip);
         // What directlight aims at in mirrors the pilot does not know of.
         let is_known =
-            method.techniques().need_light_paths() || !self.probes.scene.lamps_are_small();
+            method.techniques().need_light_paths() || !self.probes.scene.lights_are_small();
         if is_known {
             variance(RARE) + forecast(&self.pilot, method).rare
         } else {
@@ -253,7 +253,7 @@ impl Planner<'_> {
                 tried.push(*choice);
             }
         }
-        if self.probes.scene.lamps_are_small() {
+        if self.probes.scene.lights_are_small() {
             let first = choices.first().and_then(|c| without_images(c.method, self.facts));
             tried.extend(first.map(|method| self.forecast(method)));
         }

@@ -26,7 +26,7 @@ pub struct Settings {
 pub struct Progress<'a> {
     /// All light so far.
     pub film: &'a Film,
-    /// Tally so far.
+    /// Counters so far.
     pub statistics: Statistics,
     /// Passes asked for.
     pub spp: u32,
@@ -39,7 +39,7 @@ pub struct Rendering {
     pub film: Film,
     /// Text that the integrator was asked for.
     pub notes: Vec<String>,
-    /// Tally of the work.
+    /// Counters of the work.
     pub statistics: Statistics,
 }
 
@@ -86,7 +86,7 @@ pub struct Part {
 }
 
 /// [`render`] of a part: the passes that its film does not have, in the order of their numbers,
-/// whatever `settings.spp` is. The film is that of the part, the tally that of the passes that
+/// whatever `settings.spp` is. The film is that of the part, the counters those of the passes that
 /// were rendered here. Films of all parts make that of the whole by [`Film::merge`].
 ///
 /// # Errors

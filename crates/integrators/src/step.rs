@@ -35,8 +35,8 @@ pub fn next_step(
     next_step_toward_light(walk, by_surface, point, wo, numbers, roulette, edge)
 }
 
-/// The same for a walk that may look for light in its own way; one from a light goes on by
-/// the surface alone.
+/// Takes the next step of a walk that may look for light in its own way; one from a light goes on
+/// by the surface alone.
 pub fn next_step_toward_light(
     walk: Walk,
     toward_light: TowardLight<'_>,

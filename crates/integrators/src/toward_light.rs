@@ -28,10 +28,10 @@ pub fn images_for(scene: &Scene, point: &SurfacePoint) -> Option<ImageDirections
 }
 
 impl<'a> TowardLight<'a> {
-    /// By the surface's own sampling.
+    /// Directions come from the surface's own sampling.
     pub const BY_SURFACE: Self = Self { images: None };
 
-    /// By the surface's own sampling, and toward these images if there are any.
+    /// Chooses by the surface's own sampling, and toward these images if there are any.
     #[inline]
     pub fn of(images: Option<&'a ImageDirections>) -> Self {
         Self { images }
@@ -85,7 +85,7 @@ fn choose(images: &ImageDirections, point: &SurfacePoint, u: [f32; 3]) -> Choice
     }
 }
 
-/// Whether a surface scatters into directions so wide that one may be chosen for it.
+/// Tells whether a surface scatters into directions so wide that one may be chosen for it.
 #[inline]
 fn can_aim(point: &SurfacePoint) -> bool {
     let model = &point.model;

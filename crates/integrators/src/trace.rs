@@ -55,7 +55,7 @@ impl Integrator for Trace {
 struct PixelPath {
     pixel: u32,
     ray: Ray,
-    /// Of all that it has passed.
+    /// The transmittance of all that it has passed.
     transmittance: Rgb,
     radiance: Rgb,
 }
@@ -67,7 +67,7 @@ fn follow(tracer: &mut Tracer<'_>, mut paths: Vec<PixelPath>) -> Vec<PixelPath> 
     for _ in 0..MOST_PASSAGES {
         // What stands next in each path, and what point lights give it.
         let rays: Vec<Ray> = going.iter().map(|&index| paths[index].ray).collect();
-        let points = tracer.look_each(&rays);
+        let points = tracer.intersect_each(&rays);
         let lit = lit_by_points(tracer, &rays, &points);
         let mut found = points.into_iter().zip(lit);
         going.retain(|&index| {

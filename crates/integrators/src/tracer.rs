@@ -1,4 +1,4 @@
-//! The scene with a tally of what was asked of it.
+//! The scene with counters of what was asked of it.
 
 use crate::Control;
 use std::ops::AddAssign;
@@ -58,7 +58,7 @@ impl<'scene> Tracer<'scene> {
         Self { scene, statistics: Statistics::default(), control }
     }
 
-    /// Whether nobody wants the answers any more: no ray meets anything then, and no
+    /// Tells whether nobody wants the answers any more: no ray meets anything then, and no
     /// point sees another, so that walks end.
     pub fn is_cancelled(&self) -> bool {
         self.control.is_cancelled()
@@ -86,7 +86,7 @@ impl<'scene> Tracer<'scene> {
     }
 
     /// What stands first in each of some rays from the camera, be it see-through or not.
-    pub fn look_each(&mut self, rays: &[Ray]) -> Vec<Option<SurfacePoint>> {
+    pub fn intersect_each(&mut self, rays: &[Ray]) -> Vec<Option<SurfacePoint>> {
         if self.is_cancelled() {
             return vec![None; rays.len()];
         }

@@ -27,7 +27,7 @@ const FILES: &[(&str, &[u8])] = &[
     file!("reference-c.ron"),
 ];
 
-/// Those that are scenes; the others belong to them.
+/// The names that are scenes; the others belong to them.
 const NAMES: &[&str] = &[
     "cornell",
     "small-light",

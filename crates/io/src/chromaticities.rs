@@ -40,7 +40,7 @@ const SAME: f64 = 1.5e-3;
 pub(crate) enum Conversion {
     /// They are ours.
     None,
-    /// By this matrix.
+    /// They are changed by this matrix.
     Matrix(DMat3),
 }
 

@@ -1,6 +1,7 @@
 //! What can go wrong with files, and what is worth a word.
 
 use crate::film_fault::{FilmDifference, FilmFault};
+use crate::format_error::FormatError;
 use crate::report::Report;
 use crate::suggest::{nearest, quoted_list};
 use std::fmt;
@@ -29,37 +30,13 @@ pub enum Error {
         /// The system's reason.
         cause: std::io::Error,
     },
-    /// A 3DS file is none.
+    /// A file of shapes that is not MGF makes no sense, or a material library that it names.
     #[error("{file}: {cause}")]
-    Mesh {
+    Format {
         /// The file.
         file: String,
-        /// Why.
-        cause: crate::three_ds::Error,
-    },
-    /// An OBJ file or a material library makes no sense.
-    #[error("{file}: {cause}")]
-    Obj {
-        /// The file.
-        file: String,
-        /// Why.
-        cause: crate::obj::Error,
-    },
-    /// A PLY file makes no sense.
-    #[error("{file}: {cause}")]
-    Ply {
-        /// The file.
-        file: String,
-        /// Why.
-        cause: crate::ply::Error,
-    },
-    /// A glTF file makes no sense.
-    #[error("{file}: {cause}")]
-    Gltf {
-        /// The file.
-        file: String,
-        /// Why.
-        cause: crate::gltf::Error,
+        /// Why, by its format.
+        cause: FormatError,
     },
     /// An MGF file makes no sense.
     #[error(transparent)]

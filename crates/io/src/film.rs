@@ -32,7 +32,7 @@ pub struct FilmAbout {
     /// What else is worth knowing, by name.
     pub notes: Vec<(String, String)>,
     /// What was counted, by name. When films are merged, these are added up.
-    pub tallies: Vec<(String, u64)>,
+    pub counters: Vec<(String, u64)>,
 }
 
 impl FilmAbout {

@@ -15,10 +15,14 @@
 
 mod accessor;
 mod budget;
+mod buffers;
 mod builder;
 mod container;
 mod error;
+mod extensions;
+mod fixture;
 mod json;
+mod material;
 mod nodes;
 mod primitive;
 mod warning;
@@ -27,7 +31,7 @@ pub use error::{Cause, Error};
 pub use json::{AlphaMode, Wrap};
 pub use warning::WarningKind;
 
-use crate::tally::Tally;
+use crate::warning_counts::WarningCounts;
 use traylib_math::glam::{Affine2, DAffine3};
 use traylib_math::{Rgb, Vec2, Vec3};
 
@@ -65,7 +69,7 @@ pub struct Document {
     /// The cameras in the scene.
     pub cameras: Vec<Camera>,
     /// What was skipped or repaired.
-    pub warnings: Tally<WarningKind>,
+    pub warnings: WarningCounts<WarningKind>,
 }
 
 /// Triangles with one material, in their own space.
@@ -157,7 +161,7 @@ pub struct Light {
     pub direction: Vec3,
     /// Candela, in colour.
     pub intensity: Rgb,
-    /// Of a spot light half the angles of full light, and beyond which there is none.
+    /// Half the angle within which a spot light is full, and of that beyond which there is none.
     pub cone: Option<[f32; 2]>,
 }
 

@@ -52,12 +52,12 @@ pub(crate) struct Imported {
     pub(crate) headlight: bool,
 }
 
-/// Whether a file's name says that it brings shapes without being a scene file.
+/// Tells whether a file's name says that it brings shapes without being a scene file.
 pub(crate) fn is_model(path: &std::path::Path) -> bool {
     model::Format::of(path).is_some()
 }
 
-/// Whether [`mesh_counts`] counts files of this name.
+/// Tells whether [`mesh_counts`] counts files of this name.
 pub(crate) fn has_mesh_counts(path: &std::path::Path) -> bool {
     model::counts::is_counted(path)
 }

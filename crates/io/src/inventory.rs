@@ -13,13 +13,13 @@ use traylib_scene::Light;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Inventory {
-    /// Of a 3DS file.
+    /// What is in a 3DS file.
     ThreeDs(Box<three_ds::Counts>),
-    /// Of MGF files, read one after the other.
+    /// What is in MGF files, read one after the other.
     Mgf(Box<mgf::Counts>),
-    /// Of an OBJ, PLY or glTF file.
+    /// What is in an OBJ, PLY or glTF file.
     Meshes(Box<MeshCounts>),
-    /// Of a scene in RON or built in.
+    /// What is in a scene in RON or built in.
     Scene(SceneCounts),
 }
 
@@ -69,7 +69,7 @@ fn has_ending(file: &Path, wanted: &str) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
 }
 
-/// By its ending, or for want of one by its first bytes.
+/// Judges a file by its ending, or for want of one by its first bytes.
 fn is_three_ds(file: &Path) -> bool {
     let starts = || std::fs::read(file).is_ok_and(|bytes| three_ds::decode(&bytes).is_ok());
     has_ending(file, "3ds") || (file.extension().is_none() && starts())
@@ -85,11 +85,9 @@ fn of_three_ds(file: &Path, options: LoadOptions<'_>) -> Result<(Inventory, Vec<
     let name = file.display().to_string();
     let bytes = std::fs::read(file).map_err(|cause| Error::Read { file: name.clone(), cause })?;
     let document = three_ds::decode_within(&bytes, options.limits.three_ds())
-        .map_err(|cause| Error::Mesh { file: name.clone(), cause })?;
-    let warnings = document.warnings.iter().map(|(kind, count)| {
-        let what = kind.to_string();
-        Warning { file: name.clone(), what, count }.to_string()
-    });
+        .map_err(|cause| Error::Format { file: name.clone(), cause: cause.into() })?;
+    let warning = |(what, count)| Warning { file: name.clone(), what, count }.to_string();
+    let warnings = document.warnings.iter().map(warning);
     let warnings = warnings.collect();
     Ok((Inventory::ThreeDs(Box::new(three_ds::Counts::of(&document))), warnings))
 }

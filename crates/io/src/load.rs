@@ -31,7 +31,7 @@ pub struct Loaded {
 ///
 /// # Errors
 /// [`Error::UnknownScene`], [`Error::Read`], [`Error::Scene`] with every place
-/// where a scene file makes no sense; [`Error::Mesh`], [`Error::Mgf`],
+/// where a scene file makes no sense; [`Error::Format`], [`Error::Mgf`],
 /// [`Error::NothingToSee`] and [`Error::Unlit`] of the other formats.
 pub fn load_scene(name_or_path: &str) -> Result<Loaded, Error> {
     load_scene_with(name_or_path, LoadOptions::default())

@@ -294,7 +294,7 @@ impl<'a> Scanner<'a> {
         None
     }
 
-    /// Whether the entry with this number is the one wanted. The scanner then
+    /// Tells whether the entry with this number is the one wanted. The scanner then
     /// stands before what was wanted, else before the entry's value.
     fn arrives(&mut self, step: Step, count: usize) -> Option<bool> {
         match step {

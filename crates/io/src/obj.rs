@@ -23,9 +23,9 @@ mod words;
 pub use error::{Cause, Error};
 pub use warning::WarningKind;
 
-pub use crate::polygon_limits::PolygonLimits as Limits;
+pub use crate::polygon_limits::{PolygonFault, PolygonLimits as Limits};
 
-use crate::tally::Tally;
+use crate::warning_counts::WarningCounts;
 use traylib_math::{Vec2, Vec3};
 
 /// What an object file holds.
@@ -46,7 +46,7 @@ pub struct Document {
     /// What `mtllib` names, as it stands there.
     pub libraries: Vec<String>,
     /// What was skipped or repaired.
-    pub warnings: Tally<WarningKind>,
+    pub warnings: WarningCounts<WarningKind>,
 }
 
 /// A corner of a polygon, by numbers from 0.
@@ -103,13 +103,17 @@ impl Document {
 /// # Errors
 /// A statement that is read makes no sense, or asks for too much: the first, with its line.
 pub fn decode(bytes: &[u8], limits: Limits) -> Result<Document, Error> {
+    check_text(bytes, limits)?;
+    reader::read(bytes, limits)
+}
+
+/// Refuses files that are too long, and text in words of 16 bits.
+fn check_text(bytes: &[u8], limits: Limits) -> Result<(), Error> {
     if bytes.len() > limits.bytes {
         return Err(Error::TooLong(limits.bytes));
     }
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err(Error::Utf16);
-    }
-    reader::read(bytes, limits)
+    let is_utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+    if is_utf16 { Err(Error::Utf16) } else { Ok(()) }
 }
 
 #[cfg(test)]

@@ -178,7 +178,7 @@ pub fn losses(path: &Path, radiance: &Grid<Rgb>) -> Result<Option<Warning>, Erro
     Ok((count > 0).then_some(warning))
 }
 
-/// Whether [`save_picture`] will be able to write there, as far as can be known
+/// Tells whether [`save_picture`] will be able to write there, as far as can be known
 /// before the picture exists: the format is known, and the folder takes new
 /// files.
 ///

@@ -23,9 +23,9 @@ mod warning;
 pub use error::{Cause, Error, Place};
 pub use warning::WarningKind;
 
-pub use crate::polygon_limits::PolygonLimits as Limits;
+pub use crate::polygon_limits::{PolygonFault, PolygonLimits as Limits};
 
-use crate::tally::Tally;
+use crate::warning_counts::WarningCounts;
 use traylib_math::{Vec2, Vec3};
 
 /// What a polygon file holds.
@@ -48,7 +48,7 @@ pub struct Document {
     /// Pictures that comments name.
     pub textures: Vec<String>,
     /// What was skipped or repaired.
-    pub warnings: Tally<WarningKind>,
+    pub warnings: WarningCounts<WarningKind>,
 }
 
 impl Document {

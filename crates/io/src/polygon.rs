@@ -7,7 +7,7 @@ pub(crate) use flat::{Flat, turn};
 
 use traylib_math::glam::DVec3;
 
-/// Twice the area of a loop times its unit normal, after Newell. It points to
+/// Returns twice the area of a loop times its unit normal, after Newell. It points to
 /// where the loop goes counter-clockwise.
 pub(crate) fn newell(outline: impl Iterator<Item = DVec3> + Clone) -> DVec3 {
     let Some(first) = outline.clone().next() else { return DVec3::ZERO };

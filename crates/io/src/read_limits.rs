@@ -1,6 +1,7 @@
 //! Bounds that a caller has set, as each reader takes them.
 
-use crate::{Limit, TextureLimits, gltf, mgf, obj, ply, three_ds};
+use crate::polygon_limits::PolygonLimits;
+use crate::{Limit, TextureLimits, gltf, mgf, three_ds};
 use std::path::{Path, PathBuf};
 
 /// The bounds that a caller has set; the readers' own else.
@@ -47,18 +48,10 @@ impl ReadLimits {
         }
     }
 
-    pub(crate) fn obj(&self) -> obj::Limits {
-        let usual = obj::Limits::default();
-        obj::Limits {
-            bytes: self.count(Limit::Bytes, usual.bytes),
-            corners: self.count(Limit::Corners, usual.corners),
-            cutting: self.get(Limit::Cutting).unwrap_or(usual.cutting),
-        }
-    }
-
-    pub(crate) fn ply(&self) -> ply::Limits {
-        let usual = ply::Limits::default();
-        ply::Limits {
+    /// Bounds on OBJ and PLY files.
+    pub(crate) fn polygons(&self) -> PolygonLimits {
+        let usual = PolygonLimits::default();
+        PolygonLimits {
             bytes: self.count(Limit::Bytes, usual.bytes),
             corners: self.count(Limit::Corners, usual.corners),
             cutting: self.get(Limit::Cutting).unwrap_or(usual.cutting),
@@ -91,7 +84,7 @@ mod tests {
     #[test]
     fn what_is_set_is_used() {
         let used = |limits: ReadLimits| {
-            let meshes = format!("{:?}{:?}{:?}", limits.three_ds(), limits.obj(), limits.ply());
+            let meshes = format!("{:?}{:?}", limits.three_ds(), limits.polygons());
             format!("{:?}{meshes}{:?}{:?}", limits.mgf(None), limits.gltf(), limits.texture())
         };
         let usual = used(ReadLimits::default());
@@ -99,9 +92,8 @@ mod tests {
             let mut limits = ReadLimits::default();
             limits.set(limit, 12_345);
             let times = match limit {
-                Limit::Bytes => 6,
-                Limit::Corners | Limit::Cutting => 3,
-                Limit::Surfaces | Limit::Items => 2,
+                Limit::Bytes => 5,
+                Limit::Corners | Limit::Cutting | Limit::Surfaces | Limit::Items => 2,
                 Limit::Memory
                 | Limit::Work
                 | Limit::Line

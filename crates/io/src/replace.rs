@@ -40,7 +40,7 @@ pub(crate) fn write_file_by(
     replace(path, kept, write).map_err(|cause| error(path, cause))
 }
 
-/// Whether [`write_file`] will be able to write there, as far as can be known before.
+/// Tells whether [`write_file`] will be able to write there, as far as can be known before.
 ///
 /// # Errors
 /// As `write_file`.

@@ -122,13 +122,13 @@ fn cut(text: &str) -> Cow<'_, str> {
 }
 
 impl Problem {
-    /// The same with advice.
+    /// Adds advice.
     #[must_use]
     pub fn with_help(self, help: impl Into<String>) -> Self {
         Self { help: Some(help.into()), ..self }
     }
 
-    /// The same with advice, if there is any.
+    /// Adds advice, if there is any.
     #[must_use]
     pub(crate) fn with_help_if_any(self, help: Option<String>) -> Self {
         Self { help, ..self }

@@ -82,7 +82,7 @@ impl Location {
         Some(format!("did you mean `{folder}{near}`?"))
     }
 
-    /// The same for all names of one file.
+    /// Returns what is the same for all names of one file.
     pub(crate) fn identity(&self) -> Self {
         match self {
             Self::Disk(path) => Self::Disk(path.canonicalize().unwrap_or_else(|_| path.clone())),

@@ -84,7 +84,7 @@ pub enum TextureError {
     },
 }
 
-/// Whether so much memory is to be had. Decoders take it without asking, which would
+/// Tells whether so much memory is to be had. Decoders take it without asking, which would
 /// end the program.
 pub(crate) fn check_memory(bytes: u64) -> Result<(), TextureError> {
     let is_there = |bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok();

@@ -29,14 +29,14 @@ const MOST_KIB: u64 = 256 << 10;
 
 /// What became of the damaged copies of a file.
 #[derive(Default)]
-struct Tally {
+struct Summary {
     tried: usize,
     sound: usize,
     seconds: f64,
     kib: u64,
 }
 
-impl Tally {
+impl Summary {
     fn attempt(&mut self, root: &Path, name: &Path, bytes: &[u8]) {
         let measure = Measure::start();
         self.sound += usize::from(read(root, name, bytes));
@@ -56,23 +56,23 @@ impl Tally {
 }
 
 /// Beginnings and mutations of a file, so many of each at most.
-fn harass(root: &Path, name: &Path, bytes: &[u8], most: usize, until: Option<f64>) -> Tally {
-    let (mut tally, start) = (Tally::default(), Instant::now());
+fn harass(root: &Path, name: &Path, bytes: &[u8], most: usize, until: Option<f64>) -> Summary {
+    let (mut summary, start) = (Summary::default(), Instant::now());
     let mut mutations = Mutations::new(bytes, 7).take(most);
     let mut beginnings = beginnings(bytes, most);
     while until.is_none_or(|until| start.elapsed().as_secs_f64() < until) {
         let (mutation, beginning) = (mutations.next(), beginnings.next());
         if let Some(bytes) = &mutation {
-            tally.attempt(root, name, bytes);
+            summary.attempt(root, name, bytes);
         }
         if let Some(bytes) = beginning {
-            tally.attempt(root, name, bytes);
+            summary.attempt(root, name, bytes);
         }
         if mutation.is_none() && beginning.is_none() {
             break;
         }
     }
-    tally
+    summary
 }
 
 /// A folder of this process, gone with the value.
@@ -98,8 +98,8 @@ fn our_own_files_damaged() {
     let folder = Folder::new("own");
     for (name, bytes) in seeds::all() {
         assert!(read(&folder.0, Path::new(&name), &bytes), "{name} is not sound");
-        let tally = harass(&folder.0, Path::new(&name), &bytes, 400, None);
-        let Tally { tried, sound, .. } = tally;
+        let summary = harass(&folder.0, Path::new(&name), &bytes, 400, None);
+        let Summary { tried, sound, .. } = summary;
         assert!(tried > 500 && (1..tried).contains(&sound), "{name}: {sound} of {tried}");
     }
 }
@@ -122,7 +122,7 @@ fn real_files_damaged() {
     let only = std::env::var("TRAYLIB_ONLY").unwrap_or_default();
     for name in names.iter().filter(|name| name.to_string_lossy().contains(&only)) {
         let bytes = fs::read(folder.0.join(name)).unwrap();
-        let Tally { tried, sound, seconds, kib } = harass(&folder.0, name, &bytes, 10_000, until);
+        let Summary { tried, sound, seconds, kib } = harass(&folder.0, name, &bytes, 10_000, until);
         let name = name.display();
         println!("{name}: {tried} tried, {sound} sound; at most {seconds:.3} s, {} MiB", kib >> 10);
     }

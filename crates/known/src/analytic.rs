@@ -59,12 +59,12 @@ fn under_a_point_light() -> Stage {
         .point(LIGHT, RADIANCE as f32)
 }
 
-/// The same with a sun far below the floor, which gives nothing in view light and has
+/// Adds a sun far below the floor, which gives nothing in view light and has
 /// some 10²⁶ times the power.
 pub fn outshone() -> Case {
     let sun = ball(-1.5e11 * Vec3::Z, 7e8);
     let Case { truth, .. } = point_light_wide();
-    let scene = under_a_point_light().lamp(sun, 2e7, black()).build();
+    let scene = under_a_point_light().light(sun, 2e7, black()).build();
     Case { name: "A1 outshone".into(), scene, max_depth: None, truth }
 }
 
@@ -170,7 +170,7 @@ pub(crate) fn lit_floor(name: String, camera: Camera, lamps: &[Primitive], facto
 
 fn diffuse_floor(camera: Camera, lamps: &[Primitive]) -> Scene {
     let stage = Stage::new(camera).surface(floor(), lambert(REFLECTANCE as f32));
-    let lit = |stage: Stage, &lamp: &Primitive| stage.lamp(lamp, RADIANCE as f32, black());
+    let lit = |stage: Stage, &lamp: &Primitive| stage.light(lamp, RADIANCE as f32, black());
     lamps.iter().fold(stage, lit).build()
 }
 
@@ -178,7 +178,7 @@ fn diffuse_floor(camera: Camera, lamps: &[Primitive]) -> Scene {
 fn from_above(name: String, model: SurfaceModel, half_angle: f64, albedo: f64) -> Case {
     let scene = Stage::new(spot(0.5 * Vec3::Z, Vec3::ZERO))
         .surface(floor(), model)
-        .lamp(disk_facing_down(Vec3::Z, half_angle.tan() as f32), RADIANCE as f32, black())
+        .light(disk_facing_down(Vec3::Z, half_angle.tan() as f32), RADIANCE as f32, black())
         .build();
     Case { name, scene, max_depth: None, truth: RADIANCE * albedo }
 }

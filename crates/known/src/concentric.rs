@@ -59,7 +59,7 @@ fn shells(lamp: Shell, camera: Camera) -> Scene {
             let model = lambert(REFLECTANCES[shell as usize] as f32);
             let surface = surfaces[shell as usize];
             if shell == lamp {
-                stage.lamp(surface, 1.0, model)
+                stage.light(surface, 1.0, model)
             } else {
                 stage.surface(surface, model)
             }

@@ -70,7 +70,7 @@ fn seen_from_above(name: String, lamp: Primitive, patch: Primitive, truth: f64) 
     let angle = 2.0 * EYE.recip().atan().to_degrees();
     let scene = Stage::new(camera(EYE * Vec3::Z, Vec3::ZERO, angle, 32))
         .surface(patch, lambert(REFLECTANCE as f32))
-        .lamp(lamp, RADIANCE as f32, black())
+        .light(lamp, RADIANCE as f32, black())
         .build();
     Case { name, scene, max_depth: None, truth }
 }
@@ -91,7 +91,7 @@ mod tests {
         }
     }
 
-    /// By midpoints over the lower side, of half-side 1.
+    /// The integral is taken by midpoints over the lower side, of half-side 1.
     #[test]
     fn sides_of_a_cube_have_their_known_factors() {
         let steps = 400;

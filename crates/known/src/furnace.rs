@@ -28,7 +28,7 @@ pub fn mirroring_walls() -> SurfaceModel {
 
 /// B1, B2: inside a glowing ball.
 pub fn glowing_ball(walls: SurfaceModel, max_depth: Option<u32>) -> Case {
-    let scene = Stage::new(wide_view()).lamp(hollow_ball(Vec3::ZERO, 1.0), 1.0, walls).build();
+    let scene = Stage::new(wide_view()).light(hollow_ball(Vec3::ZERO, 1.0), 1.0, walls).build();
     Case { name: format!("B ball K = {max_depth:?}"), scene, max_depth, truth: glow(max_depth) }
 }
 
@@ -37,7 +37,7 @@ pub fn glowing_ball(walls: SurfaceModel, max_depth: Option<u32>) -> Case {
 pub fn glowing_cube(walls: SurfaceModel, max_depth: Option<u32>) -> Case {
     let scene = hollow_cube(1.0)
         .into_iter()
-        .fold(Stage::new(wide_view()), |stage, side| stage.lamp(side, 1.0, walls))
+        .fold(Stage::new(wide_view()), |stage, side| stage.light(side, 1.0, walls))
         .build();
     Case { name: format!("B cube K = {max_depth:?}"), scene, max_depth, truth: glow(max_depth) }
 }

@@ -17,13 +17,13 @@ use traylib_scene::Scene;
 ///
 /// A ray leaves the floor as far off as rounding can have moved the hit: not at
 /// all from z = 0, up to some 2·10⁻⁶ m from a floor of this size that leans.
-pub fn close_lamp(normal: DVec3, height: f64) -> Case {
+pub fn close_light(normal: DVec3, height: f64) -> Case {
     let [axis, u, v] = frame(normal);
     let corner = (u + v) * -1.0;
     let patch = rectangle(corner.as_vec3(), (u * 2.0).as_vec3(), (v * 2.0).as_vec3());
     let lamp = disk((axis * height).as_vec3(), (axis * -1.0).as_vec3(), 1.0);
     let eye = spot((axis * 2.0 + u * 0.3).as_vec3(), Vec3::ZERO);
-    let scene = Stage::new(eye).surface(patch, lambert(0.5)).lamp(lamp, 3.0, black()).build();
+    let scene = Stage::new(eye).surface(patch, lambert(0.5)).light(lamp, 3.0, black()).build();
     let truth = 0.5 * 3.0 / (1.0 + height * height);
     Case {
         name: format!("D3 h = {height:e}, normal at {:.2} to z", axis.z),
@@ -59,7 +59,7 @@ pub fn grazing_light() -> Case {
 
 /// D8: a disk of radius r straight above at the height 1, of an area 10⁻¹² of
 /// the floor's 128² m²: F = r²/(1 + r²).
-pub fn tiny_lamp() -> Case {
+pub fn tiny_light() -> Case {
     let area = 1e-12 * 128.0 * 128.0;
     let radius = f64::sqrt(area / PI);
     let lamp = disk_facing_down(Vec3::Z, radius as f32);
@@ -128,6 +128,6 @@ pub fn bumpy_plate() -> Scene {
     let lamp = rectangle(Vec3::new(-0.5, -0.5, 1.5), Vec3::Y, Vec3::X);
     Stage::new(camera(Vec3::new(0.2, -1.5, 1.2), Vec3::ZERO, 50.0, 32))
         .mesh(sound(mesh), lambert(0.8))
-        .lamp(lamp, 3.0, black())
+        .light(lamp, 3.0, black())
         .build()
 }

@@ -24,7 +24,7 @@ pub struct Lobe {
     exponent: f64,
     /// R, then the axis of φ = 0 and of a quarter turn.
     axes: [DVec3; 3],
-    /// Of the angle between R and the normal.
+    /// The cosine of the angle between R and the normal.
     cos: f64,
     sin: f64,
 }
@@ -37,7 +37,7 @@ struct Ring {
 }
 
 impl Lobe {
-    /// Of light that leaves toward `wo`, above the surface z = 0.
+    /// Makes the lobe of light that leaves toward `wo`, above the surface z = 0.
     pub fn new(exponent: f32, wo: Vec3) -> Self {
         let wo = DVec3::from(wo).normalize();
         let mirrored = DVec3::new(-wo.x, -wo.y, wo.z);
@@ -94,7 +94,7 @@ impl Lobe {
         (self.exponent + 2.0) / (self.exponent + 1.0) * self.mean(64 * FINE, Ring::cosine)
     }
 
-    /// That of a Max-Phong lobe: its density in (u, φ) is 1/(2π) times
+    /// Computes the albedo of a Max-Phong lobe: its density in (u, φ) is 1/(2π) times
     /// N·w/max(N·w, cosθ).
     pub fn max_phong_albedo(&self) -> f64 {
         const STEPS: usize = 512;

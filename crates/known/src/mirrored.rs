@@ -23,7 +23,7 @@ use traylib_scene::{Camera, Scene};
 const FLOOR: f64 = 0.8;
 const MIRROR: f64 = 0.9;
 const RADIANCE: f64 = 100.0;
-/// Of a point light in the lamp's place, in W/sr.
+/// The intensity of a point light in the lamp's place, in W/sr.
 const INTENSITY: f64 = 5.0;
 /// Half-side of the lamp.
 const LAMP: f64 = 0.1;
@@ -48,7 +48,7 @@ pub struct Picture {
 }
 
 /// C1: seen from right below the lamp, 64 × 64 pixels over |x|, |y| ≤ 1.2.
-pub fn mirrored_lamp(mirror_half_side: f64) -> Picture {
+pub fn mirrored_light(mirror_half_side: f64) -> Picture {
     let scene = below_mirror(overhead(), mirror_half_side, mirror(MIRROR as f32, 0.0)).build();
     let lit = |x: DVec3| FLOOR * MIRROR * RADIANCE * image_factor(x, mirror_half_side);
     let truth = over_pixels(scene.camera(), lit);
@@ -60,7 +60,7 @@ pub fn mirrored_lamp(mirror_half_side: f64) -> Picture {
 /// x = 1.6 near the floor: one more factor km and one more edge. The second
 /// mirror stands behind the point, and what it reflects onto the floor has more
 /// edges still before it is seen.
-pub fn mirrored_lamp_in_a_mirror() -> Case {
+pub fn mirrored_light_in_a_mirror() -> Case {
     let scene = second_mirror(below_mirror(in_mirror(), WIDE_MIRROR, mirror(MIRROR as f32, 0.0)));
     let seen = image_factor(DVec3::X, WIDE_MIRROR);
     let truth = FLOOR * MIRROR * MIRROR * RADIANCE * seen;
@@ -156,7 +156,7 @@ fn below_mirror(camera: Camera, half_side: f64, model: SurfaceModel) -> Stage {
     Stage::new(camera)
         .surface(floor(), lambert(FLOOR as f32))
         .surface(square_up(2.0, half_side as f32), model)
-        .solid_lamp(lamp, RADIANCE as f32, black())
+        .solid_light(lamp, RADIANCE as f32, black())
 }
 
 /// Height of the plate below the point light.

@@ -22,7 +22,7 @@ pub fn glossy_ball(exponent: f32, degrees: f64) -> Case {
     let eye = Vec3::NEG_Z + angle.cos() as f32 * toward_eye;
     let walls = phong(diffuse as f32, specular as f32, exponent);
     let scene =
-        Stage::new(spot(eye, Vec3::NEG_Z)).lamp(hollow_ball(Vec3::ZERO, 1.0), 1.0, walls).build();
+        Stage::new(spot(eye, Vec3::NEG_Z)).light(hollow_ball(Vec3::ZERO, 1.0), 1.0, walls).build();
     let truth = 1.0 + diffuse + specular * Lobe::new(exponent, toward_eye).phong_albedo();
     Case { name: format!("B3 n = {exponent}, {degrees}°"), scene, max_depth: Some(2), truth }
 }
@@ -32,7 +32,7 @@ pub fn glossy_ball(exponent: f32, degrees: f64) -> Case {
 /// six cameras in the middle see it; a quarter turn fills the film with one
 /// wall, equal parts of the film with equal areas.
 ///
-/// Of what arrives the walls give back the share ρ, all of which arrives again:
+/// The walls give back the share ρ of what arrives, all of which arrives again:
 /// in all P·(1 + ρ + ρ² + …) over the area S, whatever the shape of the room and
 /// wherever the light is. Reflected once more, L = ρ/π·P/(S·(1 − ρ)).
 ///

@@ -35,14 +35,14 @@ impl Stage {
 
     /// Adds a lamp of this radiance that is not there from behind.
     #[must_use]
-    pub fn lamp(self, primitive: Primitive, radiance: f32, model: SurfaceModel) -> Self {
+    pub fn light(self, primitive: Primitive, radiance: f32, model: SurfaceModel) -> Self {
         self.object(ObjectShape::Primitive(primitive), Sides::Front, model, radiance)
     }
 
     /// Adds a lamp of this radiance that is there from behind too, and does not
     /// shine that way.
     #[must_use]
-    pub fn solid_lamp(self, primitive: Primitive, radiance: f32, model: SurfaceModel) -> Self {
+    pub fn solid_light(self, primitive: Primitive, radiance: f32, model: SurfaceModel) -> Self {
         self.object(ObjectShape::Primitive(primitive), Sides::Both, model, radiance)
     }
 
@@ -155,7 +155,7 @@ pub fn hollow_cube(half: f32) -> [Primitive; 6] {
     hollow_cube_at(Vec3::ZERO, half)
 }
 
-/// The same cube about another centre.
+/// Makes the cube about another centre.
 pub fn hollow_cube_at(centre: Vec3, half: f32) -> [Primitive; 6] {
     let side = |normal: Vec3, u: Vec3| {
         // u × v is along the normal.

@@ -19,7 +19,7 @@ const INDEX: f64 = 1.5;
 pub fn clear_things_in_a_furnace() -> Case {
     let square = |corner, edge| rectangle(corner, 0.5 * Vec3::X, edge);
     let scene = Stage::new(into_the_room(Vec3::new(0.1, -0.6, 0.1)))
-        .lamp(hollow_ball(Vec3::ZERO, 1.0), 1.0, diffuse_walls())
+        .light(hollow_ball(Vec3::ZERO, 1.0), 1.0, diffuse_walls())
         .surface(ball(Vec3::new(-0.2, 0.2, 0.2), 0.3), glass(INDEX as f32))
         .surface(square(Vec3::new(0.15, 0.1, -0.3), Vec3::new(0.0, 0.2, 0.5)), pane(0.1, 0.9))
         .surface(square(Vec3::new(-0.4, 0.0, -0.5), Vec3::new(0.0, 0.1, 0.4)), paper(0.5, 0.5))
@@ -31,7 +31,7 @@ pub fn clear_things_in_a_furnace() -> Case {
 /// square of the index is what refraction keeps, so that it is n² times as much.
 pub fn furnace_from_inside_of_glass() -> Case {
     let scene = Stage::new(into_the_room(Vec3::new(0.1, -0.15, 0.1)))
-        .lamp(hollow_ball(Vec3::ZERO, 1.0), 1.0, diffuse_walls())
+        .light(hollow_ball(Vec3::ZERO, 1.0), 1.0, diffuse_walls())
         .surface(ball(Vec3::ZERO, 0.4), glass(INDEX as f32))
         .build();
     Case { name: "E2 from glass".into(), scene, max_depth: None, truth: 2.0 * INDEX * INDEX }
@@ -40,12 +40,12 @@ pub fn furnace_from_inside_of_glass() -> Case {
 /// E3: a disk lamp of Le = 1 and R = h over a floor of albedo one half, F = 0.5,
 /// seen through nothing, and a pane in between that lets 0.6 through and
 /// reflects nothing: L = 0.6·ρ·F.
-pub fn lamp_behind_a_pane() -> Case {
+pub fn light_behind_a_pane() -> Case {
     let pane_between = rectangle(Vec3::new(-8.0, -8.0, 0.5), 16.0 * Vec3::X, 16.0 * Vec3::Y);
     let scene = Stage::new(spot(Vec3::new(0.3, 0.0, 0.2), Vec3::ZERO))
         .surface(floor(), lambert(0.5))
         .surface(pane_between, pane(0.0, 0.6))
-        .lamp(disk_facing_down(Vec3::Z, 1.0), 1.0, lambert(0.0))
+        .light(disk_facing_down(Vec3::Z, 1.0), 1.0, lambert(0.0))
         .build();
     Case { name: "E3 lamp behind a pane".into(), scene, max_depth: None, truth: 0.6 * 0.5 * 0.5 }
 }

@@ -16,20 +16,20 @@ pub fn mean(radius: f64) -> f64 {
     square / (1.0 + square)
 }
 
-/// Of one walk, which hits the lamp with probability F: F·(1 − F).
+/// The variance of one walk, which hits the lamp with probability F: F·(1 − F).
 pub fn of_walks(radius: f64) -> f64 {
     let f = mean(radius);
     f * (1.0 - f)
 }
 
-/// Of one light sample: the mean of R⁴c⁸ over the disk is
+/// The variance of one light sample: the mean of R⁴c⁸ over the disk is
 /// ∫ R⁴c⁸·2r·dr/R² with c² = 1/(1 + r²): R²/3·(1 − (1 + R²)⁻³), less F².
 pub fn of_light_samples(radius: f64) -> f64 {
     let square = radius * radius;
     square / 3.0 * (1.0 - (1.0 + square).powi(-3)) - mean(radius).powi(2)
 }
 
-/// Of one walk and one light sample, weighted: the two are independent, so
+/// The variance of one walk and one light sample, weighted: the two are independent, so
 /// their variances add.
 pub fn of_both(radius: f64, heuristic: Heuristic) -> f64 {
     let walk = |c: f64| c / PI;

@@ -23,32 +23,20 @@
 //! # Ok::<(), traylib_materials::Error>(())
 //! ```
 
-mod dielectric;
 mod error;
-mod lambert;
 mod lobe_choice;
 mod maps;
 mod material;
-mod max_phong;
-mod mirror;
 mod model;
-mod phong;
 mod scattering;
-mod sheet;
 mod site;
 mod texture;
 
-pub use dielectric::Dielectric;
 pub use error::Error;
-pub use lambert::Lambert;
 pub use maps::{Bump, Layer, Maps};
 pub use material::{Material, Shading};
-pub use max_phong::MaxPhong;
-pub use mirror::Mirror;
-pub use model::SurfaceModel;
-pub use phong::Phong;
+pub use model::*;
 pub use scattering::{BsdfSample, Scattering};
-pub use sheet::Sheet;
 pub use site::Site;
 pub use texture::{Texture, Tiling};
 

@@ -38,12 +38,12 @@ impl From<SurfaceModel> for Material {
 }
 
 impl Material {
-    /// Whether light can pass straight through somewhere.
+    /// Tells whether light can pass straight through somewhere.
     pub fn is_see_through(&self) -> bool {
         !self.through.is_black() || self.has_opacity()
     }
 
-    /// Whether parts of the surface may not be there.
+    /// Tells whether parts of the surface may not be there.
     pub fn has_opacity(&self) -> bool {
         self.maps.as_ref().is_some_and(|maps| maps.opacity.is_some())
     }

@@ -1,6 +1,20 @@
 //! The closed set of surface models.
 
-use crate::{BsdfSample, Dielectric, Lambert, MaxPhong, Mirror, Phong, Scattering, Sheet};
+mod dielectric;
+mod lambert;
+mod max_phong;
+mod mirror;
+mod phong;
+mod sheet;
+
+pub use dielectric::Dielectric;
+pub use lambert::Lambert;
+pub use max_phong::MaxPhong;
+pub use mirror::Mirror;
+pub use phong::Phong;
+pub use sheet::Sheet;
+
+use crate::{BsdfSample, Scattering};
 use traylib_math::{Rgb, Vec3};
 
 /// How a surface scatters light. Small and `Copy`; a scene keeps one a material.
@@ -68,7 +82,7 @@ impl SurfaceModel {
         })
     }
 
-    /// Whether [`evaluate`](Self::evaluate) can be anything but zero: whether a
+    /// Tells whether [`evaluate`](Self::evaluate) can be anything but zero: whether a
     /// connection to this surface can carry light.
     pub fn has_smooth_part(&self) -> bool {
         match self {
@@ -79,7 +93,7 @@ impl SurfaceModel {
         }
     }
 
-    /// Whether part of the light is reflected or refracted ideally.
+    /// Tells whether part of the light is reflected or refracted ideally.
     pub fn has_delta_part(&self) -> bool {
         match self {
             Self::Mirror(m) => m.has_delta_part(),
@@ -126,7 +140,7 @@ impl SurfaceModel {
         }
     }
 
-    /// Whether some of the light is scattered into all directions.
+    /// Tells whether some of the light is scattered into all directions.
     pub fn has_diffuse_part(&self) -> bool {
         match self {
             Self::Lambert(m) => !m.is_black(),
@@ -137,7 +151,7 @@ impl SurfaceModel {
         }
     }
 
-    /// Whether [`sample`](Self::sample) has a choice of lobes.
+    /// Tells whether [`sample`](Self::sample) has a choice of lobes.
     pub fn chooses_lobe(&self) -> bool {
         match self {
             Self::Phong(m) => m.lobe_exponent().is_some() && !m.diffuse().is_black(),
@@ -158,7 +172,7 @@ impl SurfaceModel {
         }
     }
 
-    /// Whether [`evaluate`](Self::evaluate) can be anything but zero for `wi`
+    /// Tells whether [`evaluate`](Self::evaluate) can be anything but zero for `wi`
     /// below the surface.
     pub fn transmits(&self) -> bool {
         matches!(self, Self::Sheet(_))

@@ -15,7 +15,7 @@ impl DiscreteDistribution {
         Self::with_floor(weights, 0.0)
     }
 
-    /// The same, with every weight below `floor` times their mean raised to that. No
+    /// Builds it with every weight below `floor` times their mean raised to that. No
     /// index then is rarer than `floor`/(1 + `floor`) over their number. Weights of
     /// which none is raised give the same bits as [`new`](Self::new).
     pub fn with_floor(weights: &[f32], floor: f64) -> Option<Self> {

@@ -61,7 +61,7 @@ impl<T> Grid<T> {
         Grid { width: self.width, values: self.values.iter().map(f).collect() }
     }
 
-    /// The same, where both grids do not fit into memory: what is done with is given back on
+    /// Maps every value where both grids do not fit into memory: what is done with is given back on
     /// the way, if the allocator can shrink in place what is large, as those of Linux do.
     pub fn into_map<U>(mut self, mut f: impl FnMut(T) -> U) -> Grid<U> {
         /// Values after which memory is given back.

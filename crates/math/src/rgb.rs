@@ -29,7 +29,7 @@ impl Rgb {
         Self { r, g, b }
     }
 
-    /// The same value in all three bands.
+    /// Makes a colour of the same value in all three bands.
     pub const fn splat(value: f32) -> Self {
         Self::new(value, value, value)
     }
@@ -55,12 +55,12 @@ impl Rgb {
         self.r.min(self.g).min(self.b)
     }
 
-    /// Whether no band holds anything.
+    /// Tells whether no band holds anything.
     pub fn is_black(self) -> bool {
         self == Self::BLACK
     }
 
-    /// Whether every band is a number and finite.
+    /// Tells whether every band is a number and finite.
     pub fn is_finite(self) -> bool {
         self.r.is_finite() && self.g.is_finite() && self.b.is_finite()
     }

@@ -1,6 +1,6 @@
 //! Points that fill the unit cube more evenly than random ones: the sequence of Sobol'.
 //!
-//! Of the first 2^k points, or of any run of 2^k that begins at a multiple of 2^k, each
+//! Among the first 2^k points, or any run of 2^k that begins at a multiple of 2^k, each
 //! stretch of length 2^-k holds one in every dimension. Direction numbers are those of
 //! S. Joe and F. Y. Kuo, *Constructing Sobol sequences with better two-dimensional
 //! projections*, SIAM J. Sci. Comput. 30, 2008 (their file `new-joe-kuo-6.21201`, free for
@@ -25,7 +25,7 @@ pub fn point(mut index: u64) -> [u32; DIMENSIONS] {
     point
 }
 
-/// Of each dimension but the first: the inner coefficients of its primitive polynomial,
+/// For each dimension but the first, the inner coefficients of its primitive polynomial,
 /// highest power first, and its first direction numbers, as many as the degree.
 const POLYNOMIALS: [(u32, &[u64]); DIMENSIONS - 1] = [
     (0, &[1]),
@@ -45,7 +45,7 @@ const POLYNOMIALS: [(u32, &[u64]); DIMENSIONS - 1] = [
     (16, &[1, 3, 1, 13, 27, 49]),
 ];
 
-/// By bit of the number and dimension: the highest 32 bits of the direction.
+/// For each bit of the number and each dimension, the highest 32 bits of the direction.
 static DIRECTIONS: [[u32; DIMENSIONS]; 64] = directions();
 
 const fn directions() -> [[u32; DIMENSIONS]; 64] {
@@ -68,7 +68,7 @@ const fn directions() -> [[u32; DIMENSIONS]; 64] {
     all
 }
 
-/// Those of the first dimension, the bits of the number in reverse.
+/// Returns the directions of the first dimension, the bits of the number in reverse.
 const fn radical_inverse() -> [u64; 64] {
     let mut directions = [0; 64];
     let mut bit = 0;

@@ -13,7 +13,7 @@ pub(crate) struct Frame {
     pub(crate) coarseness: u32,
     /// Light, as far as it is known.
     pub(crate) radiance: Grid<Rgb>,
-    /// The same for the window.
+    /// The pixels as the window wants them.
     pub(crate) pixels: Vec<u32>,
     /// Factor on light that was shown.
     pub(crate) exposure: f32,
@@ -28,7 +28,7 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// Whether it is what somebody wants who wants this, and no draft of it.
+    /// Tells whether it is what somebody wants who wants this, and no draft of it.
     pub(crate) fn is_of(&self, wanted: &Wanted) -> bool {
         self.coarseness == 1 && self.wanted == *wanted
     }

@@ -21,7 +21,7 @@ pub(crate) struct Input {
     pub(crate) fast: bool,
     /// Where the mouse was drawn to with its left button, in pixels to the right and down.
     pub(crate) turn: Vec2,
-    /// The same with another button.
+    /// How far the mouse was dragged with another button.
     pub(crate) shift: Vec2,
     /// Notches of the wheel, away from the hand.
     pub(crate) wheel: f32,

@@ -59,7 +59,7 @@ pub(crate) fn moved(camera: CameraSettings, motion: Motion) -> CameraSettings {
     }
 }
 
-/// The same picture with its target at this distance.
+/// Returns the camera of the same picture with its target at this distance.
 pub(crate) fn aimed_at(camera: CameraSettings, distance: f32) -> CameraSettings {
     let Frame { position, view, .. } = Frame::of(&camera);
     let target = position + view.normalize() * f64::from(distance);

@@ -70,7 +70,7 @@ impl Painter {
         self.desk.papers().frame.take()
     }
 
-    /// Whether there will be no more frames, as [`end`](Self::end) tells why.
+    /// Tells whether there will be no more frames, as [`end`](Self::end) tells why.
     pub(crate) fn has_failed(&self) -> bool {
         self.thread.is_finished()
     }

@@ -68,7 +68,7 @@ impl View {
         self.wanted.camera.height = height.max(1);
     }
 
-    /// Whether the camera was moved, be it by the window alone.
+    /// Tells whether the camera was moved, be it by the window alone.
     pub(crate) fn is_moved(&self) -> bool {
         let CameraSettings { width, height, .. } = self.home;
         CameraSettings { width, height, ..self.wanted.camera } != self.home

@@ -2,7 +2,7 @@
 
 use crate::LightId;
 use crate::coincidence;
-use crate::images::MirroredLamps;
+use crate::images::MirroredLights;
 use crate::light::check_emission;
 use crate::light_tree::LightTree;
 use crate::scene::Stage;
@@ -150,10 +150,10 @@ impl SceneBuilder {
         let light_by_power =
             DiscreteDistribution::with_floor(&powers, RAREST).ok_or(Error::Dark)?;
         let tree = Bvh::of_shapes(self.surfaces)?;
-        let (tree, lifted_lamps) = coincidence::lift_lamps(tree, &mut lights)?;
+        let (tree, lifted_lights) = coincidence::lift_lights(tree, &mut lights)?;
         let seats = seats(&lights, &self.materials, tree.shapes());
         let light_tree = LightTree::new(&lights);
-        let mirrored_lamps = MirroredLamps::new(tree.shapes(), &self.materials, &lights);
+        let mirrored_lights = MirroredLights::new(tree.shapes(), &self.materials, &lights);
         let see_through = self.materials.iter().any(Material::is_see_through);
         let stage = Stage {
             tree,
@@ -161,10 +161,10 @@ impl SceneBuilder {
             see_through,
             lights,
             seats,
-            lifted_lamps,
+            lifted_lights,
             light_by_power,
             light_tree,
-            mirrored_lamps,
+            mirrored_lights,
         };
         Ok(Scene::new(Arc::new(stage), self.camera))
     }

@@ -30,7 +30,7 @@ pub struct CameraSettings {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     settings: CameraSettings,
-    /// That of the settings, or one beside it.
+    /// The position of the settings, or one beside it.
     position: Vec3,
     forward: Vec3,
     /// One pixel to the right and one down, on the plane at distance one.
@@ -85,7 +85,7 @@ impl Camera {
         })
     }
 
-    /// The same camera, its pinhole off a surface in which it lies, on the side into
+    /// Returns the camera with its pinhole off a surface in which it lies, on the side into
     /// which it looks: what is there would be met or not by rounding.
     pub(crate) fn lifted(self, site: &SurfaceSite) -> Self {
         let at = SurfaceSite { position: self.position, ..*site };

@@ -23,7 +23,7 @@ const PARALLEL: f32 = 1.0 - 1e-4;
 pub struct Coincidences {
     /// Lamps in one place with other surfaces or lamps, which were lifted off their
     /// fronts.
-    pub lifted_lamps: usize,
+    pub lifted_lights: usize,
     /// Point lights within a surface, which shine on both its sides.
     pub points_in_surfaces: usize,
     /// Surfaces in which the camera lay, which was lifted off them.
@@ -35,7 +35,7 @@ pub struct Coincidences {
 ///
 /// # Errors
 /// Those of the shapes.
-pub(crate) fn lift_lamps(
+pub(crate) fn lift_lights(
     tree: Bvh<Shapes<Surfaces>>,
     lights: &mut [Light],
 ) -> Result<(Bvh<Shapes<Surfaces>>, usize), Error> {
@@ -167,7 +167,7 @@ mod tests {
             let lamp = (square(1.0, slope), Sides::Both, 1.0);
             for order in [[ceiling, lamp], [lamp, ceiling]] {
                 let scene = scene(&order, None);
-                assert_eq!(scene.coincidences().lifted_lamps, 1);
+                assert_eq!(scene.coincidences().lifted_lights, 1);
                 assert!(seen(&scene, slope).iter().all(|&radiance| radiance == 1.0), "{slope}");
             }
         }
@@ -178,7 +178,7 @@ mod tests {
         for slope in [0.0, 0.3] {
             let lamps = [5.0, 7.0, 9.0].map(|radiance| (square(1.0, slope), Sides::Both, radiance));
             let scene = scene(&lamps, None);
-            assert_eq!(scene.coincidences().lifted_lamps, 3);
+            assert_eq!(scene.coincidences().lifted_lights, 3);
             assert!(seen(&scene, slope).iter().all(|&radiance| radiance == 5.0), "{slope}");
         }
     }
@@ -199,7 +199,7 @@ mod tests {
         let ball = Sphere::new(Vec3::new(1e5, 0.0, 0.0), 0.1, Facing::Inward).unwrap();
         let ball = |radiance| (Primitive::Sphere(ball), Sides::Both, radiance);
         let scene = scene(&[ball(0.0), ball(1.0)], None);
-        assert_eq!(scene.coincidences().lifted_lamps, 1);
+        assert_eq!(scene.coincidences().lifted_lights, 1);
     }
 
     /// All rays into the surface meet it, none that leaves it.
@@ -256,7 +256,7 @@ mod tests {
         }
     }
 
-    /// Of a point light on a ball all points outside see all or nothing.
+    /// All points outside see all or nothing of a point light on a ball.
     #[test]
     fn a_point_light_in_a_surface_is_seen_from_all_around() {
         let centre = Vec3::new(0.3, 2.5, 0.1);

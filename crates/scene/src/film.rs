@@ -149,7 +149,7 @@ impl Film {
         self.height
     }
 
-    /// Whether it has the pass of this number.
+    /// Tells whether it has the pass of this number.
     pub fn has_pass(&self, number: u32) -> bool {
         let (sequence, pass) = self.place(number);
         self.sequences[sequence].has(pass)
@@ -251,7 +251,7 @@ impl Film {
         (mean > 0.0).then(|| (variance / count).sqrt() / (mean / count))
     }
 
-    /// Of what the variance is estimated: passes, or sequences that have any.
+    /// Counts what the variance is estimated from: passes, or sequences that have any.
     fn independent_means(&self) -> usize {
         match &self.sequences[..] {
             [one] => one.passes() as usize,

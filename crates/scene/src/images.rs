@@ -11,7 +11,7 @@
 
 mod ball;
 mod flat;
-mod lamp;
+mod light_ball;
 mod mirror;
 mod points;
 mod reflection;
@@ -22,7 +22,7 @@ pub(crate) use reflection::Reflection;
 use crate::surface_point::SHARP;
 use crate::surfaces::{Surface, Surfaces};
 use crate::{Light, SurfacePoint};
-use lamp::Lamp;
+use light_ball::LightBall;
 use mirror::Mirror;
 use points::MirroredPoints;
 use std::f32::consts::TAU;
@@ -51,10 +51,10 @@ const NARROWEST: f32 = 1e-10;
 
 /// The mirrors of a scene, each with a lamp that may show in it; the brightest first.
 #[derive(Debug, Default)]
-pub(crate) struct MirroredLamps {
+pub(crate) struct MirroredLights {
     pairs: Vec<Pair>,
     /// Whether no more than [`SMALL`] of all surfaces shines.
-    pub(crate) lamps_are_small: bool,
+    pub(crate) lights_are_small: bool,
     /// The point lights that ideal mirrors show, where no direction meets them.
     pub(crate) points: Option<MirroredPoints>,
 }
@@ -63,7 +63,7 @@ pub(crate) struct MirroredLamps {
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     mirror: Mirror,
-    lamp: Lamp,
+    lamp: LightBall,
     /// About how much of the lamp's power falls on the mirror, over that of the greatest pair.
     power: f32,
 }
@@ -87,14 +87,14 @@ struct ImageCone {
     one_minus_cos: f32,
 }
 
-impl MirroredLamps {
-    /// Those of a scene, as far as they are worth looking for.
+impl MirroredLights {
+    /// Finds the pairs of a scene, as far as they are worth looking for.
     pub(crate) fn new(surfaces: &Surfaces, materials: &[Material], lights: &[Light]) -> Self {
         let points = MirroredPoints::new(surfaces, materials, lights);
-        let lamps_are_small = lamps_are_small(surfaces, lights);
+        let lights_are_small = lights_are_small(surfaces, lights);
         let mirrors = mirrors(surfaces, materials);
         let lamps = lamps(lights);
-        let pair = |mirror: &Mirror, lamp: &Lamp| {
+        let pair = |mirror: &Mirror, lamp: &LightBall| {
             let power = lamp.power * mirror.part_of_sky(lamp.centre);
             mirror.may_show(lamp).then_some(Pair { mirror: *mirror, lamp: *lamp, power })
         };
@@ -109,7 +109,7 @@ impl MirroredLamps {
             pair.power /= greatest;
         }
         pairs.retain(|pair| pair.power >= FAINTEST);
-        Self { pairs, lamps_are_small, points }
+        Self { pairs, lights_are_small, points }
     }
 
     /// The images that the surface at `point` may see.
@@ -142,8 +142,8 @@ impl MirroredLamps {
     }
 }
 
-/// Whether the lamps are small beside all that there is.
-fn lamps_are_small(surfaces: &Surfaces, lights: &[Light]) -> bool {
+/// Tells whether the lamps are small beside all that there is.
+fn lights_are_small(surfaces: &Surfaces, lights: &[Light]) -> bool {
     let area = |primitive: Primitive| f64::from(primitive.area());
     let shining: f64 = lights
         .iter()
@@ -178,8 +178,8 @@ fn mirrors(surfaces: &Surfaces, materials: &[Material]) -> Vec<Mirror> {
 }
 
 /// The strongest lamps of a scene.
-fn lamps(lights: &[Light]) -> Vec<Lamp> {
-    let mut lamps: Vec<Lamp> = lights.iter().filter_map(Lamp::of).collect();
+fn lamps(lights: &[Light]) -> Vec<LightBall> {
+    let mut lamps: Vec<LightBall> = lights.iter().filter_map(LightBall::of).collect();
     keep_greatest(&mut lamps, MOST_OF_A_KIND, |lamp| lamp.power);
     lamps
 }
@@ -191,8 +191,8 @@ fn keep_greatest<T>(list: &mut Vec<T>, most: usize, key: impl Fn(&T) -> f32) {
 }
 
 impl ImageDirections {
-    /// Of the power that falls on mirrors, as far as lamps show in them here, the part that the
-    /// cones hold, in (0, 1]; the rest is in images too wide to be aimed at.
+    /// Returns the part that the cones hold of the power that falls on mirrors, as far as lamps
+    /// show in them here, in (0, 1]; the rest is in images too wide to be aimed at.
     #[inline]
     pub fn part(&self) -> f32 {
         self.part
@@ -224,8 +224,8 @@ impl ImageCone {
         Self { axis, one_minus_cos: one_minus_cos.clamp(NARROWEST, 1.0) }
     }
 
-    /// Whether it is a cone at all, where lengths leave the range of numbers, and any of it is
-    /// above the surface with this normal.
+    /// Tells whether it is a cone at all, where lengths leave the range of numbers, and any of it
+    /// is above the surface with this normal.
     fn rises_above(&self, normal: Vec3) -> bool {
         if !self.axis.is_normalized() {
             return false;

@@ -28,10 +28,10 @@ pub struct PointImage {
 }
 
 impl Scene {
-    /// Whether ideal mirrors show point lights.
+    /// Tells whether ideal mirrors show point lights.
     #[inline]
     pub fn has_point_images(&self) -> bool {
-        self.stage.mirrored_lamps.points.is_some()
+        self.stage.mirrored_lights.points.is_some()
     }
 
     /// The images of point lights that a surface at this point sees in ideal mirrors: flat ones
@@ -45,9 +45,9 @@ impl Scene {
         point: &'a SurfacePoint,
         u: [f64; 2],
     ) -> impl Iterator<Item = PointImage> + 'a {
-        self.stage.mirrored_lamps.points.iter().flat_map(move |points| {
-            (0..points.looks()).filter_map(move |look| {
-                let (mirror, light, chance) = points.pair(look, u);
+        self.stage.mirrored_lights.points.iter().flat_map(move |points| {
+            (0..points.tries()).filter_map(move |number| {
+                let (mirror, light, chance) = points.pair(number, u);
                 self.point_image(point, mirror, light, chance)
             })
         })
@@ -67,7 +67,7 @@ impl Scene {
         x1: &SurfacePoint,
         x2: Vec3,
     ) -> Option<f64> {
-        let points = self.stage.mirrored_lamps.points.as_ref()?;
+        let points = self.stage.mirrored_lights.points.as_ref()?;
         let (mirror, look_chance) = points.pair_of(x1.surface, light)?;
         let reflection = mirror.reflection(x2, x0.site.position)?;
         walk_spread(&reflection, x1, look_chance)

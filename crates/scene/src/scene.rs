@@ -3,7 +3,7 @@
 mod sample;
 
 use crate::coincidence::Coincidences;
-use crate::images::{ImageDirections, MirroredLamps};
+use crate::images::{ImageDirections, MirroredLights};
 use crate::light_tree::LightTree;
 use crate::seat::{self, Seat};
 use crate::surfaces::{Surface, Surfaces};
@@ -34,10 +34,10 @@ pub(crate) struct Stage {
     pub(crate) lights: Vec<Light>,
     /// What each lamp lies on; none where that matters for no lamp.
     pub(crate) seats: Vec<Seat>,
-    pub(crate) lifted_lamps: usize,
+    pub(crate) lifted_lights: usize,
     pub(crate) light_by_power: DiscreteDistribution,
     pub(crate) light_tree: LightTree,
-    pub(crate) mirrored_lamps: MirroredLamps,
+    pub(crate) mirrored_lights: MirroredLights,
 }
 
 /// A lamp that was drawn.
@@ -84,7 +84,7 @@ impl Scene {
         }
     }
 
-    /// The same scene with another camera, as a window needs it that is walked through:
+    /// Returns the scene with another camera, as a window needs it that is walked through:
     /// nothing is built again.
     #[must_use]
     pub fn seen_by(&self, camera: Camera) -> Self {
@@ -120,7 +120,7 @@ impl Scene {
     pub fn coincidences(&self) -> Coincidences {
         let is_within = |seat: &&Seat| matches!(seat, Seat::Within(_));
         Coincidences {
-            lifted_lamps: self.stage.lifted_lamps,
+            lifted_lights: self.stage.lifted_lights,
             points_in_surfaces: self.stage.seats.iter().filter(is_within).count(),
             surfaces_at_camera: self.surfaces_at_camera,
         }
@@ -281,14 +281,14 @@ impl Scene {
     /// Where a rough surface at this point sees images of lamps in mirrors, if it may see any.
     #[inline]
     pub fn image_directions(&self, point: &SurfacePoint) -> Option<ImageDirections> {
-        self.stage.mirrored_lamps.seen_from(point)
+        self.stage.mirrored_lights.seen_from(point)
     }
 
-    /// Whether lamps are a small part of all surfaces, so that a walk that waits to hit one,
+    /// Tells whether lamps are a small part of all surfaces, so that a walk that waits to hit one,
     /// or its image in a mirror, waits long.
     #[inline]
-    pub fn lamps_are_small(&self) -> bool {
-        self.stage.mirrored_lamps.lamps_are_small
+    pub fn lights_are_small(&self) -> bool {
+        self.stage.mirrored_lights.lights_are_small
     }
 
     /// The point as one of a lamp, if it emits toward the side it is seen from.
@@ -321,9 +321,9 @@ impl Scene {
         self.sampled_light_densities(id, toward, x0, direction)
     }
 
-    /// The same of a point that light sampling has drawn, with this density: the chance with
-    /// which [`choose_light_for`](Self::choose_light_for) chose the lamp times the density
-    /// that came from [`sample_light`](Self::sample_light).
+    /// Returns the densities of a point that light sampling has drawn, with this density: the
+    /// chance with which [`choose_light_for`](Self::choose_light_for) chose the lamp times the
+    /// density that came from [`sample_light`](Self::sample_light).
     pub fn sampled_light_densities(
         &self,
         id: LightId,

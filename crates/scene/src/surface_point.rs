@@ -55,14 +55,14 @@ impl SurfacePoint {
         self.model.evaluate(self.shading_normal, wo, wi)
     }
 
-    /// Whether light can go on in this direction, of any length: on the side of
+    /// Tells whether light can go on in this direction, of any length: on the side of
     /// `wo`, or through.
     #[inline]
     pub fn may_scatter_to(&self, wi: Vec3) -> bool {
         self.normal.dot(wi) > 0.0 || self.model.transmits()
     }
 
-    /// Whether a direction is on the same side of both normals.
+    /// Tells whether a direction is on the same side of both normals.
     #[inline]
     fn agree(&self, wi: Vec3) -> bool {
         self.normal.dot(wi) * self.shading_normal.dot(wi) > 0.0
@@ -112,14 +112,14 @@ impl SurfacePoint {
         }
     }
 
-    /// Whether it shows images: whether light that it reflects ideally or by a narrow lobe
+    /// Tells whether it shows images: whether light that it reflects ideally or by a narrow lobe
     /// stays together.
     #[inline]
     pub fn is_sharp(&self) -> bool {
         self.model.mirror_exponent().is_some_and(|exponent| exponent >= SHARP)
     }
 
-    /// Whether `wo` is on the front side, the only one that emits.
+    /// Tells whether `wo` is on the front side, the only one that emits.
     pub fn is_front(&self) -> bool {
         self.normal == self.site.normal
     }

@@ -157,7 +157,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Whether a hit lies on an edge, as
+    /// Tells whether a hit lies on an edge, as
     /// [`Primitive::is_on_edge`](traylib_geometry::Primitive::is_on_edge) has it.
     #[inline]
     pub(crate) fn is_on_edge(&self, hit: &Hit) -> bool {
@@ -167,7 +167,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Whether it has interpolated normals.
+    /// Tells whether it has interpolated normals.
     pub(crate) fn is_smooth(&self) -> bool {
         match &self.part.form {
             Form::Primitive(_) => false,

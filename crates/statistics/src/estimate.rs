@@ -19,23 +19,23 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// Whether the low end is one.
+    /// Tells whether the low end is one.
     pub fn knows_low(&self) -> bool {
         self.low * NOTHING_KNOWN > NEARLY * self.value
     }
 
-    /// Whether the high end is one.
+    /// Tells whether the high end is one.
     pub fn knows_high(&self) -> bool {
         self.high < self.value * NOTHING_KNOWN / NEARLY
     }
 
-    /// The same without a low end.
+    /// Returns the estimate without a low end.
     #[must_use]
     pub fn without_low(self) -> Self {
         Self { low: self.value / NOTHING_KNOWN, ..self }
     }
 
-    /// The same without a high end.
+    /// Returns the estimate without a high end.
     #[must_use]
     pub fn without_high(self) -> Self {
         Self { high: self.value * NOTHING_KNOWN, ..self }

@@ -10,6 +10,7 @@
 //! | where the mean of a law lies | [`mean_interval`], [`bootstrap`] for few and skewed values |
 //! | where its variance lies | [`Moments`] |
 //! | whether two means are the same | [`welch()`] |
+//! | what the ratio of two means is, how two estimates are best averaged | [`ratio_of_means`], [`inverse_variance_weight`] |
 //! | whether counts follow a law | [`chi_square`], [`binomial`], [`uniformity()`] |
 //! | at which level each of many tests is held | [`sidak`], [`holm`] |
 //! | whether a law has a variance at all | [`tail`], [`PowerSums`], [`Energy`], [`shortfall()`] |
@@ -38,6 +39,7 @@
 pub mod binomial;
 pub mod bootstrap;
 pub mod chi_square;
+mod combine;
 mod energy;
 mod estimate;
 mod family;
@@ -55,6 +57,7 @@ pub mod tail;
 mod uniformity;
 mod welch;
 
+pub use combine::{inverse_variance_weight, ratio_of_means};
 pub use energy::Energy;
 pub use estimate::{Estimate, NOTHING_KNOWN};
 pub use family::{holm, sidak};

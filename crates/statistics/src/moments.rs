@@ -16,7 +16,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Of these samples.
+    /// Computes the moments of these samples.
     pub fn of(samples: &[f64]) -> Self {
         let average = |f: &dyn Fn(f64) -> f64| {
             samples.iter().map(|&x| f(x)).sum::<f64>() / samples.len().max(1) as f64
@@ -47,7 +47,7 @@ impl Moments {
 mod tests {
     use super::*;
 
-    /// Of a die: mean 3.5, variance 35/12, fourth moment 14.7292.
+    /// A die has mean 3.5, variance 35/12, fourth moment 14.7292.
     #[test]
     fn moments_of_a_die() {
         let die = Moments::of(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);

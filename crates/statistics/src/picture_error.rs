@@ -52,7 +52,7 @@ pub struct PictureError {
     pub mse: f64,
     /// Mean (x − r)²/(r² + ε).
     pub rel_mse: f64,
-    /// The same without the worst pixels, one in a thousand rounded down. Much
+    /// The mean without the worst pixels, one in a thousand rounded down. Much
     /// less than `rel_mse` if a few pixels make most of it.
     pub trimmed_rel_mse: f64,
     /// Mean |x − r|/(|x| + |r|), from 0 to 1; 0 where both are black.

@@ -23,7 +23,7 @@ pub struct Interval {
 }
 
 impl Sample {
-    /// Of these values.
+    /// Describes these values.
     pub fn of(values: &[f64]) -> Self {
         let count = values.len();
         let n = count as f64;
@@ -42,7 +42,7 @@ impl Sample {
 }
 
 impl Interval {
-    /// Whether `value` lies within.
+    /// Tells whether `value` lies within.
     pub fn contains(&self, value: f64) -> bool {
         (value - self.mean).abs() <= self.half_width
     }

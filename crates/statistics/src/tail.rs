@@ -81,7 +81,7 @@ fn hill(descending: &[f64], k: usize) -> Option<TailIndex> {
     })
 }
 
-/// Whether the law behind these two estimates has no variance: by the many values
+/// Tells whether the law behind these two estimates has no variance: by the many values
 /// its index is below two, and by the few it is not larger.
 ///
 /// Two estimates, because one is fooled by a tail that ends. The values of a sharp

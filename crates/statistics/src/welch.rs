@@ -44,7 +44,7 @@ mod tests {
         assert!(alarms.abs_diff(400) < 95, "{alarms}");
     }
 
-    /// By hand: means 2 and 4, variances of the mean 1/3 and 4/3, so that
+    /// Computed by hand: means 2 and 4, variances of the mean 1/3 and 4/3, so that
     /// t = 2/√(5/3) = 1.5492 with (5/3)²/(1/18 + 16/18) = 2.9412 degrees of
     /// freedom, whose two-sided tail is 0.2209 (quadrature of the density).
     #[test]

@@ -12,7 +12,7 @@ use traylib_tests::relations::pooled::ratio;
 use traylib_tests::relations::relation::Relation;
 use traylib_tests::relations::render::Workshop;
 use traylib_tests::relations::report::save;
-use traylib_tests::relations::run::{Bench, Outcome, Plan, Tally, run};
+use traylib_tests::relations::run::{Bench, Outcome, Plan, Summary, run};
 
 const HELP: &str = "\
 Draws scenes by chance and holds relations on them that a right renderer keeps.
@@ -47,9 +47,9 @@ fn main() -> ExitCode {
         Ok(file) => println!("{outcome}\n    {}", file.display()),
         Err(error) => println!("{outcome}\n    not saved: {error}"),
     };
-    let tally = if let Some(case) = &case { again(case, &plan) } else { run(&plan, &tell) };
-    summary(&tally, start.elapsed());
-    if tally.others.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    let summary = if let Some(case) = &case { again(case, &plan) } else { run(&plan, &tell) };
+    print_summary(&summary, start.elapsed());
+    if summary.others.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 fn understand(arguments: &[String]) -> Option<(Plan, Option<PathBuf>)> {
@@ -74,13 +74,13 @@ fn understand(arguments: &[String]) -> Option<(Plan, Option<PathBuf>)> {
 }
 
 /// Every relation on one scene from disk.
-fn again(file: &Path, plan: &Plan) -> Tally {
+fn again(file: &Path, plan: &Plan) -> Summary {
     let workshop = Workshop::new(plan.patience).expect("a folder for files");
     let case = match Case::read(file) {
         Ok(case) => case,
         Err(error) => {
             eprintln!("error: {}", printable(&error));
-            return Tally::default();
+            return Summary::default();
         }
     };
     let relations = plan.only.map_or_else(Relation::all, |only| vec![only]);
@@ -93,18 +93,18 @@ fn again(file: &Path, plan: &Plan) -> Tally {
         right: case.right,
         turn: 0,
     };
-    let tally = bench.judge(&case.drawn, &relations);
-    for (relation, what, First { means: [left, right], variances, p }) in &tally.held {
+    let summary = bench.judge(&case.drawn, &relations);
+    for (relation, what, First { means: [left, right], variances, p }) in &summary.held {
         let [a, b] = variances.map(f64::sqrt);
         println!("{relation}: {what}: {left:.6e} ± {a:.1e}, {right:.6e} ± {b:.1e}, p = {p:.1e}");
     }
-    tally.others.iter().for_each(|outcome| println!("{}", printable(&outcome.to_string())));
-    tally
+    summary.others.iter().for_each(|outcome| println!("{}", printable(&outcome.to_string())));
+    summary
 }
 
-fn summary(tally: &Tally, time: Duration) {
+fn print_summary(summary: &Summary, time: Duration) {
     let mut by_claim: BTreeMap<(Relation, String), Vec<First>> = BTreeMap::new();
-    for (relation, what, first) in &tally.held {
+    for (relation, what, first) in &summary.held {
         let what = if *relation == Relation::Methods { what.clone() } else { String::new() };
         by_claim.entry((*relation, what)).or_default().push(*first);
     }
@@ -116,10 +116,10 @@ fn summary(tally: &Tally, time: Duration) {
     }
     println!(
         "{} scenes, {} claims, {} do not hold, {:.0} s; slowest {:?}",
-        tally.scenes,
-        tally.claims,
-        tally.others.len(),
+        summary.scenes,
+        summary.claims,
+        summary.others.len(),
         time.as_secs_f64(),
-        tally.slowest,
+        summary.slowest,
     );
 }

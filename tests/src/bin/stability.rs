@@ -69,7 +69,7 @@ fn method(text: &str) -> Option<Method> {
     METHODS.contains(&method).then_some(method)
 }
 
-/// Whether all verdicts are as they should be; at least one there must be.
+/// Tells whether all verdicts are as they should be; at least one there must be.
 fn stability(choice: &Choice, folder: &PathBuf) -> Result<bool, Box<dyn std::error::Error>> {
     let rows = run(choice, &|line| eprintln!("{line}"));
     std::fs::create_dir_all(folder)?;

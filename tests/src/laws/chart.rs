@@ -1,10 +1,11 @@
-//! Shapes laid out on the unit square, equal areas alike.
+//! Shapes laid out on the unit square, equal areas alike, and places to see them from.
 
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
-use traylib_geometry::{Facing, Primitive, Vec3};
+use traylib_geometry::{Facing, Primitive, Triangle, Vec3};
 use traylib_known::frame::frame;
 use traylib_known::grid::At;
+use traylib_known::stage::{ball, disk_facing_down, hollow_ball, rectangle, tube};
 
 /// A map from the unit square to a surface that keeps ratios of areas.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +30,7 @@ enum Kind {
 }
 
 impl Chart {
-    /// Of what is seen of a shape from a point: of a sphere that faces outward
+    /// The chart of what is seen of a shape from a point: of a sphere that faces outward
     /// the cap whose rim is at the cosine R/d, of everything else all.
     pub fn seen_from(shape: &Primitive, from: Vec3) -> Self {
         match shape {
@@ -68,6 +69,13 @@ impl Chart {
                 Self { origin: centre, axes, normal_sign, kind: Kind::Cap(extent) }
             }
         }
+    }
+
+    /// The chart of all of a shape.
+    pub fn whole(shape: &Primitive) -> Self {
+        let bounds = shape.bounds();
+        // From the middle of a sphere all of it is seen, and of other shapes from anywhere.
+        Self::seen_from(shape, 0.5 * (bounds.min + bounds.max))
     }
 
     fn flat(origin: DVec3, [u, v]: [DVec3; 2], kind: Kind) -> Self {
@@ -154,11 +162,62 @@ fn in_plane(vector: DVec3, u: DVec3, v: DVec3) -> At {
     [share(vector, v), share(u, vector)]
 }
 
+/// A lamp and where it is seen from.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// What it is called.
+    pub name: &'static str,
+    /// The lamp.
+    pub shape: Primitive,
+    /// Where it is seen from.
+    pub from: Vec3,
+}
+
+/// Lamps of every shape, seen from afar and from near. A name with "from" in it repeats a shape.
+///
+/// # Panics
+/// If a shape cannot be made.
+pub fn views() -> Vec<View> {
+    let at = Vec3::new;
+    let centre = at(0.4, -0.3, 1.2);
+    let corners = [at(0.0, 0.0, 1.0), at(0.1, 2.0, 1.5), at(-1.0, 0.2, 2.0)];
+    let [a, b, _] = corners;
+    let triangle = triangle_of(corners);
+    let thin = triangle_of([a, b, a.lerp(b, 0.4) + 0.01 * Vec3::X]);
+    // Facing down, of 1 m × 0.6 m.
+    let sheet = rectangle(centre, at(0.8, 0.6, 0.0), at(0.36, -0.48, 0.0));
+    let beside = |u: f32, v: f32, height: f32| {
+        centre + u * at(0.8, 0.6, 0.0) + v * at(0.36, -0.48, 0.0) + height * Vec3::NEG_Z
+    };
+    let outside = |distance: f32| centre + distance * at(0.48, 0.6, -0.64);
+    let view = |name, shape, from| View { name, shape, from };
+    vec![
+        view("quad", rectangle(centre, at(0.5, 0.2, 0.0), at(-0.3, 0.4, 0.1)), Vec3::ZERO),
+        view("rectangle from far", sheet, beside(0.5, 0.5, 2.0)),
+        view("rectangle from near", sheet, beside(0.3, 0.6, 0.25)),
+        view("rectangle from its corner", sheet, beside(0.0, 0.0, 0.1)),
+        view("rectangle from aside", sheet, beside(-0.2, 0.4, 0.1)),
+        view("triangle", triangle, Vec3::ZERO),
+        view("triangle from near", triangle, at(0.05, 0.72, 1.45)),
+        view("thin triangle from near", thin, at(0.2, 0.8, 1.05)),
+        view("tube", tube([centre, at(1.0, 0.1, 2.0)], [0.3, 0.3]), Vec3::ZERO),
+        view("cone", tube([centre, at(1.0, 0.1, 2.0)], [0.5, 0.1]), Vec3::ZERO),
+        view("disk", disk_facing_down(centre, 0.6), at(0.5, 0.0, 1.1)),
+        view("ball from far", ball(centre, 0.5), outside(500.0)),
+        view("ball", ball(centre, 0.5), outside(1.3)),
+        view("ball from near", ball(centre, 0.5), outside(0.51)),
+        view("ball from within", ball(centre, 0.5), outside(0.3)),
+        view("hollow ball from within", hollow_ball(centre, 0.5), outside(0.4)),
+    ]
+}
+
+fn triangle_of([a, b, c]: [Vec3; 3]) -> Primitive {
+    Primitive::Triangle(Triangle::new(a, b, c).expect("it has area"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_geometry::Triangle;
-    use traylib_known::stage::{ball, disk_facing_down, hollow_ball, rectangle, tube};
 
     /// There and back, and small squares have their share of the area.
     #[test]

@@ -1,7 +1,7 @@
 //! Whether counts follow stated probabilities.
 
+use crate::findings::Finding;
 use crate::laws::FAMILY_LEVEL;
-use crate::ledger::Finding;
 use traylib_statistics::chi_square::{Fit, fit};
 use traylib_statistics::sidak;
 

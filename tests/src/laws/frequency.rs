@@ -1,7 +1,7 @@
 //! Whether something happens as often as it should.
 
+use crate::findings::Finding;
 use crate::laws::FAMILY_LEVEL;
-use crate::ledger::Finding;
 use traylib_statistics::binomial::two_sided;
 use traylib_statistics::sidak;
 

@@ -1,7 +1,7 @@
 //! Comparisons of numbers as findings.
 
+use crate::findings::Finding;
 use crate::laws::FAMILY_LEVEL;
-use crate::ledger::Finding;
 use traylib_statistics::{Interval, mean_interval, sidak};
 
 /// At least as many as there are known means in the laws' tests.

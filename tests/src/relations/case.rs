@@ -22,7 +22,7 @@ pub struct Case {
 pub struct Known {
     /// The number.
     pub mean: f64,
-    /// By which part of it the last digit may be wrong.
+    /// The part of it by which the last digit may be wrong.
     pub margin: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What is drawn: rooms, plates under lamps, things in a dome, balls in the dark;
+//! What is drawn: rooms, plates under lamps, objects in a dome, balls in the dark;
 //! of every shape and material, at places and angles that people use on purpose.
 
 mod camera;
@@ -28,11 +28,11 @@ pub fn scene(seed: u64, number: u64) -> DrawnScene {
     }
 }
 
-/// Walls all around, lamps and things within.
+/// Walls all around, lamps and objects within.
 fn room(dice: &mut Dice) -> DrawnScene {
     let space = enclosure::extent(dice);
     let mut objects = enclosure::walls(dice, &space);
-    let things = dice.below(4);
+    let count = dice.below(4);
     let lamps = if dice.chance(0.25) { 2 + dice.below(2) } else { 1 };
     let mut lights = Vec::new();
     for _ in 0..lamps {
@@ -42,9 +42,9 @@ fn room(dice: &mut Dice) -> DrawnScene {
             lamp::hang(dice, &space, &mut objects);
         }
     }
-    for _ in 0..things {
-        let thing = thing(dice, &space);
-        objects.push(thing);
+    for _ in 0..count {
+        let object = object(dice, &space);
+        objects.push(object);
     }
     if dice.chance(0.1) {
         objects.push(lamp::sun(dice, &space));
@@ -57,8 +57,8 @@ fn dome(dice: &mut Dice) -> DrawnScene {
     let space = Enclosure::around_origin(number::size(dice, 0.5, 4.0));
     let mut objects = vec![enclosure::sky(dice, &space)];
     for _ in 0..=dice.below(5) {
-        let thing = if dice.chance(0.5) { plate(dice, &space) } else { thing(dice, &space) };
-        objects.push(thing);
+        let object = if dice.chance(0.5) { plate(dice, &space) } else { object(dice, &space) };
+        objects.push(object);
     }
     if dice.chance(0.2) {
         lamp::hang(dice, &space, &mut objects);
@@ -80,8 +80,8 @@ fn open(dice: &mut Dice) -> DrawnScene {
         }
     }
     for _ in 0..dice.below(4) {
-        let thing = thing(dice, &space);
-        objects.push(thing);
+        let object = object(dice, &space);
+        objects.push(object);
     }
     finish(dice, &space, objects, lights)
 }
@@ -143,8 +143,8 @@ fn on_a_ball(dice: &mut Dice, space: &Enclosure, objects: &mut Vec<Object>) -> V
     centre + direction * radius
 }
 
-/// A thing of any shape somewhere in a space, rather on its floor.
-fn thing(dice: &mut Dice, space: &Enclosure) -> Object {
+/// An object of any shape somewhere in a space, rather on its floor.
+fn object(dice: &mut Dice, space: &Enclosure) -> Object {
     let size = space.size() * dice.between(0.08, 0.3);
     let place = space.place(dice);
     let mut shape = shape::any(dice, place, size);

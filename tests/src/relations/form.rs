@@ -1,4 +1,4 @@
-//! The same scene in another form: other files, other places, other pieces.
+//! Puts a scene into another form: other files, other places, other pieces.
 
 pub mod cut;
 pub mod exported;

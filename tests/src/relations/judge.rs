@@ -28,9 +28,9 @@ const PASSES: [u32; 3] = [1, 4, 16];
 /// A rendering that is one side of a claim, or a part of it.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Of what.
+    /// What is rendered.
     pub built: Arc<Built>,
-    /// By what.
+    /// What renders it.
     pub estimator: Estimator,
     /// The greatest sample that there can be: says how rare light can be that was
     /// not met.
@@ -52,7 +52,7 @@ pub enum Side {
 /// What is claimed of the two sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
-    /// The same picture, bit for bit.
+    /// Both are the same picture, bit for bit.
     SameBits,
     /// The same mean, up to this part of it, over all and over each quarter.
     SameMean(f64),
@@ -65,7 +65,7 @@ pub enum Law {
 /// How the random numbers of both sides hang together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Numbers {
-    /// The same: differences are taken pass by pass.
+    /// Both share their numbers: differences are taken pass by pass.
     Common,
     /// Others.
     Own,
@@ -135,7 +135,7 @@ pub struct Look {
     pub error: f64,
     /// How improbable this is if the claim is true.
     pub p: f64,
-    /// The same as [`First`].
+    /// What the first look saw.
     pub first: First,
 }
 
@@ -224,7 +224,7 @@ impl Seen<'_> {
         Look { passes: self.passes, seed, means, error, p, first: self.first(p) }
     }
 
-    /// Whether the pictures are the same to the last bit, but for light that is
+    /// Tells whether the pictures are the same to the last bit, but for light that is
     /// beyond all range beside the brightest: products of single precision lose it.
     fn same_bits(&self) -> bool {
         let [Some(left), Some(right)] = &self.sides else { return false };

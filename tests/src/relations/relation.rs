@@ -58,7 +58,7 @@ pub enum Relation {
 pub struct Subject<'a> {
     /// The scene.
     pub drawn: &'a DrawnScene,
-    /// The same, loaded.
+    /// The scene, loaded.
     pub built: Arc<Built>,
     /// The right mean over the picture, where it is known.
     pub right: Option<Known>,

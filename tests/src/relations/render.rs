@@ -187,7 +187,7 @@ impl Workshop {
     }
 }
 
-/// Whether it tells of a limit that is documented, and that relations know of.
+/// Tells whether it tells of a limit that is documented, and that relations know of.
 fn is_expected(warning: &str) -> bool {
     let known = [
         "lets light through and has one side",
@@ -252,7 +252,7 @@ impl Sums {
 }
 
 impl Cells {
-    /// The same with left for right.
+    /// Returns the picture with left for right.
     #[must_use]
     pub fn flipped(mut self) -> Self {
         self.values.swap(1, 2);

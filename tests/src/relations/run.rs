@@ -67,12 +67,12 @@ pub struct Outcome {
 
 /// What came of a run.
 #[derive(Clone, Debug, Default)]
-pub struct Tally {
+pub struct Summary {
     /// Scenes drawn.
     pub scenes: u64,
     /// Claims judged.
     pub claims: u64,
-    /// Those that hold: relation, words, what the first look saw.
+    /// The claims that hold: relation, words, what the first look saw.
     pub held: Vec<(Relation, String, First)>,
     /// All others.
     pub others: Vec<Outcome>,
@@ -84,9 +84,9 @@ pub struct Tally {
 ///
 /// # Panics
 /// If the folder for files cannot be made.
-pub fn run(plan: &Plan, tell: &(dyn Fn(&Outcome) + Sync)) -> Tally {
+pub fn run(plan: &Plan, tell: &(dyn Fn(&Outcome) + Sync)) -> Summary {
     let next = AtomicU64::new(plan.scenes.start);
-    let tally: Mutex<Vec<(u64, Tally)>> = Mutex::default();
+    let summary: Mutex<Vec<(u64, Summary)>> = Mutex::default();
     std::thread::scope(|scope| {
         for _ in 0..plan.threads {
             scope.spawn(|| {
@@ -98,33 +98,33 @@ pub fn run(plan: &Plan, tell: &(dyn Fn(&Outcome) + Sync)) -> Tally {
                     }
                     let of_scene = one(plan, number, &workshop);
                     of_scene.others.iter().for_each(tell);
-                    tally.lock().expect("no task panics with it").push((number, of_scene));
+                    summary.lock().expect("no task panics with it").push((number, of_scene));
                 }
             });
         }
     });
-    let mut parts = tally.into_inner().expect("all tasks are done");
+    let mut parts = summary.into_inner().expect("all tasks are done");
     parts.sort_by_key(|(number, _)| *number);
-    let mut sum = Tally::default();
+    let mut sum = Summary::default();
     for (_, part) in parts {
         sum.add(part);
     }
     sum
 }
 
-fn one(plan: &Plan, number: u64, workshop: &Workshop) -> Tally {
+fn one(plan: &Plan, number: u64, workshop: &Workshop) -> Summary {
     let start = Instant::now();
     let drawn = draw::scene(plan.seed, number);
     let relations = chosen(plan, &mut Dice::for_use(plan.seed, number, 0));
     let bench =
         Bench { workshop, seed: plan.seed, number, passes: plan.passes, right: None, turn: 0 };
-    let mut tally = bench.judge(&drawn, &relations);
-    for outcome in &mut tally.others {
+    let mut summary = bench.judge(&drawn, &relations);
+    for outcome in &mut summary.others {
         outcome.smallest = plan.shrink.and_then(|time| bench.shrink(outcome, time));
     }
-    tally.scenes = 1;
-    tally.slowest = vec![(number, start.elapsed().as_secs_f64())];
-    tally
+    summary.scenes = 1;
+    summary.slowest = vec![(number, start.elapsed().as_secs_f64())];
+    summary
 }
 
 /// All relations but changes, and some of these.
@@ -160,8 +160,8 @@ pub struct Bench<'a> {
 
 impl Bench<'_> {
     /// Judges these relations on a scene.
-    pub fn judge(&self, drawn: &DrawnScene, relations: &[Relation]) -> Tally {
-        let mut tally = Tally::default();
+    pub fn judge(&self, drawn: &DrawnScene, relations: &[Relation]) -> Summary {
+        let mut summary = Summary::default();
         let outcome = |relation: Relation, what: &str, verdict: Verdict| Outcome {
             scene: self.number,
             drawn: drawn.clone(),
@@ -174,8 +174,8 @@ impl Bench<'_> {
             Ok(subject) => Subject { right: self.right, ..subject },
             Err(trouble) => {
                 let failed = Verdict::Failed(trouble);
-                tally.others.push(outcome(Relation::Methods, "the scene can be loaded", failed));
-                return tally;
+                summary.others.push(outcome(Relation::Methods, "the scene can be loaded", failed));
+                return summary;
             }
         };
         for &relation in relations {
@@ -184,21 +184,21 @@ impl Bench<'_> {
                 Ok(claims) => claims,
                 Err(trouble) => {
                     let failed = Verdict::Failed(trouble);
-                    tally.others.push(outcome(relation, "the other form can be loaded", failed));
+                    summary.others.push(outcome(relation, "the other form can be loaded", failed));
                     continue;
                 }
             };
             for claim in claims {
-                tally.claims += 1;
+                summary.claims += 1;
                 match judge(&claim, self.workshop, self.passes, self.numbers()) {
-                    Verdict::Holds(first) => tally.held.push((relation, claim.what, first)),
+                    Verdict::Holds(first) => summary.held.push((relation, claim.what, first)),
                     verdict @ (Verdict::Broken(_) | Verdict::Failed(_)) => {
-                        tally.others.push(outcome(relation, &claim.what, verdict));
+                        summary.others.push(outcome(relation, &claim.what, verdict));
                     }
                 }
             }
         }
-        tally
+        summary
     }
 
     /// The seed of all renderings.
@@ -215,9 +215,9 @@ impl Bench<'_> {
         shrink(&outcome.drawn, time, |candidate| {
             tried += 1;
             let stricter = Bench { passes: 2 * self.passes, turn: tried, right: None, ..*self };
-            let tally = stricter.judge(candidate, &[outcome.relation]);
+            let summary = stricter.judge(candidate, &[outcome.relation]);
             let alike = |other: &Outcome| matches!(other.verdict, Verdict::Failed(_)) == failed;
-            let found = tally.others.into_iter().find(alike);
+            let found = summary.others.into_iter().find(alike);
             let is_broken = found.is_some();
             last = found.or(last.take());
             is_broken
@@ -226,7 +226,7 @@ impl Bench<'_> {
     }
 }
 
-impl Tally {
+impl Summary {
     fn add(&mut self, part: Self) {
         self.scenes += part.scenes;
         self.claims += part.claims;

@@ -74,12 +74,12 @@ pub struct Spot {
 }
 
 impl Object {
-    /// Whether it emits light.
-    pub fn is_lamp(&self) -> bool {
+    /// Tells whether it emits light.
+    pub fn is_light(&self) -> bool {
         self.emission != Vec3::ZERO
     }
 
-    /// The same surface with another shape.
+    /// Returns the surface with another shape.
     #[must_use]
     pub fn with_shape(&self, shape: Shape) -> Self {
         Self { shape, ..self.clone() }

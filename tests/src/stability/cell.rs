@@ -26,7 +26,7 @@ pub struct Kept {
     pub largest: Largest,
     /// Power sums of these, of the first half of each run.
     pub half: PowerSums,
-    /// Of all.
+    /// The sums of all.
     pub all: PowerSums,
     /// How their energy is spread.
     pub energy: Energy,
@@ -34,7 +34,7 @@ pub struct Kept {
     pub squares: Vec<f64>,
     /// Samples that were not sound numbers.
     pub rejected: u64,
-    /// Of one pass, where somebody timed it ([`cost`](traylib_known::cost)).
+    /// The time of one pass, where somebody timed it ([`cost`](traylib_known::cost)).
     pub seconds: f64,
 }
 

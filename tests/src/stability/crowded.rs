@@ -14,7 +14,7 @@ use traylib_scene::{Camera, Scene};
 
 const REFLECTANCE: f64 = 0.5;
 const OTHERS: u32 = 999;
-/// Of each weak lamp, over that of the relevant one.
+/// The power of each weak lamp, over that of the relevant one.
 const WEAKNESS: f64 = 1e-4;
 /// So that radius² carries that ratio at equal radiance.
 const WEAK_RADIUS: f64 = 0.01;
@@ -22,21 +22,22 @@ const WEAK_RADIUS: f64 = 0.01;
 /// F8: the relevant lamp is a disk of radius 1 at the height 1, the others disks
 /// of a hundredth of that around it.
 pub fn weak() -> Scene {
-    let stage = diffuse_floor(32).lamp(disk_facing_down(Vec3::Z, 1.0), 1.0, black());
-    let small =
-        |stage: Stage, at: Vec3| stage.lamp(disk_facing_down(at, WEAK_RADIUS as f32), 1.0, black());
+    let stage = diffuse_floor(32).light(disk_facing_down(Vec3::Z, 1.0), 1.0, black());
+    let small = |stage: Stage, at: Vec3| {
+        stage.light(disk_facing_down(at, WEAK_RADIUS as f32), 1.0, black())
+    };
     around().fold(stage, small).build()
 }
 
 /// F8b: the others lie above a ceiling at the height 1.2.
 pub fn hidden() -> Scene {
     let ceiling = rectangle(Vec3::new(-64.0, -64.0, 1.2), 128.0 * Vec3::X, 128.0 * Vec3::Y);
-    let stage = diffuse_floor(32).surface(ceiling, black()).lamp(
+    let stage = diffuse_floor(32).surface(ceiling, black()).light(
         disk_facing_down(Vec3::Z, 1.0),
         1.0,
         black(),
     );
-    let above = |stage: Stage, at: Vec3| stage.lamp(disk_facing_down(4.0 * at, 1.0), 1.0, black());
+    let above = |stage: Stage, at: Vec3| stage.light(disk_facing_down(4.0 * at, 1.0), 1.0, black());
     around().fold(stage, above).build()
 }
 

@@ -212,7 +212,7 @@ impl Expected {
         }
     }
 
-    /// Whether this is the verdict.
+    /// Tells whether this is the verdict.
     pub fn agrees(self, verdict: &Verdict) -> bool {
         match self {
             No => *verdict == Verdict::NotApplicable,

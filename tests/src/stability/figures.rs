@@ -24,18 +24,18 @@ pub struct Figures {
     pub passes: u32,
     /// Mean of the image over all runs.
     pub mean: f64,
-    /// Of the 99.9 % interval around it, over the runs; the noise of a rendered
+    /// Half the width of the 99.9 % interval around it, over the runs; the noise of a rendered
     /// reference included.
     pub half_width: f64,
     /// What the mean should be.
     pub truth: f64,
     /// relMSE of the middle run.
     pub median_rel_mse: f64,
-    /// Of the worst.
+    /// The relMSE of the worst run.
     pub worst_rel_mse: f64,
     /// relMSE times passes, less the reference's own: of one pass.
     pub rel_mse_per_pass: f64,
-    /// Of one pass, on the machine of the run.
+    /// The time of one pass, on the machine of the run.
     pub seconds_per_pass: f64,
     /// Hill's estimate from the 256 largest pass values.
     pub tail: Option<TailIndex>,
@@ -57,7 +57,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Of a cell.
+    /// Computes the figures of a cell.
     pub fn of(kept: &Kept, reference: &Reference) -> Self {
         let runs = 0..RUNS as usize;
         let last = kept.last_level();

@@ -39,7 +39,7 @@ pub enum Verdict {
     Ok,
     /// Right and fast, but single pixels stand out.
     Sparks,
-    /// The same bits at every scale.
+    /// The bits are the same at every scale.
     Identical,
     /// None of these: something is wrong, and this is what.
     Unsettled(String),

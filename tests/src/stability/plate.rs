@@ -16,7 +16,7 @@ const SQUARES: u32 = 12;
 pub fn under_lamp() -> Scene {
     // y × x points down.
     let lamp = rectangle(Vec3::new(-1.0, -1.0, 0.5), 2.0 * Vec3::Y, 2.0 * Vec3::X);
-    plate().lamp(lamp, 1.0, black()).build()
+    plate().light(lamp, 1.0, black()).build()
 }
 
 /// F12p: under a point light, for `trace`.

@@ -8,7 +8,7 @@ use traylib_math::{Grid, Vec2};
 use traylib_scene::{Camera, Scene};
 use traylib_statistics::{error_floor, own_rel_mse, rel_mse};
 
-/// Of no cell.
+/// A seed of no cell.
 const SEED: u64 = 0x7EF;
 
 /// Points in a pixel, along each side, that a closed form is averaged over.
@@ -26,7 +26,7 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// Of this row.
+    /// Makes the reference of this row.
     pub fn of(row: &FailureScene, scene: &Scene) -> Self {
         match row.truth {
             Truth::Closed(radiance) => Self::closed(scene.camera(), radiance),

@@ -35,7 +35,7 @@ pub struct Choice {
 pub struct Pictures {
     /// The reference.
     pub reference: Reference,
-    /// By method, of the first run: passes and pixels.
+    /// For each method, of the first run: passes and pixels.
     pub equal_time: Vec<(Method, u32, Vec<f64>)>,
 }
 
@@ -106,7 +106,7 @@ impl Prepared {
     /// `None` where the method is not for lamps like these, and says so.
     fn render(&self, method: Method, tell: &(dyn Fn(&str) + Sync)) -> Option<Kept> {
         let announced = self.announced(method).contains(&BlindSpot::AreaLights);
-        if announced && self.row.has_area_lamps_only() {
+        if announced && self.row.has_area_lights_only() {
             return None;
         }
         let mut kept =

@@ -64,8 +64,8 @@ impl FailureScene {
         }
     }
 
-    /// Whether all of its light comes from lamps with an area.
-    pub fn has_area_lamps_only(&self) -> bool {
+    /// Tells whether all of its light comes from lamps with an area.
+    pub fn has_area_lights_only(&self) -> bool {
         self.light.contains(&BlindSpot::AreaLights)
     }
 }

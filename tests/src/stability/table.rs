@@ -46,7 +46,7 @@ pub enum Agreement {
 }
 
 impl Judged {
-    /// Whether the verdict is what the tables say.
+    /// Tells whether the verdict is what the tables say.
     pub fn agreement(&self) -> Agreement {
         if let Some(correction) = correction(&self.scene, self.method) {
             let agrees = correction.verdict.agrees(&self.verdict);

@@ -3,7 +3,7 @@
 
 use traylib_known::furnace::{diffuse_walls, mirroring_walls};
 use traylib_tests::ablation::{Budget, Spectrum, ball, lit_ball, random_subset};
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 
 /// For all comparisons of this file at once, about 100 in either form, a false
 /// alarm with probability 10⁻³.

@@ -4,9 +4,9 @@
 use traylib_integrators::Method;
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_tests::agreement::{Agreement, Budget, Other, Subject, agree, evenness};
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::methods::{BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
-use traylib_tests::methods::{finds_by_chance, walks_from_lamps};
+use traylib_tests::methods::{finds_by_chance, walks_from_lights};
 
 fn agreement(name: &str, others: &[Other], budget: &Budget) -> Agreement {
     let options = LoadOptions { resolution: Some((48, 36)), ..LoadOptions::default() };
@@ -53,7 +53,7 @@ fn all_agree(scene: &str, others: &[Other]) {
 /// With the same promise, and passes that take about the same time.
 fn alike<const N: usize>(methods: [Method; N], promise: f64) -> [Other; N] {
     methods.map(|method| {
-        let passes = if walks_from_lamps(method) {
+        let passes = if walks_from_lights(method) {
             1
         } else if finds_by_chance(method) {
             8

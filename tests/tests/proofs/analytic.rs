@@ -14,11 +14,11 @@ use traylib_known::analytic::{
     square_wide,
 };
 use traylib_known::{Case, each_pass};
-use traylib_tests::ledger::settle;
+use traylib_tests::findings::settle;
 use traylib_tests::measure::{all_hold, compare_within};
 use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
-/// Those that combine ways to find the lamp, and so need few passes anywhere.
+/// The methods that combine ways to find the lamp, and so need few passes anywhere.
 const REST: [(Method, u32); 3] = [(COMBINED, 80), (BDPT, 80), (BDPT_BALANCE, 80)];
 
 /// Nothing is random here: every pixel is right by itself, up to how much the

@@ -8,13 +8,13 @@ use traylib_integrators::{DirectLight, Integrator};
 use traylib_known::analytic::phong_disk;
 use traylib_known::exchange::corner;
 use traylib_known::hard::{
-    bumpy_plate, close_lamp, cube_of_slivers, grazing_light, grazing_view, lit_cube, tiny_lamp,
+    bumpy_plate, close_light, cube_of_slivers, grazing_light, grazing_view, lit_cube, tiny_light,
 };
 use traylib_known::polygonal::standing;
 use traylib_known::{each_pass, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_math::{Heuristic, Sampler, warp};
 use traylib_statistics::{Sample, sidak, welch};
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::measure::{FAMILY_LEVEL, all_hold};
 use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
@@ -79,8 +79,8 @@ fn d2_lamp_at_a_wall_by_all_methods() {
 #[test]
 fn d3_lamp_close_above_the_floor() {
     let methods = [(PURE_MC, 32), (COMBINED, 32), (BDPT, 32)];
-    all_hold(&close_lamp(DVec3::Z, 1e-6), 312, &methods);
-    all_hold(&close_lamp(DVec3::new(0.3, -0.5, 0.8), 2e-5), 312, &methods);
+    all_hold(&close_light(DVec3::Z, 1e-6), 312, &methods);
+    all_hold(&close_light(DVec3::new(0.3, -0.5, 0.8), 2e-5), 312, &methods);
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn d4_and_d5_grazing() {
 
 #[test]
 fn d8_and_d9_tiny_lamps() {
-    all_hold(&tiny_lamp(), 318, &[(DIRECT_LIGHT, 32), (COMBINED, 32), (BDPT, 32)]);
+    all_hold(&tiny_light(), 318, &[(DIRECT_LIGHT, 32), (COMBINED, 32), (BDPT, 32)]);
     all_hold(&phong_disk(1e6, 1e-3), 319, &[(COMBINED, 80), (BDPT, 80)]);
 }
 

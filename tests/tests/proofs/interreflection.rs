@@ -6,7 +6,7 @@ use traylib_integrators::{Method, Statistics};
 use traylib_known::concentric::{Shell, concentric};
 use traylib_known::rooms::{glossy_ball, room_of_flux};
 use traylib_known::{pass_means, settings_by_pass};
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, compare, judge};
 use traylib_tests::methods::{
     BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC, WALKING,

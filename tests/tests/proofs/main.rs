@@ -20,6 +20,7 @@ mod real_files;
 mod reference;
 mod relief;
 mod repeat;
+mod resolution;
 mod spot_lights;
 mod stability;
 mod transmission;

@@ -18,8 +18,8 @@ use traylib_math::{Heuristic, Sampler, Vec2};
 use traylib_scene::Scene;
 use traylib_statistics::normal::two_sided_quantile;
 use traylib_statistics::{Interval, Moments};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::chi_square::follows;
-use traylib_tests::ledger::{Finding, settle};
 
 const REFLECTANCE: f32 = 0.5;
 const ROOM: f32 = 6.0;
@@ -58,7 +58,7 @@ fn office(floor: [u16; 2]) -> Scene {
         let lamp = middle(room) + LAMP_HEIGHT * Vec3::Z;
         let shade = middle(room) + Vec3::new(0.0, -0.5, 2.5);
         stage = stage
-            .lamp(disk_facing_down(lamp, LAMP_RADIUS), 1.0, black())
+            .light(disk_facing_down(lamp, LAMP_RADIUS), 1.0, black())
             .surface(rectangle(shade, Vec3::X, Vec3::Y), black());
     }
     stage.build()
@@ -87,7 +87,7 @@ fn methods() -> [(&'static str, Box<dyn Integrator>); 2] {
     ]
 }
 
-/// Of each interval: eight comparisons raise a false alarm once in 10⁵ seeds.
+/// The level of each interval: eight comparisons raise a false alarm once in 10⁵ seeds.
 const LEVEL: f64 = 1e-6;
 
 /// The variance of one sample may be so many squares of the mean. A choice that

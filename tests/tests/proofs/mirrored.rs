@@ -6,13 +6,13 @@
 use std::time::Instant;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Statistics};
 use traylib_known::mirrored::{
-    NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
+    NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_light, mirrored_light_in_a_mirror,
     mirrored_point, mirrored_point_in_a_mirror, point_below_ball, point_below_faded_mirror,
 };
 use traylib_known::stage::phong;
 use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_statistics::{Sample, mean_interval, sidak, tile_means};
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::measure::{EQUIVALENCE, FAMILY_LEVEL, Measured, judge};
 use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
@@ -82,20 +82,20 @@ fn all_blocks(picture: &Picture, method: Method, rendered: &Passes, truth: &[f64
 
 #[test]
 fn c1_mirrored_lamp() {
-    settle(&compare(&mirrored_lamp(WIDE_MIRROR), BDPT, 192, 201, 0.015));
+    settle(&compare(&mirrored_light(WIDE_MIRROR), BDPT, 192, 201, 0.015));
 }
 
 #[test]
 fn c1_half_shadows() {
-    settle(&compare(&mirrored_lamp(NARROW_MIRROR), BDPT, 150, 202, 0.02));
+    settle(&compare(&mirrored_light(NARROW_MIRROR), BDPT, 150, 202, 0.02));
 }
 
 /// To 0.2 %.
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn c1_by_all_that_walk_from_the_lamp() {
-    let picture = mirrored_lamp(WIDE_MIRROR);
-    let narrow = mirrored_lamp(NARROW_MIRROR);
+    let picture = mirrored_light(WIDE_MIRROR);
+    let narrow = mirrored_light(NARROW_MIRROR);
     let findings = [
         compare(&picture, BDPT, 7600, 203, 2e-3),
         compare(&picture, BDPT_BALANCE, 1500, 204, EQUIVALENCE),
@@ -121,7 +121,7 @@ fn seconds_to_a_percent(picture: &Picture, method: Method, passes: u32) -> f64 {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn c1_is_faster_from_both_ends() {
-    let picture = mirrored_lamp(WIDE_MIRROR);
+    let picture = mirrored_light(WIDE_MIRROR);
     let bdpt = seconds_to_a_percent(&picture, BDPT, 400);
     let findings = [PURE_MC, DIRECT_LIGHT, COMBINED].map(|method| {
         let factor = seconds_to_a_percent(&picture, method, 800) / bdpt;
@@ -137,7 +137,7 @@ fn c1_is_faster_from_both_ends() {
 /// Only hitting the lamp by chance finds this light, once in a thousand times:
 /// right, and not much more can be said.
 fn c2(methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
-    let case = mirrored_lamp_in_a_mirror();
+    let case = mirrored_light_in_a_mirror();
     let compare = |&(method, passes): &(Method, u32)| {
         let measured = measure(&case, method, passes, seed);
         let claim = format!("C2, {method}: mean radiance within {equivalence}");
@@ -157,7 +157,7 @@ fn measure(case: &Case, method: Method, passes: u32, seed: u64) -> Measured {
 #[test]
 fn c2_seen_in_a_mirror() {
     let mut findings = c2(&[(PURE_MC, 160), (BDPT, 160)], 211, 0.25);
-    findings.push(dark(&mirrored_lamp_in_a_mirror(), PARTICLE));
+    findings.push(dark(&mirrored_light_in_a_mirror(), PARTICLE));
     settle(&findings);
 }
 
@@ -193,7 +193,7 @@ fn from_point(case: &Case, methods: &[(Method, u32)], seed: u64, equivalence: f6
     methods.iter().map(compare).collect()
 }
 
-/// Those that join points by way of mirrors, and passes enough.
+/// The methods that join points by way of mirrors, and passes enough.
 const JOINING: [(Method, u32); 4] =
     [(DIRECT_LIGHT, 100), (COMBINED, 100), (BDPT, 100), (BDPT_BALANCE, 100)];
 

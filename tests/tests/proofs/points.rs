@@ -5,7 +5,7 @@ use traylib_integrators::Method;
 use traylib_known::Case;
 use traylib_known::analytic::{disk, square_wide};
 use traylib_known::furnace::{diffuse_walls, glowing_cube, offset_light_wide};
-use traylib_tests::ledger::settle;
+use traylib_tests::findings::settle;
 use traylib_tests::measure::compare_by_points;
 use traylib_tests::methods::{BDPT, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 

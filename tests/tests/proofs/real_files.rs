@@ -6,7 +6,7 @@
 use std::path::PathBuf;
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_tests::agreement::{Budget, Other, Subject, agree};
-use traylib_tests::ledger::settle;
+use traylib_tests::findings::settle;
 use traylib_tests::methods::COMBINED;
 
 /// `directlight --combine` against `bdpt`, to within `promise` of the mean.

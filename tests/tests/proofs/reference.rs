@@ -8,7 +8,7 @@ use traylib_io::{LoadOptions, load_exr, load_scene_with};
 use traylib_known::{each_pass, settings_by_pass};
 use traylib_math::Grid;
 use traylib_statistics::{Sample, holm, welch};
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::methods;
 
 /// Chance of a false alarm among all blocks of one picture.
@@ -19,7 +19,7 @@ const REFERENCE_RUNS: usize = 8;
 /// A block brighter than this sees the lamp, whose edge alone would fill the
 /// interval of a picture's mean: a pixel there is bright or not.
 const SEES_LAMP: f64 = 1.2;
-/// Of the means.
+/// How far the means may lie apart, relative to them.
 const EQUIVALENCE: f64 = 2e-3;
 const MAX_DEPTH: Option<u32> = Some(5);
 
@@ -165,7 +165,7 @@ fn combined_agrees_on_a() {
     compare(setup("A5", methods::COMBINED, 64, 256));
 }
 
-/// The same on 256 × 256 pixels.
+/// Both renderers agree on 256 × 256 pixels.
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn full_pictures_agree() {

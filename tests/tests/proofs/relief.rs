@@ -10,7 +10,7 @@ use traylib_materials::{Bump, Layer, Maps, Material, Texture};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Scene;
 use traylib_tests::agreement::{Budget, Other, Subject, agree};
-use traylib_tests::ledger::settle;
+use traylib_tests::findings::settle;
 use traylib_tests::methods::{BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 /// Height of the hills over a side of the plate: with four hills to a side the
@@ -37,7 +37,7 @@ fn bumpy_plate() -> Scene {
     Stage::new(view)
         .surface(floor(), lambert(0.5))
         .surface(plate, relief)
-        .lamp(lamp, 5.0, lambert(0.3))
+        .light(lamp, 5.0, lambert(0.3))
         .build()
 }
 

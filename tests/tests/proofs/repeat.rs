@@ -1,4 +1,4 @@
-//! The same picture again: on other numbers of threads, at another scale, by
+//! A picture comes again: on other numbers of threads, at another scale, by
 //! another method that does the same, with other roulette.
 
 use std::ops::ControlFlow;
@@ -10,8 +10,8 @@ use traylib_known::{each_pass, settings_by_pass};
 use traylib_math::{Grid, Heuristic};
 use traylib_scene::Scene;
 use traylib_statistics::{Sample, sidak, tile_means, welch};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::verdict::same_bits;
-use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::methods;
 use traylib_tests::still_life::still_life;
 

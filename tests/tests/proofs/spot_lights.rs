@@ -7,7 +7,7 @@ use traylib_integrators::Trace;
 use traylib_known::stage::{Stage, camera, lambert, rectangle, spot};
 use traylib_known::{Case, mean_over_floor, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_scene::{Camera, Scene, SpotCone};
-use traylib_tests::ledger::settle;
+use traylib_tests::findings::settle;
 use traylib_tests::measure::{EQUIVALENCE, Measured, all_hold, judge};
 use traylib_tests::methods;
 

@@ -7,7 +7,7 @@ use traylib_known::each_pass;
 use traylib_math::Sampler;
 use traylib_statistics::slope::{Level, Slope, fit};
 use traylib_statistics::tail::{FEWER, KEPT, Largest, TailIndex, alarm};
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::methods;
 use traylib_tests::stability::cell;
 use traylib_tests::stability::expected::{

@@ -3,7 +3,7 @@
 //! those of `analytic.rs`.
 
 use traylib_known::transmission::{
-    clear_things_in_a_furnace, furnace_from_inside_of_glass, lamp_behind_a_pane,
+    clear_things_in_a_furnace, furnace_from_inside_of_glass, light_behind_a_pane,
     light_in_a_ball_of_glass,
 };
 use traylib_tests::measure::all_hold;
@@ -25,7 +25,7 @@ fn e2_furnace_from_inside_of_glass() {
 #[test]
 fn e3_lamp_behind_a_pane() {
     let methods = [(DIRECT_LIGHT, 96), (COMBINED, 96), (BDPT, 96), (BDPT_BALANCE, 128)];
-    all_hold(&lamp_behind_a_pane(), 513, &methods);
+    all_hold(&light_behind_a_pane(), 513, &methods);
 }
 
 /// The light is aimed at in vain, since every ray to it meets the glass: paths

@@ -8,7 +8,7 @@ use traylib_known::estimators::{Estimator, root_near};
 use traylib_known::variance::crossing;
 use traylib_statistics::normal::two_sided_quantile;
 use traylib_statistics::{Interval, sidak};
-use traylib_tests::ledger::{Finding, settle};
+use traylib_tests::findings::{Finding, settle};
 
 /// The family.
 const FAMILY: (f64, usize) = (1e-3, 24);

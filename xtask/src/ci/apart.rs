@@ -82,7 +82,7 @@ fn left_out(what: &str, why: &str) {
     println!("{what}: left out, {why}");
 }
 
-/// Whether a command starts and succeeds; it may say what it likes.
+/// Tells whether a command starts and succeeds; it may say what it likes.
 fn answers(command: &mut Command) -> bool {
     let silent = command.stdout(Stdio::null()).stderr(Stdio::null());
     silent.status().is_ok_and(|status| status.success())

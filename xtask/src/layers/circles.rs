@@ -54,7 +54,7 @@ fn between(from: &[String], to: &[String]) -> Option<(Names, Names)> {
     is_beside.then(|| (from[..=common].to_vec(), to[..=common].to_vec()))
 }
 
-/// Whether arrows lead from one to the other.
+/// Tells whether arrows lead from one to the other.
 fn leads(arrows: &Arrows, from: &Names, to: &Names) -> bool {
     let mut seen = BTreeSet::new();
     let mut open = vec![from];

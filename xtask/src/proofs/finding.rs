@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use serde_json::Value;
 use std::path::Path;
 
-/// One comparison: a line of the ledger that `traylib_tests::ledger` writes.
+/// One comparison: a line of findings that `traylib_tests::findings` writes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Finding {
     pub(crate) test: String,
@@ -16,14 +16,14 @@ pub(crate) struct Finding {
 }
 
 impl Finding {
-    /// All findings of a ledger; none if no test wrote one.
-    pub(crate) fn read(ledger: &Path) -> Result<Vec<Self>> {
-        if !ledger.exists() {
+    /// Reads all findings of a file; there are none if no test wrote one.
+    pub(crate) fn read(file: &Path) -> Result<Vec<Self>> {
+        if !file.exists() {
             return Ok(Vec::new());
         }
-        let text = std::fs::read_to_string(ledger)
-            .with_context(|| format!("cannot read {}", ledger.display()))?;
-        text.lines().map(|line| Self::of(line).context("a line of the ledger")).collect()
+        let text = std::fs::read_to_string(file)
+            .with_context(|| format!("cannot read {}", file.display()))?;
+        text.lines().map(|line| Self::of(line).context("a line of findings")).collect()
     }
 
     fn of(line: &str) -> Result<Self> {

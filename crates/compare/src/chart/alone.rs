@@ -33,7 +33,7 @@ pub(crate) struct Key {
 pub(crate) fn methods(scene: &SceneResults, palette: &Palette) -> Vec<Key> {
     let key = |method: &MethodResults| Key {
         words: method.marked_name(),
-        mark: palette.look(&method.name).mark(),
+        mark: palette.style(&method.name).mark(),
         hollow: method.badge().is_some(),
     };
     scene.methods.iter().map(key).collect()
@@ -41,7 +41,7 @@ pub(crate) fn methods(scene: &SceneResults, palette: &Palette) -> Vec<Key> {
 
 /// A method by its name.
 pub(crate) fn named(name: &str, palette: &Palette) -> Key {
-    Key { words: name.into(), mark: palette.look(name).mark(), hollow: false }
+    Key { words: name.into(), mark: palette.style(name).mark(), hollow: false }
 }
 
 /// All estimators of the oracle.

@@ -27,7 +27,7 @@ impl Decades {
         Self { low: low - margin, high: high + margin }
     }
 
-    /// The same, longer by a fifth at the low end, so that the shortest bar shows.
+    /// Makes the axis longer by a fifth at the low end, so that the shortest bar shows.
     pub(crate) fn with_room_below(self) -> Self {
         Self { low: self.low - 0.2 * (self.high - self.low), ..self }
     }
@@ -37,7 +37,7 @@ impl Decades {
         (10_f64.powf(self.low), 10_f64.powf(self.high))
     }
 
-    /// Whether a value lies on it.
+    /// Tells whether a value lies on it.
     pub(crate) fn holds(&self, value: f64) -> bool {
         drawable(value) && (self.low..=self.high).contains(&value.log10())
     }
@@ -56,12 +56,12 @@ impl Decades {
     }
 }
 
-/// Whether a point has a place on logarithmic axes; an error that is none has not.
+/// Tells whether a point has a place on logarithmic axes; an error that is none has not.
 pub(crate) fn visible(point: &Point) -> bool {
     drawable(point.seconds) && drawable(point.error.value) && point.error.value > LEAST_ERROR
 }
 
-/// Whether a value has a logarithm.
+/// Tells whether a value has a logarithm.
 pub(crate) fn drawable(value: f64) -> bool {
     value.is_finite() && value > 0.0
 }

@@ -5,7 +5,7 @@ use crate::chart::canvas::{BREADTH, Failed, breadth, svg, text};
 use crate::chart::colour::{INK, MUTED};
 use crate::chart::crossings::{crossings, write};
 use crate::chart::marker::DIAMOND;
-use crate::chart::palette::{Look, Palette};
+use crate::chart::palette::{Palette, Style};
 use crate::chart::plot::{Plot, Stroke};
 use crate::results::{MethodResults, OutsidePoint, Point, SceneResults};
 use maud::Markup;
@@ -28,15 +28,15 @@ pub(crate) fn convergence(scene: &SceneResults, palette: &Palette) -> Markup {
         let times = crossings(&plot, scene, palette, &targets, &x)?;
         guide(&plot, scene, &x)?;
         for method in &scene.methods {
-            band(&plot, method, palette.look(&method.name))?;
+            band(&plot, method, palette.style(&method.name))?;
         }
         for method in &scene.methods {
-            lines(&plot, method, palette.look(&method.name))?;
+            lines(&plot, method, palette.style(&method.name))?;
         }
         outside(&plot, scene)?;
         // Text comes last, with paper around it: a marker would hide a digit.
         for method in &scene.methods {
-            badge(&plot, method, palette.look(&method.name))?;
+            badge(&plot, method, palette.style(&method.name))?;
         }
         write(&plot, &times)?;
         outside_names(&plot, scene)
@@ -72,35 +72,35 @@ fn xy(point: &Point) -> (f64, f64) {
     (point.seconds, point.error.value)
 }
 
-fn band(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), Failed> {
+fn band(plot: &Plot<'_, '_>, method: &MethodResults, style: Style) -> Result<(), Failed> {
     let edge = |of: fn(&Point) -> f64| -> Vec<(f64, f64)> {
         own(method).map(|point| (point.seconds, of(point))).collect()
     };
-    plot.band(&edge(|point| point.low), &edge(|point| point.high), look.colour())
+    plot.band(&edge(|point| point.low), &edge(|point| point.high), style.colour())
 }
 
-fn lines(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), Failed> {
+fn lines(plot: &Plot<'_, '_>, method: &MethodResults, style: Style) -> Result<(), Failed> {
     let main: Vec<_> = own(method).map(xy).collect();
     let longer: Vec<_> = main.last().copied().into_iter().chain(averaged(method).map(xy)).collect();
     let all_seen = method.badge().is_none();
     let stroke = if method.biased { Stroke::Dashed(14) } else { Stroke::Solid };
-    plot.line(&main, look.colour(), 4, stroke)?;
-    plot.line(&longer, look.colour(), 3, Stroke::Dashed(4))?;
+    plot.line(&main, style.colour(), 4, stroke)?;
+    plot.line(&longer, style.colour(), 3, Stroke::Dashed(4))?;
     for point in own(method) {
-        plot.marker(xy(point), look.mark(), BIG, point.solid && all_seen)?;
+        plot.marker(xy(point), style.mark(), BIG, point.solid && all_seen)?;
     }
     for point in averaged(method) {
-        plot.marker(xy(point), look.mark(), SMALL, point.solid && all_seen)?;
+        plot.marker(xy(point), style.mark(), SMALL, point.solid && all_seen)?;
     }
     Ok(())
 }
 
 /// The method's badge, over the last point of its own.
-fn badge(plot: &Plot<'_, '_>, method: &MethodResults, look: Look) -> Result<(), Failed> {
+fn badge(plot: &Plot<'_, '_>, method: &MethodResults, style: Style) -> Result<(), Failed> {
     let Some((badge, last)) = method.badge().zip(own(method).last()) else { return Ok(()) };
     let (x, y) = plot.place(xy(last));
     let at = (x, y - BESIDE);
-    text(plot.area(), badge, at, (HPos::Center, VPos::Bottom), look.colour())
+    text(plot.area(), badge, at, (HPos::Center, VPos::Bottom), style.colour())
 }
 
 /// Error ∝ 1/time, through the last solid point of the best method.

@@ -7,7 +7,7 @@
 use crate::chart::axis::Decades;
 use crate::chart::canvas::{Failed, LETTER, Place, breadth, text};
 use crate::chart::colour::MUTED;
-use crate::chart::palette::{Look, Palette};
+use crate::chart::palette::{Palette, Style};
 use crate::chart::plot::{Plot, Stroke};
 use crate::number;
 use crate::results::{MethodResults, SceneResults};
@@ -23,7 +23,7 @@ const GAP: i32 = 14;
 struct Crossing {
     x: i32,
     words: String,
-    look: Look,
+    style: Style,
 }
 
 /// A text and its place.
@@ -31,7 +31,7 @@ pub(crate) struct Label {
     words: String,
     left: i32,
     middle: i32,
-    look: Look,
+    style: Style,
 }
 
 /// A level line for each target and a tick where a method crosses it; the times beside
@@ -49,12 +49,12 @@ pub(crate) fn crossings(
         plot.line(&[(from, error), (to, error)], MUTED, 2, Stroke::Dashed(6))?;
         let (left, y) = plot.place((from, error));
         let found = reached(plot, scene, palette, error, x);
-        for Crossing { x, look, .. } in &found {
-            plot.segment((*x, y - TICK), (*x, y + TICK), look.colour(), 4)?;
+        for Crossing { x, style, .. } in &found {
+            plot.segment((*x, y - TICK), (*x, y + TICK), style.colour(), 4)?;
         }
-        for (left, side, Crossing { words, look, .. }) in written(&found, room(plot, (left, y))) {
+        for (left, side, Crossing { words, style, .. }) in written(&found, room(plot, (left, y))) {
             let middle = y + side.rise();
-            labels.push(Label { words: words.clone(), left, middle, look: *look });
+            labels.push(Label { words: words.clone(), left, middle, style: *style });
         }
     }
     Ok(labels)
@@ -62,8 +62,8 @@ pub(crate) fn crossings(
 
 /// The times, over lines and markers, which would hide digits.
 pub(crate) fn write(plot: &Plot<'_, '_>, labels: &[Label]) -> Result<(), Failed> {
-    labels.iter().try_for_each(|Label { words, left, middle, look }| {
-        text(plot.area(), words, (*left, *middle), (HPos::Left, VPos::Center), look.colour())
+    labels.iter().try_for_each(|Label { words, left, middle, style }| {
+        text(plot.area(), words, (*left, *middle), (HPos::Left, VPos::Center), style.colour())
     })
 }
 
@@ -81,7 +81,7 @@ fn reached(
         axis.holds(seconds).then(|| Crossing {
             x: plot.place((seconds, error)).0,
             words: words(seconds, method.badge()),
-            look: palette.look(&method.name),
+            style: palette.style(&method.name),
         })
     };
     let mut found: Vec<_> = scene.methods.iter().filter_map(crossing).collect();
@@ -165,8 +165,8 @@ mod tests {
     use super::*;
 
     fn sides(places: &[i32], below: bool) -> Vec<(i32, Side)> {
-        let look = Look { slot: 0, shape: 0 };
-        let crossing = |x: &i32| Crossing { x: *x, words: "12 s".into(), look };
+        let style = Style { slot: 0, shape: 0 };
+        let crossing = |x: &i32| Crossing { x: *x, words: "12 s".into(), style };
         let found: Vec<_> = places.iter().map(crossing).collect();
         let room = Room { left: 100, right: 1000, below };
         written(&found, room).into_iter().map(|(at, side, _)| (at, side)).collect()

@@ -3,7 +3,7 @@
 use crate::chart::axis::{Decades, drawable};
 use crate::chart::canvas::{Failed, HALF, svg};
 use crate::chart::colour::{INK, MUTED};
-use crate::chart::palette::{Look, Palette};
+use crate::chart::palette::{Palette, Style};
 use crate::chart::plot::{Plot, Stroke};
 use crate::results::{Estimate, Oracle, OracleCrossing, OraclePoint};
 use maud::Markup;
@@ -53,9 +53,9 @@ pub(crate) fn oracle(oracle: &Oracle, quantity: Quantity, palette: &Palette) -> 
         let plot = Plot::new(area, (x, "R/h"), (y, quantity.name()))?;
         crossing(&plot, quantity.crossing(oracle).measured.value)?;
         for curve in &oracle.curves {
-            let look = palette.look(&curve.method);
-            theory(&plot, &curve.points, quantity, look)?;
-            measured(&plot, &curve.points, quantity, look)?;
+            let style = palette.style(&curve.method);
+            theory(&plot, &curve.points, quantity, style)?;
+            measured(&plot, &curve.points, quantity, style)?;
         }
         Ok(())
     })
@@ -73,25 +73,25 @@ fn theory(
     plot: &Plot<'_, '_>,
     points: &[OraclePoint],
     quantity: Quantity,
-    look: Look,
+    style: Style,
 ) -> Result<(), Failed> {
     let along = points.iter().map(|p| (p.radius, p.theory * quantity.factor(p)));
     let drawn: Vec<_> = along.filter(|(x, y)| drawable(*x) && drawable(*y)).collect();
-    plot.line(&drawn, look.colour(), 3, Stroke::Solid)
+    plot.line(&drawn, style.colour(), 3, Stroke::Solid)
 }
 
 fn measured(
     plot: &Plot<'_, '_>,
     points: &[OraclePoint],
     quantity: Quantity,
-    look: Look,
+    style: Style,
 ) -> Result<(), Failed> {
     for point in points.iter().filter(|p| drawable(p.radius) && drawable(p.variance.value)) {
         let Estimate { value, low, high } = point.variance;
         let [value, low, high] = [value, low, high].map(|v| v * quantity.factor(point));
         let ends = [low, high].map(|v| plot.place((point.radius, v)));
         plot.segment(ends[0], ends[1], INK, 3)?;
-        plot.marker((point.radius, value), look.mark(), 9.0, true)?;
+        plot.marker((point.radius, value), style.mark(), 9.0, true)?;
     }
     Ok(())
 }

@@ -8,14 +8,14 @@ use plotters::style::RGBColor;
 
 /// Colour and marker of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Look {
+pub(crate) struct Style {
     /// Number of the colour, from zero.
     pub(crate) slot: usize,
     /// Number of the marker.
     pub(crate) shape: usize,
 }
 
-impl Look {
+impl Style {
     fn of(index: usize) -> Self {
         let slot = index % METHODS;
         Self { slot, shape: (slot + index / METHODS) % SHAPES }
@@ -39,14 +39,14 @@ pub(crate) struct Palette {
 }
 
 impl Palette {
-    /// Of all scenes and of the oracle.
+    /// Gives colours to the methods of all scenes and of the oracle.
     pub(crate) fn of(results: &Results) -> Self {
         let methods = results.scenes.iter().flat_map(|scene| &scene.methods).map(|m| &m.name);
         let curves = results.oracle.iter().flat_map(|oracle| &oracle.curves).map(|c| &c.method);
         Self::of_names(methods.chain(curves))
     }
 
-    /// Of methods by their names.
+    /// Gives colours to methods by their names.
     pub(crate) fn of_names<'a>(all: impl IntoIterator<Item = &'a String>) -> Self {
         let mut names: Vec<String> = Vec::new();
         for name in all {
@@ -57,9 +57,9 @@ impl Palette {
         Self { names }
     }
 
-    /// The look of a method; one that is not known looks like one more.
-    pub(crate) fn look(&self, name: &str) -> Look {
-        Look::of(self.names.iter().position(|n| n == name).unwrap_or(self.names.len()))
+    /// The style of a method; one that is not known looks like one more.
+    pub(crate) fn style(&self, name: &str) -> Style {
+        Style::of(self.names.iter().position(|n| n == name).unwrap_or(self.names.len()))
     }
 }
 
@@ -69,9 +69,9 @@ mod tests {
 
     #[test]
     fn forty_methods_look_different() {
-        let looks: Vec<Look> = (0..METHODS * SHAPES).map(Look::of).collect();
-        for (i, look) in looks.iter().enumerate() {
-            assert!(!looks[..i].contains(look), "{look:?}");
+        let styles: Vec<Style> = (0..METHODS * SHAPES).map(Style::of).collect();
+        for (i, style) in styles.iter().enumerate() {
+            assert!(!styles[..i].contains(style), "{style:?}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::chart::axis::{Decades, visible};
 use crate::chart::canvas::{BREADTH, svg};
 use crate::chart::colour::{INK, PALE};
-use crate::chart::palette::{Look, Palette};
+use crate::chart::palette::{Palette, Style};
 use crate::chart::plot::{Plot, Stroke};
 use crate::results::SceneResults;
 use maud::Markup;
@@ -86,12 +86,12 @@ pub(crate) fn pareto(scene: &SceneResults, front: &Front, palette: &Palette) -> 
         let y = Decades::around(all().map(|at| at.1));
         let plot = Plot::new(area, (x, "seconds"), (y, "relMSE"))?;
         for Setting { at, name, solid } in &front.beaten {
-            let Look { shape, .. } = palette.look(name);
+            let Style { shape, .. } = palette.style(name);
             plot.marker(*at, (shape, PALE), 7.0, *solid)?;
         }
         plot.line(&front.stairs(), INK, 3, Stroke::Solid)?;
         for Setting { at, name, solid } in &front.front {
-            plot.marker(*at, palette.look(name).mark(), 10.0, *solid)?;
+            plot.marker(*at, palette.style(name).mark(), 10.0, *solid)?;
         }
         Ok(())
     })

@@ -20,13 +20,13 @@ pub(crate) fn scaling(results: &AxisResults) -> Option<String> {
         let y = Decades::around(times.flat_map(|time| [time.low, time.high]));
         let plot = Plot::new(area, (x, results.axis.name()), (y, "seconds of a sample"))?;
         for (number, name) in names.iter().enumerate() {
-            let look = palette.look(name);
+            let style = palette.style(name);
             let points: Vec<_> = levels()
                 .map(|level| (level.size as f64, level.sample_seconds[number].value))
                 .filter(|point| drawable(point.1))
                 .collect();
-            plot.line(&points, look.colour(), 3, Stroke::Solid)?;
-            points.iter().try_for_each(|&point| plot.marker(point, look.mark(), 9.0, true))?;
+            plot.line(&points, style.colour(), 3, Stroke::Solid)?;
+            points.iter().try_for_each(|&point| plot.marker(point, style.mark(), 9.0, true))?;
         }
         Ok(())
     });

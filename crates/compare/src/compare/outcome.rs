@@ -11,7 +11,7 @@ use traylib_integrators::{Bdpt, Integrator, Technique};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Light;
 
-/// Those with runs enough to tell anything; says who has not.
+/// Keeps those with runs enough to tell anything, and says who has not.
 pub(super) fn finished(scene: &str, entries: Vec<Entry>) -> Vec<Entry> {
     let (finished, few): (Vec<Entry>, Vec<Entry>) =
         entries.into_iter().partition(|entry| entry.records.len() > 1);
@@ -63,7 +63,7 @@ pub(super) fn told(
     Some(SceneResults { methods, outside, lengths, ..told_alone(prepared, reference, verdict) })
 }
 
-/// The same where nothing could be held against the reference.
+/// Tells the outcome where nothing could be held against the reference.
 pub(super) fn told_without(prepared: &Prepared, reference: Reference, why: &str) -> SceneResults {
     // Whoever renders a reference sees all that any method does.
     let rendered = reference.results.agreement.is_some();

@@ -5,48 +5,49 @@ use crate::bootstrap;
 use crate::picture::Picture;
 use crate::reference::Reference;
 use crate::results::Point;
-use crate::run::{Look, Record};
+use crate::run::{Record, Snapshot};
 use traylib_statistics::quantile;
 
 /// After each power of two of passes that every run reached.
 pub(super) fn powers_of_two(entry: &Entry, reference: &Reference) -> Vec<Point> {
     (0..u32::BITS)
-        .map_while(|level| at(entry, reference, |look| look.passes == 1 << level))
+        .map_while(|level| at(entry, reference, |snapshot| snapshot.passes == 1 << level))
         .collect()
 }
 
 /// At each budget that every run was looked at.
 pub(super) fn budgets(entry: &Entry, reference: &Reference) -> Vec<Point> {
-    let most = entry.records.iter().filter_map(|record| record.looks.last()?.budget).max();
+    let most = entry.records.iter().filter_map(|record| record.snapshots.last()?.budget).max();
     (0..=most.unwrap_or(0))
-        .filter_map(|budget| at(entry, reference, |look| look.budget == Some(budget)))
+        .filter_map(|budget| at(entry, reference, |snapshot| snapshot.budget == Some(budget)))
         .collect()
 }
 
-/// The looks that are wanted, one of each run; `None` if a run has none.
-fn at(entry: &Entry, reference: &Reference, wanted: impl Fn(&Look) -> bool) -> Option<Point> {
-    let look = |record: &Record| record.looks.iter().find(|look| wanted(look)).copied();
-    let looks: Vec<Look> = entry.records.iter().map(look).collect::<Option<_>>()?;
-    Some(point(&looks, 1, reference))
+/// The snapshots that are wanted, one of each run; `None` if a run has none.
+fn at(entry: &Entry, reference: &Reference, wanted: impl Fn(&Snapshot) -> bool) -> Option<Point> {
+    let snapshot =
+        |record: &Record| record.snapshots.iter().find(|snapshot| wanted(snapshot)).copied();
+    let snapshots: Vec<Snapshot> = entry.records.iter().map(snapshot).collect::<Option<_>>()?;
+    Some(point(&snapshots, 1, reference))
 }
 
-/// Of 2, 4, … runs averaged: what one run of that length would have come to.
+/// Averages 2, 4, … runs: what one run of that length would have come to.
 pub(super) fn averaged(entry: &Entry, reference: &Reference) -> Vec<Point> {
     let runs = entry.records.len();
     let sizes = std::iter::successors(Some(2), |size| Some(2 * size));
     let groups = sizes.take_while(|size| *size <= runs).map(|size| {
         let records = entry.records.chunks_exact(size);
         let pictures = entry.pictures.chunks_exact(size);
-        let looks: Vec<Look> =
+        let snapshots: Vec<Snapshot> =
             records.zip(pictures).filter_map(|(r, p)| together(r, p, reference)).collect();
-        point(&looks, size as u32, reference)
+        point(&snapshots, size as u32, reference)
     });
     groups.collect()
 }
 
-fn together(records: &[Record], pictures: &[Picture], reference: &Reference) -> Option<Look> {
+fn together(records: &[Record], pictures: &[Picture], reference: &Reference) -> Option<Snapshot> {
     let mean = mean_picture(records, pictures)?;
-    Some(Look {
+    Some(Snapshot {
         passes: records.iter().map(|record| record.passes).sum(),
         seconds: records.iter().map(|record| record.seconds).sum(),
         error: reference.rel_mse(&mean),
@@ -69,13 +70,14 @@ pub(super) fn mean_picture(records: &[Record], pictures: &[Picture]) -> Option<P
     Some(mean)
 }
 
-fn point(looks: &[Look], averaged: u32, reference: &Reference) -> Point {
-    let errors: Vec<f64> = looks.iter().map(|look| reference.less_own(look.error)).collect();
-    let seconds: Vec<f64> = looks.iter().map(|look| look.seconds).collect();
+fn point(snapshots: &[Snapshot], averaged: u32, reference: &Reference) -> Point {
+    let errors: Vec<f64> =
+        snapshots.iter().map(|snapshot| reference.less_own(snapshot.error)).collect();
+    let seconds: Vec<f64> = snapshots.iter().map(|snapshot| snapshot.seconds).collect();
     let error = bootstrap::mean(&errors, LEVEL);
-    let passes: f64 = looks.iter().map(|look| f64::from(look.passes)).sum();
+    let passes: f64 = snapshots.iter().map(|snapshot| f64::from(snapshot.passes)).sum();
     Point {
-        passes: passes / looks.len().max(1) as f64,
+        passes: passes / snapshots.len().max(1) as f64,
         seconds: quantile(&seconds, 0.5),
         error,
         low: quantile(&errors, 0.05),

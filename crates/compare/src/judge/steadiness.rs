@@ -9,7 +9,7 @@ use traylib_statistics::{Sample, quantile};
 
 /// Deviations that noise alone does not reach.
 const FAR: f64 = 10.0;
-/// Of the picture's mean: less does not catch the eye.
+/// The share of the picture's mean that is seen: less does not catch the eye.
 const VISIBLE: f64 = 0.1;
 /// A deviation known from fewer other runs is so uncertain that noise seems to be
 /// ten deviations off more often than in a pixel of a million.

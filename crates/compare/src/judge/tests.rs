@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::results::Verdict;
-use crate::run::Look;
+use crate::run::Snapshot;
 use traylib_math::Sampler;
 
 const PIXELS: usize = 400;
@@ -28,7 +28,7 @@ fn entry(name: &str, lost: f64, deviation: f64, reference: &Reference) -> Entry 
 
 fn record(picture: &Picture, reference: &Reference) -> Record {
     let error = reference.rel_mse(picture);
-    let look = |passes: u32, budget| Look {
+    let snapshot = |passes: u32, budget| Snapshot {
         passes,
         seconds: 0.01 * f64::from(passes),
         error: error * 100.0 / f64::from(passes),
@@ -38,7 +38,7 @@ fn record(picture: &Picture, reference: &Reference) -> Record {
     Record {
         passes: 100,
         seconds: 1.0,
-        looks: vec![look(1, None), look(2, None), look(100, Some(0))],
+        snapshots: vec![snapshot(1, None), snapshot(2, None), snapshot(100, Some(0))],
         trimmed_rel_mse: error,
         smape: 0.0,
         mean_ratio: Sample::of(&all).mean,

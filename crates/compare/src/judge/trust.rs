@@ -16,10 +16,11 @@ use traylib_statistics::{Sample, relative_square_errors, welch};
 /// Standard errors that noise does not reach: once in three million scenes.
 const SURE: f64 = 5.0;
 
-/// Of the error, where its pixels are too unlike for their spread to tell how sure it is.
+/// The share of the error that is much, where its pixels are too unlike for their spread to tell
+/// how sure it is.
 const HIGH_SHARE: f64 = 0.25;
 
-/// Of Welch's test, once in a million scenes.
+/// The level of Welch's test, once in a million scenes.
 const LEVEL: f64 = 1e-6;
 
 /// A picture brighter or darker by less is off by less than 10⁻⁴ in relMSE, a tenth of
@@ -42,7 +43,7 @@ pub fn doubted_by(
     doubts.then_some(witness.method)
 }
 
-/// Whether more of the error stays in all runs than a sure reference may have of its own.
+/// Tells whether more of the error stays in all runs than a sure reference may have of its own.
 fn lasting(entry: &Entry, reference: &Reference) -> bool {
     let errors = entry.error_map(reference);
     let Some(mean) = curve::mean_picture(&entry.records, &entry.pictures) else { return false };
@@ -62,7 +63,7 @@ fn lasting(entry: &Entry, reference: &Reference) -> bool {
     mean > HIGH_SHARE * error && below_all(entry, reference)
 }
 
-/// Whether the reference lies below all runs in more pixels than the middle of their law
+/// Tells whether the reference lies below all runs in more pixels than the middle of their law
 /// would: noise of light is skewed, so that less than half of it lies above its mean, and
 /// all `R` runs do in less than a pixel of 2^R. A reference as noisy as a run is the least
 /// of all in one of R + 1.
@@ -78,7 +79,7 @@ fn below_all(entry: &Entry, reference: &Reference) -> bool {
     found > expected + SURE * expected.sqrt().max(1.0)
 }
 
-/// Whether the pictures are surely brighter or darker than the reference.
+/// Tells whether the pictures are surely brighter or darker than the reference.
 fn brightness(entry: &Entry, reference: &Reference) -> bool {
     let ratios: Vec<f64> = entry.records.iter().map(|record| record.mean_ratio).collect();
     let found = Sample::of(&ratios);

@@ -47,7 +47,7 @@ fn rivals(methods: &[MethodResults]) -> Vec<&str> {
     near.map(|m| m.name.as_str()).collect()
 }
 
-/// Those whose pictures do not differ from the reference by more than its rounding.
+/// Finds the methods whose pictures do not differ from the reference by more than its rounding.
 fn exact<'a>(methods: &'a [MethodResults], reference: &ReferenceResults) -> Vec<&'a str> {
     let exact = |m: &&MethodResults| m.metrics.rel_mse + reference.own_error <= LEAST_ERROR;
     methods.iter().filter(exact).map(|m| m.name.as_str()).collect()
@@ -103,7 +103,7 @@ fn times(all: &[MethodResults], told: &[&str]) -> Vec<String> {
     others.into_iter().map(|m| format!("{} takes {}", m.name, ratio(m).as_long())).collect()
 }
 
-/// Whether a name is that of a method with settings that not every chart compares.
+/// Tells whether a name is that of a method with settings that not every chart compares.
 fn is_set(name: &str) -> bool {
     name.parse().is_ok_and(|method: Method| !Method::COMPARED.contains(&method))
 }

@@ -64,7 +64,7 @@ fn rows(
         let (estimate, words) = of(method);
         Bar {
             name: method.marked_name(),
-            colour: palette.look(&method.name).colour(),
+            colour: palette.style(&method.name).colour(),
             hollow: method.badge().is_some(),
             estimate,
             words,

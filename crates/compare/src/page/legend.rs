@@ -19,13 +19,13 @@ pub(crate) fn plain(palette: &Palette, name: &str) -> Markup {
 }
 
 fn swatch_and_name(palette: &Palette, name: &str, hollow: bool) -> Markup {
-    let look = palette.look(name);
+    let style = palette.style(name);
     html! {
         span.method {
             svg.swatch viewBox="-8 -8 16 16" aria-hidden="true" {
-                polygon points=(points(look.shape, 5.5)) style={ "fill:var(--m" (look.slot) ")" } {}
+                polygon points=(points(style.shape, 5.5)) style={ "fill:var(--m" (style.slot) ")" } {}
                 @if hollow {
-                    polygon points=(points(look.shape, HOLE * 5.5)) style="fill:var(--paper)" {}
+                    polygon points=(points(style.shape, HOLE * 5.5)) style="fill:var(--paper)" {}
                 }
             }
             (name)
@@ -44,7 +44,7 @@ pub(crate) fn legend(scene: &SceneResults, palette: &Palette) -> Markup {
     html! {
         ul.legend {
             @for method in &scene.methods {
-                li data-method=(palette.look(&method.name).slot) {
+                li data-method=(palette.style(&method.name).slot) {
                     (name(palette, method))
                 }
             }

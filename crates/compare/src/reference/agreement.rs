@@ -1,9 +1,8 @@
 //! Whether two methods render the same picture.
 
 use super::half::Numbers;
-use crate::results::{Estimate, ReferenceAgreement};
-use traylib_statistics::normal::OUTSIDE_1E_3;
-use traylib_statistics::{sidak, welch};
+use crate::results::ReferenceAgreement;
+use traylib_statistics::{ratio_of_means, sidak, welch};
 
 /// False alarms among all tiles of a pair.
 const LEVEL: f64 = 1e-3;
@@ -15,24 +14,11 @@ pub(super) fn agreement(a: &Numbers, b: &Numbers, masked: f64) -> ReferenceAgree
     let level = sidak(LEVEL, tiles.len());
     ReferenceAgreement {
         methods: [a.method.clone(), b.method.clone()],
-        mean_ratio: mean_ratio(a, b),
+        mean_ratio: a.tile(last).zip(b.tile(last)).and_then(|(a, b)| ratio_of_means(&a, &b)),
         tiles: tiles.len() as u32,
         refused: tiles.iter().filter(|p| **p < level).count() as u32,
         masked,
     }
-}
-
-/// By the delta method: both means are of many passes.
-fn mean_ratio(a: &Numbers, b: &Numbers) -> Option<Estimate> {
-    let last = a.tiles.len() - 1;
-    let (a, b) = a.tile(last).zip(b.tile(last))?;
-    if a.mean <= 0.0 || b.mean <= 0.0 {
-        return None;
-    }
-    let value = a.mean / b.mean;
-    let relative = a.variance_of_mean / a.mean.powi(2) + b.variance_of_mean / b.mean.powi(2);
-    let half_width = OUTSIDE_1E_3 * relative.sqrt() * value;
-    Some(Estimate { value, low: value - half_width, high: value + half_width })
 }
 
 #[cfg(test)]

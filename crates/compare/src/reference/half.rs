@@ -24,7 +24,7 @@ pub struct Half {
 }
 
 impl Half {
-    /// The same in the precision in which pictures are kept.
+    /// Rounds to the precision in which pictures are kept.
     pub(super) fn like_stored(self) -> Self {
         let rounded = |picture: &Picture| double(&single(picture));
         Self { picture: rounded(&self.picture), variance: rounded(&self.variance), ..self }
@@ -62,7 +62,7 @@ pub(super) struct Order<'a> {
     pub(super) masked: &'a Grid<bool>,
     /// How long to render.
     pub(super) seconds: f64,
-    /// Of no run.
+    /// The seed, which is that of no run.
     pub(super) seed: u64,
     /// Threads; 0 for one a processor.
     pub(super) threads: usize,

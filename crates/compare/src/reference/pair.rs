@@ -11,7 +11,7 @@ use std::fmt;
 use traylib_integrators::{Control, Method, ThreadError};
 use traylib_math::Grid;
 use traylib_scene::Scene;
-use traylib_statistics::error_floor;
+use traylib_statistics::{error_floor, inverse_variance_weight, own_rel_mse};
 
 /// Sees all that any method here does.
 const FIRST: Method = Method::BDPT;
@@ -24,7 +24,7 @@ const LAST_RESORT: Method = Method::PARTICLE;
 /// The second method is given up if its error costs so many times the first's.
 const HOPELESS: f64 = 16.0;
 
-/// Of no run: those count up from small numbers.
+/// These are seeds of no run: those count up from small numbers.
 const SEEDS: [u64; 2] = [u64::MAX, u64::MAX - 1];
 
 /// How a reference is made.
@@ -150,15 +150,15 @@ impl Making<'_> {
     }
 }
 
-/// Mean of variance/(r² + ε) where nothing is masked.
+/// Computes the mean of variance/(r² + ε) where nothing is masked.
 fn relative_variance(picture: &Picture, variance: &Picture, masked: &Grid<bool>) -> f64 {
     let epsilon = error_floor(picture.values());
-    let pixels = picture.values().iter().zip(variance.values()).zip(masked.values());
-    let seen: Vec<f64> = pixels
-        .filter(|(_, masked)| !**masked)
-        .map(|((r, v), _)| (0..3).map(|b| v[b] / (r[b] * r[b] + epsilon)).sum::<f64>() / 3.0)
-        .collect();
-    seen.iter().sum::<f64>() / seen.len().max(1) as f64
+    let seen = |values: &Picture| -> Vec<[f64; 3]> {
+        let pixels = values.values().iter().zip(masked.values());
+        pixels.filter(|(_, masked)| !**masked).map(|(value, _)| *value).collect()
+    };
+    let (picture, variance) = (seen(picture), seen(variance));
+    if picture.is_empty() { 0.0 } else { own_rel_mse(&picture, &variance, epsilon) }
 }
 
 /// The mean of both, by what each is worth; where masked, the first alone. If they
@@ -183,11 +183,11 @@ fn join(a: &Half, b: &Half, masked: &Grid<bool>) -> Reference {
     Reference::new(picture, variance, results)
 }
 
-/// In inverse proportion to their noise.
+/// Weighs both in inverse proportion to their noise.
 fn share_of_first(a: &Half, b: &Half, masked: &Grid<bool>) -> f64 {
     let [noise_a, noise_b] =
         [a, b].map(|half| relative_variance(&a.picture, &half.variance, masked));
-    if noise_a + noise_b > 0.0 { noise_b / (noise_a + noise_b) } else { 0.5 }
+    inverse_variance_weight(noise_a, noise_b)
 }
 
 fn mix(a: &Picture, b: &Picture, shares: &[f64], weight: impl Fn(f64) -> f64) -> Picture {

@@ -73,7 +73,7 @@ fn render_bytes<const N: usize>(
     bytes.collect()
 }
 
-/// Of a sample: the middle of these times of a pass, the shortest and the longest.
+/// Returns for a sample the middle of these times of a pass, the shortest and the longest.
 fn middle(mut times: Vec<f64>, pixels: f64) -> Estimate {
     times.sort_by(f64::total_cmp);
     let at = |place: usize| times.get(place).map_or(f64::NAN, |time| time / pixels);

@@ -54,7 +54,7 @@ fn ground(triangles: u64) -> Result<Scene, String> {
     });
     let mesh = Mesh::new(positions.collect(), triangles.collect());
     let mesh = mesh.map_err(|error| error.to_string())?;
-    Ok(Stage::new(view(SIDE)).mesh(mesh, lambert(0.7)).lamp(lamp(), 1.0, lambert(0.0)).build())
+    Ok(Stage::new(view(SIDE)).mesh(mesh, lambert(0.7)).light(lamp(), 1.0, lambert(0.0)).build())
 }
 
 /// So many lamps in a square above a floor, in rows, all together of the same size.
@@ -67,7 +67,7 @@ fn lamps(count: u64) -> Scene {
         let [x, y] = place(i);
         disk_facing_down(Vec3::new(x, y, 1.0), 0.25 * step)
     });
-    lamps.fold(stage, |stage, disk| stage.lamp(disk, 1.0, lambert(0.0))).build()
+    lamps.fold(stage, |stage, disk| stage.light(disk, 1.0, lambert(0.0))).build()
 }
 
 /// A closed room that reflects nine tenths.
@@ -76,7 +76,7 @@ fn room() -> Scene {
     let view = camera(Vec3::new(0.0, -0.9, 0.0), Vec3::Y, 90.0, SIDE);
     let walls = hollow_cube(1.0).into_iter();
     let stage = walls.fold(Stage::new(view), |stage, wall| stage.surface(wall, lambert(0.9)));
-    stage.lamp(lamp, 1.0, lambert(0.0)).build()
+    stage.light(lamp, 1.0, lambert(0.0)).build()
 }
 
 /// Balls on a floor under a lamp, in a square picture.
@@ -85,5 +85,5 @@ fn balls(side: u32) -> Scene {
     let stage = Stage::new(view(side)).surface(floor(), lambert(0.7));
     let balls = places.map(|[x, y]| ball(Vec3::new(x, y, 0.3), 0.3)).into_iter();
     let stage = balls.fold(stage, |stage, ball| stage.surface(ball, lambert(0.5)));
-    stage.lamp(lamp(), 1.0, lambert(0.0)).build()
+    stage.light(lamp(), 1.0, lambert(0.0)).build()
 }

@@ -23,9 +23,9 @@ pub(crate) struct Findings {
     pub(crate) wipes: Vec<Wipe>,
     /// Methods of each scene's legend that have a line in their colour.
     pub(crate) lines: Vec<usize>,
-    /// Of scripts, and refusals by the page's own policy.
+    /// Errors of scripts, and refusals by the page's own policy.
     pub(crate) errors: Vec<String>,
-    /// Of the browser, on its console; not by the script.
+    /// Messages of the browser, on its console; not by the script.
     #[serde(default)]
     pub(crate) complaints: Vec<String>,
     pub(crate) requests: Vec<String>,

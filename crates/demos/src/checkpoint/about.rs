@@ -21,7 +21,7 @@ const SPP: &str = "spp";
 pub(crate) const SHARD: &str = "shard";
 
 /// What was counted, by name.
-const TALLIES: [&str; 6] =
+const COUNTERS: [&str; 6] =
     ["camera rays", "bounce rays", "shadow rays", "camera paths", "light paths", REJECTED];
 const REJECTED: &str = "rejected samples";
 
@@ -53,26 +53,26 @@ pub(super) fn about(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> FilmAbout {
     FilmAbout {
         settings: settings.map(|(name, text)| (name.to_string(), text)).to_vec(),
         notes: notes.collect(),
-        tallies: tallies(&[], Statistics::default()),
+        counters: counters(&[], Statistics::default()),
     }
 }
 
 /// What was counted before and now.
-pub(super) fn tallies(before: &[(String, u64)], now: Statistics) -> Vec<(String, u64)> {
+pub(super) fn counters(before: &[(String, u64)], now: Statistics) -> Vec<(String, u64)> {
     let Statistics { camera_rays, bounce_rays, shadow_rays, camera_paths, light_paths, rejected } =
         now;
     let now = [camera_rays, bounce_rays, shadow_rays, camera_paths, light_paths, rejected];
-    let sum = |(name, now): (&str, u64)| (name.to_string(), now + tally(before, name));
-    TALLIES.into_iter().zip(now).map(sum).collect()
+    let sum = |(name, now): (&str, u64)| (name.to_string(), now + counter(before, name));
+    COUNTERS.into_iter().zip(now).map(sum).collect()
 }
 
-fn tally(tallies: &[(String, u64)], name: &str) -> u64 {
-    tallies.iter().find(|(known, _)| known == name).map_or(0, |(_, tally)| *tally)
+fn counter(counters: &[(String, u64)], name: &str) -> u64 {
+    counters.iter().find(|(known, _)| known == name).map_or(0, |(_, counter)| *counter)
 }
 
 /// Samples that were left out.
 pub(super) fn rejected(about: &FilmAbout) -> u64 {
-    tally(&about.tallies, REJECTED)
+    counter(&about.counters, REJECTED)
 }
 
 fn text<'a>(texts: &'a [(String, String)], name: &str) -> Option<&'a str> {

@@ -59,12 +59,12 @@ pub(super) fn open(path: &Path) -> Result<ExrFile, Failure> {
     Ok(ExrFile { width, height, chromaticities: None, layers: vec![layer] })
 }
 
-/// By content; what is damaged may be one all the same.
+/// Judges by content; what is damaged may be one all the same.
 pub(super) fn is_film(path: &Path) -> bool {
     starts_with(path, b"\x89FILM").unwrap_or_else(|| ends_with(path, "film"))
 }
 
-/// By content; by the name where there is none to see.
+/// Judges by content, or by the name where there is none to see.
 fn is_exr(path: &Path) -> bool {
     starts_with(path, &[0x76, 0x2f, 0x31, 0x01]).unwrap_or_else(|| ends_with(path, "exr"))
 }

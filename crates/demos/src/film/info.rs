@@ -42,14 +42,14 @@ fn film_lines(film: &FilmReader) -> Vec<String> {
     let [width, height] = film.size();
     let passes = ranges(film.shape().pass_numbers().into_iter());
     let passes = passes.iter().map(range_words).collect::<Vec<_>>().join(", ");
-    let FilmAbout { settings, notes, tallies } = film.about();
+    let FilmAbout { settings, notes, counters } = film.about();
     let mut lines = vec![
         format!("{}: film of {width}x{height} pixels", film.path().display()),
         format!("  {} passes: {passes}", film.shape().passes()),
     ];
     let text = |(name, text): &(String, String)| format!("    {} = {}", plain(name), plain(text));
     lines.extend(settings.iter().chain(notes).map(text));
-    lines.extend(tallies.iter().map(|(name, tally)| format!("    {} = {tally}", plain(name))));
+    lines.extend(counters.iter().map(|(name, counter)| format!("    {} = {counter}", plain(name))));
     lines
 }
 
@@ -63,7 +63,7 @@ fn file_json(path: &Path) -> Result<Value, Failure> {
 
 fn film_json(film: &FilmReader) -> Value {
     let [width, height] = film.size();
-    let FilmAbout { settings, notes, tallies } = film.about();
+    let FilmAbout { settings, notes, counters } = film.about();
     let texts = |texts: &[(String, String)]| -> Map<String, Value> {
         texts.iter().cloned().map(|(name, text)| (name, text.into())).collect()
     };
@@ -75,7 +75,7 @@ fn film_json(film: &FilmReader) -> Value {
         "passes": passes.iter().map(|range| [range.start, range.end]).collect::<Vec<_>>(),
         "settings": texts(settings),
         "notes": texts(notes),
-        "tallies": tallies.iter().cloned().map(|(name, n)| (name, n.into())).collect::<Map<String, Value>>(),
+        "counters": counters.iter().cloned().map(|(name, n)| (name, n.into())).collect::<Map<String, Value>>(),
     })
 }
 

@@ -127,7 +127,7 @@ fn films_say_what_they_are_of() {
     let json: serde_json::Value =
         serde_json::from_str(&folder.run("film", "info a.film --json").out).unwrap();
     assert_eq!(json[0]["passes"], serde_json::json!([[7, 15]]));
-    assert_eq!(json[0]["tallies"]["camera paths"], 1536);
+    assert_eq!(json[0]["counters"]["camera paths"], 1536);
 }
 
 #[test]

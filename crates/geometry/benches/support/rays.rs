@@ -11,7 +11,7 @@ pub(crate) struct RaySets {
     pub(crate) primary: Vec<Ray>,
     /// From where paths were scattered for the second time, in the camera's order.
     pub(crate) bounces: Vec<Ray>,
-    /// The same in random order, as a queue of rays may be.
+    /// The rays in random order, as a queue of rays may be.
     pub(crate) shuffled: Vec<Ray>,
     /// From the same points to points of the lamp, its end excluded.
     pub(crate) shadow: Vec<Ray>,

@@ -19,7 +19,7 @@ pub(crate) struct Entry {
 /// What building took.
 pub(crate) struct Build {
     pub(crate) name: &'static str,
-    /// Of all threads together.
+    /// The time of all threads together.
     pub(crate) seconds: Median,
     pub(crate) bytes: usize,
 }

@@ -25,7 +25,7 @@ pub(crate) trait Built {
     /// The first hit of each ray with 0 < t < `t_max`.
     fn nearest(&mut self, rays: &[Ray], found: &mut [Found]);
 
-    /// Whether each ray has any such hit.
+    /// Tells whether each ray has any such hit.
     fn any_hit(&mut self, rays: &[Ray], found: &mut [bool]);
 
     /// Bytes that the process's heap does not know of.

@@ -8,9 +8,9 @@ use std::error::Error;
 pub(crate) struct Leaks {
     pub(crate) name: &'static str,
     pub(crate) rays: usize,
-    /// Of those asked for the nearest hit.
+    /// Leaks of rays asked for the nearest hit.
     pub(crate) nearest: usize,
-    /// Of those asked for any hit.
+    /// Leaks of rays asked for any hit.
     pub(crate) any_hit: usize,
 }
 

@@ -12,7 +12,7 @@ pub(crate) struct Median {
 }
 
 impl Median {
-    /// Of a sample, which is not empty.
+    /// Computes the median of a sample, which is not empty.
     ///
     /// The interval is between two of the sorted values, the same number of places
     /// from either end, and supposes nothing of the distribution: each value is

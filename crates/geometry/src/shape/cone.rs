@@ -145,7 +145,7 @@ impl Cone {
         difference(self.ends[1], self.ends[0])
     }
 
-    /// By how much the radius grows from the first end to the second.
+    /// Returns by how much the radius grows from the first end to the second.
     fn widening(&self) -> f64 {
         f64::from(self.radii[1]) - f64::from(self.radii[0])
     }

@@ -6,7 +6,7 @@ use crate::{Aabb, Error, Ray, SurfaceSite, Vec2, Vec3};
 use std::f64::consts::PI;
 use traylib_math::{Frame, warp};
 
-/// By how much of its radius a disk counts as wider: a few roundings of what it meets.
+/// The part of its radius by which a disk counts as wider: a few roundings of what it meets.
 const WIDER: f64 = 4.0 * f32::EPSILON as f64;
 
 /// A flat disk, or the ring that is left of one without a smaller disk around

@@ -13,7 +13,7 @@ pub enum Facing {
 }
 
 impl Facing {
-    /// Of the front, what is given for the outside: a normal, or a cosine with
+    /// Turns to the front what is given for the outside: a normal, or a cosine with
     /// it.
     #[inline]
     pub(crate) fn turn<T: Neg<Output = T>>(self, outward: T) -> T {

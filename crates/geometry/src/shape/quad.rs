@@ -15,7 +15,7 @@ pub struct Quad {
     edge_v: Vec3,
     /// `edge_u` × `edge_v`.
     across: DVec3,
-    /// By how much of its edges it counts as larger than it is; see [`margin`].
+    /// The parts of its edges by which it counts as larger than it is; see [`margin`].
     margin: Vec2,
     area: f32,
 }
@@ -66,7 +66,7 @@ impl Quad {
         self.across
     }
 
-    /// By how much of each edge it counts as longer at either end.
+    /// Returns the part of each edge by which it counts as longer at either end.
     pub(crate) fn margin(&self) -> Vec2 {
         self.margin
     }
@@ -110,7 +110,7 @@ impl Quad {
     }
 }
 
-/// By how much of itself an edge counts as longer at each end, so that light does not
+/// Returns the part of itself by which an edge counts as longer at each end, so that light does not
 /// pass between shapes that meet.
 ///
 /// Corners round, of which some are decimal numbers and some sums: of two neighbours

@@ -156,9 +156,9 @@ impl Sphere {
 /// The directions in which a point sees a sphere.
 struct Sight {
     axis: Vec3,
-    /// Of the half angle.
+    /// The sine of the half angle.
     sin: f32,
-    /// Of the half angle: sin²/(1 + cos), which keeps its digits when small.
+    /// One minus the cosine of the half angle: sin²/(1 + cos), which keeps its digits when small.
     one_minus_cos: f32,
 }
 

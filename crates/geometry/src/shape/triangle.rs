@@ -32,7 +32,7 @@ impl Triangle {
         [self.a, self.b, self.c]
     }
 
-    /// The same for a tree, with sides.
+    /// Returns the triangle for a tree, with sides.
     pub(crate) fn sided(&self, sides: Sides) -> SidedTriangle {
         SidedTriangle { corners: self.corners(), sides }
     }
@@ -81,7 +81,7 @@ impl Triangle {
         Self::site_between(self.corners(), self.normal, u, v)
     }
 
-    /// The same, of the triangle with these corners and this unit normal.
+    /// Measures the triangle with these corners and this unit normal.
     #[inline]
     pub(crate) fn site_between(corners: [Vec3; 3], normal: Vec3, u: f32, v: f32) -> SurfaceSite {
         let [a, b, c] = corners;

@@ -17,7 +17,7 @@ pub(crate) struct Measures {
 }
 
 impl Measures {
-    /// Of every kind one form or more; an error where rounding leaves nothing of it.
+    /// Makes of every kind one form or more; an error where rounding leaves nothing of it.
     pub(crate) fn forms(&self) -> Vec<Result<Primitive, Error>> {
         let mut forms = Vec::new();
         let mut kind = example_after(None);
@@ -190,7 +190,7 @@ impl Line {
         Self { origin: ray.origin.as_dvec3(), direction: ray.direction.as_dvec3() }
     }
 
-    /// The same line from where it comes near to a point, and how far along that is: of an
+    /// Returns the line from where it comes near to a point, and how far along that is: of an
     /// f32 ray without rounding.
     pub(crate) fn near(&self, point: DVec3) -> (f64, Self) {
         let along = (point - self.origin).dot(self.direction) / self.direction.length_squared();
@@ -290,7 +290,7 @@ fn cone_at(line: &Line, cone: &Cone) -> Vec<(f64, bool)> {
     .to_vec()
 }
 
-/// Of a t² + 2 b t + c; not numbers where there are none.
+/// Solves a t² + 2 b t + c = 0; not numbers where there are none.
 fn roots(a: f64, b: f64, c: f64) -> [f64; 2] {
     let sum = -(b + (b * b - a * c).sqrt().copysign(b));
     [sum / a, c / sum]

@@ -10,7 +10,7 @@ use crate::{Aabb, Sides, Triangle, Vec3};
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct Block {
-    /// By corner, by axis, by triangle. Where there is none they are not numbers,
+    /// The corners by number, by axis, by triangle. Where there is none they are not numbers,
     /// and no ray passes them.
     pub(crate) corners: [[[f32; LEAF]; 3]; 3],
     /// Which triangles they are, their sides, and how large, as [`QuantisedExtents`] has it.
@@ -73,7 +73,7 @@ impl Block {
         self.corners.each_ref().map(corner)
     }
 
-    /// The same with their coordinates in this order.
+    /// Returns the corners with their coordinates in this order.
     #[inline(always)]
     pub(crate) fn picked(&self, lane: usize, axes: [usize; 3]) -> [[f32; 3]; 3] {
         let place = |axis: usize| LEAF * axis + lane;

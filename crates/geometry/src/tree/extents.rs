@@ -34,7 +34,7 @@ const EXPONENT_SHIFT: i32 = 23;
 /// product of two such distances is less than 2¹²⁷.
 const LARGEST: u32 = 127 + 62;
 
-/// That of the greatest float. With it and all classes from there errors overflow, which
+/// The class of the greatest float. With it and all classes from there errors overflow, which
 /// decides for no triangle.
 const GREATEST: u32 = 127 + 127;
 

@@ -139,7 +139,7 @@ impl TriangleIntersector for NoTriangles {
 /// them.
 pub(crate) struct Passed {
     pub(crate) mask: u32,
-    /// By corner, by triangle.
+    /// The edges by corner, by triangle.
     pub(crate) edges: [[f32; LEAF]; 3],
     pub(crate) depths: [[f32; LEAF]; 3],
 }

@@ -25,7 +25,7 @@ use std::ops::ControlFlow;
 
 /// Shapes of one kind.
 pub(crate) trait ShapeBlock {
-    /// Those of the shapes.
+    /// Returns the numbers of the shapes.
     fn numbers(&self) -> &[u32; LEAF];
 
     /// Where a ray meets them at 0 < t < `limit`.

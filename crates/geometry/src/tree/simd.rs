@@ -28,22 +28,22 @@ pub(crate) trait Simd: Copy {
 
     fn load(self, numbers: [f32; PACKET]) -> Self::F32x8;
 
-    /// The same number eight times.
+    /// Returns the number eight times.
     fn splat(self, number: f32) -> Self::F32x8;
 
     fn load_four(self, numbers: [f32; FOUR]) -> Self::F32x4;
 
-    /// The same number four times.
+    /// Returns the number four times.
     fn splat_four(self, number: f32) -> Self::F32x4;
 
     fn load_four_doubles(self, numbers: [f64; FOUR]) -> Self::F64x4;
 
-    /// The same number four times.
+    /// Returns the number four times.
     fn splat_four_doubles(self, number: f64) -> Self::F64x4;
 
     fn widen_four(self, numbers: Self::F32x4) -> Self::F64x4;
 
-    /// The same number eight times.
+    /// Returns the number eight times.
     fn splat_double(self, number: f64) -> <Self::F32x8 as F32x8>::F64x8;
 }
 

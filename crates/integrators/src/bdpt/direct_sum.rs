@@ -16,7 +16,7 @@ pub(crate) struct JoinedPath<'a> {
     pub(crate) light: &'a [Vertex],
     /// x_{k−1} … of the camera subpath, from the camera.
     pub(crate) camera: &'a [Vertex],
-    /// Of the lamp's point x₀.
+    /// The densities of the lamp's point x₀.
     pub(crate) densities: LightDensities,
     pub(crate) is_point: bool,
     pub(crate) joint: Joint,

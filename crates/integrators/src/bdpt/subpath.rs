@@ -8,7 +8,7 @@ use traylib_scene::{ImageDirections, Scene};
 #[derive(Debug, Default)]
 pub(crate) struct Subpath {
     pub(crate) vertices: Vec<Vertex>,
-    /// Of those vertices of camera paths that aim at some.
+    /// The images of those vertices of camera paths that aim at some.
     pub(crate) images: Vec<ImageDirections>,
 }
 

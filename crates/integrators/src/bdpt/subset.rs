@@ -5,7 +5,7 @@
 pub struct TechniqueSet(u64);
 
 impl TechniqueSet {
-    /// Those of `pairs` (s, t) that fit.
+    /// Takes those of `pairs` (s, t) that fit.
     pub fn of(pairs: impl IntoIterator<Item = (usize, usize)>) -> Self {
         let bits = pairs.into_iter().filter_map(|(s, t)| bit(s, t));
         Self(bits.fold(0, |set, bit| set | bit))

@@ -37,7 +37,7 @@ impl Techniques {
         splats: true,
         mirror_connections: true,
     };
-    /// Those of pure Monte Carlo path tracing.
+    /// The techniques of pure Monte Carlo path tracing.
     pub const PURE_MC: Self = Self {
         light_samples: LightSampling::PointLights,
         connections: false,
@@ -45,9 +45,9 @@ impl Techniques {
         mirror_connections: false,
         ..Self::ALL
     };
-    /// Those of direct light sampling combined with hits.
+    /// The techniques of direct light sampling combined with hits.
     pub const COMBINED: Self = Self { connections: false, splats: false, ..Self::ALL };
-    /// Those of the particle tracer; lamps are seen directly all the same.
+    /// The techniques of the particle tracer; lamps are seen directly all the same.
     pub const PARTICLE: Self = Self {
         hits: false,
         light_samples: LightSampling::Off,

@@ -1,4 +1,4 @@
-//! The same algorithm, telling what one pixel is made of.
+//! Runs the same algorithm, and tells what one pixel is made of.
 
 use super::DirectLight;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts};

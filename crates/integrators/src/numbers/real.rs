@@ -18,7 +18,7 @@ pub struct Dimensions {
 }
 
 impl Dimensions {
-    /// Those of a scene.
+    /// Counts the dimensions of a scene.
     pub fn of(scene: &Scene) -> Self {
         Self {
             light_point: scene.lights().iter().any(|light| !Light::is_point(light)),
@@ -64,7 +64,7 @@ pub(crate) fn rotation(seed: u64, pass: u64, count: u32) -> u64 {
 }
 
 impl RealNumbers {
-    /// Those of a pixel: each pass gives all pixels the same point.
+    /// Makes the numbers of a pixel: each pass gives all pixels the same point.
     pub(crate) fn of_pixel(seed: u64, pass: u64, pixel: u32, dimensions: Dimensions) -> Self {
         let (sequence, number) = place(pass);
         let point = sobol::point(number);
@@ -72,7 +72,7 @@ impl RealNumbers {
         Self { point, key, shifts: 0, used: 0, purpose: Purpose::Camera, dimensions }
     }
 
-    /// Those of a light path, one of `count` in a pass that is turned by [`rotation`]:
+    /// Makes the numbers of a light path, one of `count` in a pass that is turned by [`rotation`]:
     /// light paths of all passes number themselves through.
     pub(crate) fn of_light_path(
         seed: u64,

@@ -82,11 +82,11 @@ impl<'a> Probes<'a> {
         self.pixels.par_iter().enumerate().flat_map_iter(each_pass).collect()
     }
 
-    /// The tally of the light path of each probe alone.
+    /// The counters of the light path of each probe alone.
     pub(super) fn light_work(&self, integrator: &dyn Integrator, points: PointSet) -> Statistics {
-        let tally = |&pixel: &u32| self.probe(integrator, points, pixel, 0, false).statistics;
-        let tallies: Vec<Statistics> = self.pixels.par_iter().map(tally).collect();
-        tallies.into_iter().fold(Statistics::default(), |mut sum, one| {
+        let counters = |&pixel: &u32| self.probe(integrator, points, pixel, 0, false).statistics;
+        let all: Vec<Statistics> = self.pixels.par_iter().map(counters).collect();
+        all.into_iter().fold(Statistics::default(), |mut sum, one| {
             sum += one;
             sum
         })

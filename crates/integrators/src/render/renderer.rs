@@ -49,7 +49,7 @@ impl<'a> Renderer<'a> {
         Self { scene, integrator, seed, points, dimensions: Dimensions::of(scene), rendering }
     }
 
-    /// The same with the passes of a film that was rendered before.
+    /// Goes on with the passes of a film that was rendered before.
     ///
     /// # Panics
     /// If the film has another size than the scene's pictures, or other sequences than the

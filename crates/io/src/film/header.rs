@@ -69,7 +69,7 @@ impl Header {
         out.u32(self.width);
         out.u32(self.height);
         out.u32(self.shape.sequences().len() as u32);
-        let FilmAbout { settings, notes, tallies } = &self.about;
+        let FilmAbout { settings, notes, counters } = &self.about;
         for texts in [settings, notes] {
             out.u32(texts.len() as u32);
             for (name, text) in texts {
@@ -77,10 +77,10 @@ impl Header {
                 out.text(text);
             }
         }
-        out.u32(tallies.len() as u32);
-        for (name, tally) in tallies {
+        out.u32(counters.len() as u32);
+        for (name, counter) in counters {
             out.text(name);
-            out.u64(*tally);
+            out.u64(*counter);
         }
         for blocks in self.shape.sequences() {
             let blocks: Vec<&FilmBlock> = blocks.collect();
@@ -137,10 +137,10 @@ impl Header {
         let [width, height, sequences] = [input.u32()?, input.u32()?, input.u32()?];
         let settings = input.texts()?;
         let notes = input.texts()?;
-        let tallies = (0..input.count()?)
+        let counters = (0..input.count()?)
             .map(|_| Some((input.text()?, input.u64()?)))
             .collect::<Option<Vec<_>>>()?;
-        let about = FilmAbout { settings, notes, tallies };
+        let about = FilmAbout { settings, notes, counters };
         // Each has four bytes at least.
         if width == 0
             || height == 0

@@ -57,7 +57,7 @@ fn difference(a: &FilmReader, b: &FilmReader) -> Option<FilmDifference> {
     })
 }
 
-/// Writes the film that others make together, with these notes and the sums of their tallies.
+/// Writes the film that others make together, with these notes and the sums of their counters.
 /// It has the bytes of the film that one rendering of all their passes would have written.
 ///
 /// # Errors
@@ -73,7 +73,7 @@ pub fn merge_films(
     let shape = check_films_fit(films)?;
     let [width, height] = films[0].size();
     let about =
-        FilmAbout { settings: films[0].about().settings.clone(), notes, tallies: tallies(films) };
+        FilmAbout { settings: films[0].about().settings.clone(), notes, counters: counters(films) };
     let sequences = shape.sequences().len() as u32;
     let header = Header { width, height, about, shape, bytes: 0 };
     let pixels = width as usize * height as usize;
@@ -102,13 +102,13 @@ pub fn merge_films(
     fault.map_or(written, Err)
 }
 
-/// The sums of tallies, in the order in which they come first.
-fn tallies(films: &[FilmReader]) -> Vec<(String, u64)> {
+/// The sums of counters, in the order in which they come first.
+fn counters(films: &[FilmReader]) -> Vec<(String, u64)> {
     let mut sums: Vec<(String, u64)> = Vec::new();
-    for (name, tally) in films.iter().flat_map(|film| &film.about().tallies) {
+    for (name, counter) in films.iter().flat_map(|film| &film.about().counters) {
         match sums.iter_mut().find(|(known, _)| known == name) {
-            Some((_, sum)) => *sum = sum.wrapping_add(*tally),
-            None => sums.push((name.clone(), *tally)),
+            Some((_, sum)) => *sum = sum.wrapping_add(*counter),
+            None => sums.push((name.clone(), *counter)),
         }
     }
     sums

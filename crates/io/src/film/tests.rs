@@ -39,7 +39,7 @@ fn about(rays: u64) -> FilmAbout {
     FilmAbout {
         settings: vec![pair("seed", "7"), pair("method", "bdpt --max-depth 5")],
         notes: vec![pair("scene", "größe")],
-        tallies: vec![("rays".to_string(), rays), ("paths".to_string(), 1)],
+        counters: vec![("rays".to_string(), rays), ("paths".to_string(), 1)],
     }
 }
 
@@ -75,7 +75,7 @@ fn merged_files_are_those_of_one_rendering() {
                 .rev()
                 .map(|part| {
                     let mut about = about(10 * range(part).len() as u64);
-                    about.tallies[1].1 = u64::from(part == 0);
+                    about.counters[1].1 = u64::from(part == 0);
                     let film = film(sequences, range(part));
                     let path = save(&folder, &format!("{part}.film"), &film, &about);
                     FilmReader::open(&path).unwrap()

@@ -1,6 +1,6 @@
 //! Arrays of numbers in buffers.
 
-use super::json::{Accessor, Root};
+use super::json::{Accessor, Root, Sparse};
 use super::{Cause, Error};
 use std::borrow::Cow;
 
@@ -90,12 +90,20 @@ impl<'a> Strided<'a> {
     }
 }
 
+/// How an element lies in bytes.
+struct Layout<R> {
+    /// How many bytes it has.
+    size: usize,
+    /// Makes it of these.
+    read: R,
+}
+
 impl<'a> Arrays<'a> {
     pub(super) fn new(root: &'a Root, buffers: Vec<Cow<'a, [u8]>>) -> Self {
         Self { root, buffers }
     }
 
-    /// The bytes of a view.
+    /// Returns the bytes of a view.
     pub(super) fn view(&self, index: u64) -> Result<&[u8], Error> {
         let view = item(&self.root.buffer_views, index, "buffer view");
         let place = || format!("bufferViews[{index}]");
@@ -105,7 +113,7 @@ impl<'a> Arrays<'a> {
         part(buffer, view.byte_offset, view.byte_length).map_err(|cause| Error::at(place(), cause))
     }
 
-    /// Elements in a view, which are so many and so long.
+    /// Finds elements in a view, which are so many and so long.
     fn strided(
         &self,
         view: u64,
@@ -133,12 +141,13 @@ impl<'a> Arrays<'a> {
         found.map_err(|cause| Error::at(place, cause))
     }
 
-    /// How many elements an accessor has.
+    /// Returns how many elements an accessor has.
     pub(super) fn count(&self, index: u64, place: &str) -> Result<u64, Error> {
         Ok(self.accessor(index, place)?.count)
     }
 
-    /// Vectors of this many numbers, of any type.
+    /// Reads vectors of this many numbers, of any type. The caller has bounded how many there
+    /// are: those that no buffer holds take memory all the same.
     pub(super) fn vectors<const N: usize>(
         &self,
         index: u64,
@@ -151,14 +160,16 @@ impl<'a> Arrays<'a> {
             return Err(here(Cause::Kind(wanted.1)));
         }
         let component = Component::of(accessor.component_type).map_err(here)?;
+        let number_size = component.size();
         let vector = |bytes: &[u8]| {
-            let size = component.size();
-            std::array::from_fn(|i| component.number(&bytes[i * size..], accessor.normalized))
+            let number = |i| component.number(&bytes[i * number_size..], accessor.normalized);
+            std::array::from_fn(number)
         };
-        self.elements(index, accessor, component, N, [0.0; N], vector)
+        let layout = Layout { size: N * number_size, read: vector };
+        self.elements(index, accessor, [0.0; N], &layout)
     }
 
-    /// Whole numbers.
+    /// Reads whole numbers.
     pub(super) fn indices(&self, index: u64, place: &str) -> Result<Vec<u32>, Error> {
         let accessor = self.accessor(index, place)?;
         let here = |cause| Error::at(format!("accessors[{index}]"), cause);
@@ -167,63 +178,74 @@ impl<'a> Arrays<'a> {
         if accessor.kind != "SCALAR" || !is_whole {
             return Err(here(Cause::Kind("a `SCALAR` of unsigned whole numbers")));
         }
+        if accessor.buffer_view.is_none() {
+            self.check_zeros(accessor.count).map_err(here)?;
+        }
         let number = |bytes: &[u8]| component.index(bytes).unwrap_or(0);
-        self.elements(index, accessor, component, 1, 0, number)
+        self.elements(index, accessor, 0, &Layout { size: component.size(), read: number })
     }
 
-    /// All elements, with those that replace some.
-    fn elements<T: Copy>(
+    /// Refuses more zeros without a view than there are bytes in all buffers.
+    fn check_zeros(&self, count: u64) -> Result<(), Cause> {
+        let there = self.buffers.iter().map(|buffer| buffer.len() as u64).sum();
+        if count <= there { Ok(()) } else { Err(Cause::TooFewBytes { needed: count, there }) }
+    }
+
+    /// Reads all elements, with those that replace some; without a view they are zero.
+    fn elements<T: Copy, R: Fn(&[u8]) -> T>(
         &self,
         index: u64,
         accessor: &Accessor,
-        component: Component,
-        numbers: usize,
         zero: T,
-        read: impl Fn(&[u8]) -> T,
+        layout: &Layout<R>,
     ) -> Result<Vec<T>, Error> {
-        let size = numbers * component.size();
         let Accessor { count, byte_offset, .. } = *accessor;
         let mut elements = if let Some(view) = accessor.buffer_view {
-            let strided = self.strided(view, byte_offset, count, size)?;
-            strided.elements(count as usize).map(&read).collect()
+            let strided = self.strided(view, byte_offset, count, layout.size)?;
+            strided.elements(count as usize).map(&layout.read).collect()
         } else {
-            // Without a view all are zero; there may be no more than bytes in all.
-            let there: u64 = self.buffers.iter().map(|buffer| buffer.len() as u64).sum();
-            if count > there {
-                let cause = Cause::TooFewBytes { needed: count, there };
-                return Err(Error::at(format!("accessors[{index}]"), cause));
-            }
             vec![zero; count as usize]
         };
         if let Some(sparse) = &accessor.sparse {
-            let here = |cause| Error::at(format!("accessors[{index}].sparse"), cause);
-            let component = Component::of(sparse.indices.component_type).map_err(here)?;
-            let part = &sparse.indices;
-            let places =
-                self.strided(part.buffer_view, part.byte_offset, sparse.count, component.size())?;
-            let part = &sparse.values;
-            let values = self.strided(part.buffer_view, part.byte_offset, sparse.count, size)?;
-            let count = sparse.count as usize;
-            for (place, value) in places.elements(count).zip(values.elements(count)) {
-                let place = component
-                    .index(place)
-                    .ok_or_else(|| here(Cause::Kind("unsigned whole numbers")))?;
-                let (index, count) = (u64::from(place), elements.len());
-                let missing = Cause::OutOfRange { what: "element", index, count };
-                *elements.get_mut(place as usize).ok_or_else(|| here(missing))? = read(value);
-            }
+            self.replace(&mut elements, sparse, layout, &format!("accessors[{index}].sparse"))?;
         }
         Ok(elements)
     }
+
+    /// Replaces the elements that a sparse accessor names.
+    fn replace<T, R: Fn(&[u8]) -> T>(
+        &self,
+        elements: &mut [T],
+        sparse: &Sparse,
+        layout: &Layout<R>,
+        place: &str,
+    ) -> Result<(), Error> {
+        let here = |cause| Error::at(place, cause);
+        let Sparse { count, indices, values } = sparse;
+        let component = Component::of(indices.component_type).map_err(here)?;
+        let size = component.size();
+        let indices = self.strided(indices.buffer_view, indices.byte_offset, *count, size)?;
+        let values = self.strided(values.buffer_view, values.byte_offset, *count, layout.size)?;
+        let (count, known) = (*count as usize, elements.len());
+        for (index, value) in indices.elements(count).zip(values.elements(count)) {
+            let whole = component.index(index);
+            let index = whole.ok_or_else(|| here(Cause::Kind("unsigned whole numbers")))?;
+            let missing =
+                || Cause::OutOfRange { what: "element", index: index.into(), count: known };
+            let element = elements.get_mut(index as usize).ok_or_else(|| here(missing()))?;
+            *element = (layout.read)(value);
+        }
+        Ok(())
+    }
 }
 
-/// What an index names.
+/// Returns what an index names.
 pub(super) fn item<'a, T>(items: &'a [T], index: u64, what: &'static str) -> Result<&'a T, Cause> {
     let found = usize::try_from(index).ok().and_then(|index| items.get(index));
     found.ok_or(Cause::OutOfRange { what, index, count: items.len() })
 }
 
-/// So many bytes from an offset on.
+/// Returns so many bytes from an offset on.
 fn part(bytes: &[u8], offset: u64, length: u64) -> Result<&[u8], Cause> {
     let there = bytes.len() as u64;
     let end = offset.saturating_add(length);

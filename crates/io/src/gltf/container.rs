@@ -11,7 +11,7 @@ pub(super) struct Parts<'a> {
 const JSON: [u8; 4] = *b"JSON";
 const BINARY: [u8; 4] = *b"BIN\0";
 
-/// The parts of a binary file, or all of a text.
+/// Finds the parts of a binary file, or takes all of a text.
 pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     if bytes.starts_with(b"glTF") {
         return of_binary(bytes);

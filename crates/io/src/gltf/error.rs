@@ -100,7 +100,7 @@ pub enum Cause {
     /// There is too much of something.
     #[error("there are more than {most} {what}; {}", .limit.remedy(*.most))]
     TooMany {
-        /// Of what.
+        /// What there is too much of.
         what: &'static str,
         /// The bound.
         most: u64,

@@ -183,7 +183,7 @@ pub(super) struct SparsePart {
     pub(super) buffer_view: u64,
     #[serde(default)]
     pub(super) byte_offset: u64,
-    /// Of indices.
+    /// The type of indices; values have that of the accessor.
     #[serde(default)]
     pub(super) component_type: u64,
 }

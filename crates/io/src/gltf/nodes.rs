@@ -3,7 +3,7 @@
 use super::accessor::item;
 use super::json::{Node, Root};
 use super::{Cause, Error, WarningKind};
-use crate::tally::Tally;
+use crate::warning_counts::WarningCounts;
 use traylib_math::glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
 
 /// A node and where it is.
@@ -13,11 +13,11 @@ pub(super) struct Placed<'a> {
     pub(super) place: DAffine3,
 }
 
-/// Every node of the scene that is shown, parents before children and in the order of the
+/// Places every node of the scene that is shown, parents before children and in the order of the
 /// file.
 pub(super) fn placed<'a>(
     root: &'a Root,
-    warnings: &mut Tally<WarningKind>,
+    warnings: &mut WarningCounts<WarningKind>,
 ) -> Result<Vec<Placed<'a>>, Error> {
     let mut open: Vec<(u64, DAffine3, String)> = Vec::new();
     let push = |open: &mut Vec<_>, nodes: &[u64], place: DAffine3, parent: &str| {
@@ -44,8 +44,11 @@ pub(super) fn placed<'a>(
     Ok(placed)
 }
 
-/// The nodes that the scene begins with; of a file without scenes those without a parent.
-fn first(root: &Root, warnings: &mut Tally<WarningKind>) -> Result<(Vec<u64>, String), Error> {
+/// Finds the nodes that the scene begins with; of a file without scenes those without a parent.
+fn first(
+    root: &Root,
+    warnings: &mut WarningCounts<WarningKind>,
+) -> Result<(Vec<u64>, String), Error> {
     if root.scenes.is_empty() {
         let mut has_parent = vec![false; root.nodes.len()];
         for &child in root.nodes.iter().flat_map(|node| &node.children) {
@@ -62,7 +65,7 @@ fn first(root: &Root, warnings: &mut Tally<WarningKind>) -> Result<(Vec<u64>, St
     Ok((scene.nodes.clone(), format!("scenes[{number}]")))
 }
 
-/// From a node's space to that of its parent.
+/// Returns the way from a node's space to that of its parent.
 fn own(node: &Node) -> DAffine3 {
     if let Some(matrix) = &node.matrix {
         return DAffine3::from_mat4(DMat4::from_cols_array(matrix));

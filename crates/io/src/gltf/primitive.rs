@@ -3,19 +3,19 @@
 use super::accessor::Arrays;
 use super::budget::Budget;
 use super::{Cause, Error, Primitive, WarningKind, json};
-use crate::tally::Tally;
+use crate::warning_counts::WarningCounts;
 use traylib_math::{Vec2, Vec3};
 
 /// Reads primitives.
 pub(super) struct Reader<'a, 'b> {
     pub(super) arrays: &'b Arrays<'a>,
     pub(super) vertices: &'b mut Budget,
-    pub(super) warnings: &'b mut Tally<WarningKind>,
+    pub(super) warnings: &'b mut WarningCounts<WarningKind>,
 }
 
 impl Reader<'_, '_> {
-    /// A primitive whose material wants this set of texture coordinates; `None` of what has no
-    /// triangles.
+    /// Reads a primitive whose material wants this set of texture coordinates; `None` of what has
+    /// no triangles.
     pub(super) fn primitive(
         &mut self,
         primitive: &json::Primitive,
@@ -114,7 +114,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// Corners in threes, as a strip, or around the first.
+/// Makes triangles of corners in threes, as a strip, or around the first.
 fn arranged(
     mode: u64,
     count: usize,

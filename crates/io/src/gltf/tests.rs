@@ -48,7 +48,7 @@ fn text_and_binary_files_hold_the_same() {
     assert_eq!(square.triangles, [[1, 2, 0], [2, 3, 0]]);
     assert_eq!(square.uvs[1], Vec2::new(1.0, 0.2));
     assert_eq!(document.instances.len(), 1);
-    assert_eq!(document.warnings, Tally::default());
+    assert_eq!(document.warnings, WarningCounts::default());
     let uri = STANDARD.encode(buffer());
     let inner =
         text.replace(&format!(r#","uri":"data:application/octet-stream;base64,{uri}""#), "");
@@ -132,6 +132,24 @@ fn sparse_accessors_replace_some() {
     assert_eq!(document.primitives[0].positions, wanted);
 }
 
+/// Without a view all elements are zero, more of them than there are bytes.
+#[test]
+fn sparse_accessors_need_no_view() {
+    let accessor = r#"{"componentType":5126,"count":999,"type":"VEC3","sparse":{"count":1,
+        "indices":{"bufferView":1,"byteOffset":6,"componentType":5121},
+        "values":{"bufferView":0,"byteOffset":24}}}"#;
+    let text = json(
+        r#","meshes":[{"primitives":[{"attributes":{"POSITION":4},"indices":1}]}],
+        "nodes":[{"mesh":0}]"#,
+    );
+    let text = text.replace(r#""type":"VEC2"}]"#, &format!(r#""type":"VEC2"}},{accessor}]"#));
+    let document = decoded(&text).unwrap();
+    let positions = &document.primitives[0].positions;
+    assert_eq!((positions.len(), positions[3]), (999, Vec3::new(1.0, 1.0, 0.0)));
+    let fault = decoded(&text.replace("999", "99999999999")).unwrap_err().to_string();
+    assert!(fault.contains("--limit surfaces="), "{fault}");
+}
+
 #[test]
 fn materials_lights_and_cameras_are_read() {
     let text = json(
@@ -183,6 +201,32 @@ fn materials_lights_and_cameras_are_read() {
         "extension `KHR_materials_clearcoat` skipped",
     ];
     assert_eq!(found, wanted);
+}
+
+/// A camera without sense is no reason to refuse what can be seen; an aspect without is none.
+#[test]
+fn cameras_without_sense_are_skipped() {
+    let camera = |numbers: &str, node: &str| {
+        decoded(&json(&format!(
+            r#","cameras":[{{"type":"perspective","perspective":{{"znear":1,{numbers}}}}}],
+            "nodes":[{{"camera":0{node}}}]"#
+        )))
+        .unwrap()
+    };
+    for (numbers, node) in [
+        (r#""yfov":0"#, ""),
+        (r#""yfov":-1"#, ""),
+        (r#""yfov":3.2"#, ""),
+        (r#""yfov":1e39"#, ""),
+        (r#""yfov":1"#, r#","scale":[0,0,0]"#),
+        (r#""yfov":1"#, r#","translation":[1e39,0,0]"#),
+    ] {
+        let document = camera(numbers, node);
+        assert_eq!(document.warnings.count(&WarningKind::OddCamera), 1, "{numbers} {node}");
+        assert!(document.cameras.is_empty());
+    }
+    let document = camera(r#""yfov":1,"aspectRatio":-2"#, "");
+    assert_eq!(document.cameras[0].aspect, None);
 }
 
 #[test]

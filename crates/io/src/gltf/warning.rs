@@ -30,6 +30,8 @@ pub enum WarningKind {
     OddLight,
     /// A camera without perspective.
     Orthographic,
+    /// A camera whose place or angle of view makes no sense.
+    OddCamera,
     /// A number of a material that is not from 0 to 1.
     OutsideUnit,
     /// An extension.
@@ -51,6 +53,7 @@ impl fmt::Display for WarningKind {
             Self::LightRange => "range of a light skipped, it shines on",
             Self::OddLight => "light whose numbers make no sense skipped",
             Self::Orthographic => "camera without perspective skipped",
+            Self::OddCamera => "camera whose place or angle makes no sense skipped",
             Self::OutsideUnit => "number of a material not from 0 to 1, brought there",
             Self::Extension(name) => return write!(f, "extension `{name}` skipped"),
         })

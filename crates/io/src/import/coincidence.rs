@@ -7,13 +7,13 @@ use traylib_scene::{Coincidences, Scene};
 /// What there is to say of lamps and of a camera that lay in one place with something
 /// else.
 pub(super) fn warnings(scene: &Scene, file: &str) -> impl Iterator<Item = Warning> {
-    let Coincidences { lifted_lamps, points_in_surfaces, surfaces_at_camera } =
+    let Coincidences { lifted_lights, points_in_surfaces, surfaces_at_camera } =
         scene.coincidences();
     let mut counter = Counter::default();
     counter.add_many(
         "lamp in one place with another surface: lifted off it, so that it shines \
          (of lamps in one place the first in the file does)",
-        count(lifted_lamps),
+        count(lifted_lights),
     );
     counter.add_many(
         "point light that lies in a surface: it shines on both sides of it",

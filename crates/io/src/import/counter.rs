@@ -1,7 +1,9 @@
 //! What was skipped or repaired in a file, each kind once with a count.
 
 use crate::Warning;
+use crate::warning_counts::WarningCounts;
 use std::collections::HashMap;
+use std::fmt::Display;
 
 /// Kinds in the order in which they were met.
 #[derive(Debug, Default)]
@@ -34,7 +36,14 @@ impl Counter {
         self.kinds[place].1 = self.kinds[place].1.saturating_add(times);
     }
 
-    /// As warnings about a file.
+    /// Adds all that a decoder has counted.
+    pub(super) fn add_counts<K: Ord + Display>(&mut self, counts: &WarningCounts<K>) {
+        for (what, times) in counts.iter() {
+            self.add_many(what, times);
+        }
+    }
+
+    /// Makes them warnings about a file.
     pub(super) fn into_warnings(self, file: &str) -> impl Iterator<Item = Warning> {
         let named = move |(what, count)| Warning { file: file.to_string(), what, count };
         self.kinds.into_iter().map(named)

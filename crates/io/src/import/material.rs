@@ -18,7 +18,7 @@ use std::collections::HashMap;
 #[derive(Default)]
 pub(super) struct Materials {
     models: Vec<traylib_materials::Material>,
-    /// Of the models.
+    /// The names of the models.
     model_names: Vec<String>,
     /// `None` is a material that has an error of its own.
     by_name: HashMap<String, Option<usize>>,

@@ -26,7 +26,7 @@ pub(super) struct MeshImporter<'a> {
     pub(super) file: &'a SceneFile,
     pub(super) object: &'a Object,
     pub(super) mesh: &'a Mesh,
-    /// Of the object.
+    /// Where the object stands in the file.
     pub(super) place: &'a Place,
     pub(super) materials: &'a Materials,
     pub(super) problems: &'a mut Problems,

@@ -1,17 +1,19 @@
 //! Files that bring shapes with materials of their own: 3DS, MGF, OBJ, PLY and glTF.
 
+mod appearance;
 mod arrays;
 mod beside;
 pub(super) mod counts;
 mod folder;
 mod format;
-mod gloss;
 mod gltf;
 mod meshes;
 mod mgf;
 mod obj;
+mod pictures;
 mod plain;
 mod ply;
+mod source;
 mod three_ds;
 
 pub(super) use format::Format;
@@ -127,7 +129,7 @@ pub(super) struct ModelFiles<'a> {
     options: LoadOptions<'a>,
     files: HashMap<Location, Result<Rc<NumberedFile>, String>>,
     materials: Vec<Material>,
-    /// Of the materials.
+    /// The names of the materials.
     names: Vec<String>,
     lights: Vec<PointLight>,
     warnings: Vec<Warning>,
@@ -136,7 +138,7 @@ pub(super) struct ModelFiles<'a> {
 /// A file whose materials have numbers.
 pub(super) struct NumberedFile {
     pub(super) file: ModelFile,
-    /// The number of its first look.
+    /// The number of its first material.
     pub(super) first: usize,
 }
 
@@ -174,10 +176,7 @@ impl<'a> ModelFiles<'a> {
         let (file, warnings) = ModelFile::read(location, options).map_err(|error| {
             let cause = match error {
                 Error::Read { cause, .. } => why(&cause),
-                Error::Mesh { cause, .. } => cause.to_string(),
-                Error::Ply { cause, .. } => cause.to_string(),
-                Error::Gltf { cause, .. } => cause.to_string(),
-                Error::Obj { file, cause } if file == location.to_string() => cause.to_string(),
+                Error::Format { file, cause } if file == location.to_string() => cause.to_string(),
                 Error::Mgf(crate::mgf::Error::File { fault, .. }) => fault.to_string(),
                 Error::NothingToSee(_) => "it has no face that can be drawn".to_string(),
                 other => other.to_string(),

@@ -23,7 +23,7 @@ use traylib_math::{Rgb, Vec3};
 pub(super) struct Described<'a> {
     pub(super) item: &'a ImportedObject,
     pub(super) material: &'a Material,
-    /// Of the material; may be empty.
+    /// The name of the material; it may be empty.
     pub(super) name: &'a str,
     /// The file that can be changed.
     pub(super) file: &'a str,
@@ -34,14 +34,14 @@ pub(super) struct Described<'a> {
 /// One warning for each material of such a surface. `points` are the camera and the
 /// lights that are no things.
 pub(super) fn warnings(items: &[Described<'_>], points: Vec<Vec3>) -> Vec<Warning> {
-    let mut tallies: BTreeMap<&str, Counter> = BTreeMap::new();
+    let mut counters: BTreeMap<&str, Counter> = BTreeMap::new();
     let mut surroundings = Surroundings::new(items, points);
     for (index, item) in items.iter().enumerate() {
         if item.is_suspect() && !surroundings.is_harmless(index) {
-            tallies.entry(item.file).or_default().add(item.warning());
+            counters.entry(item.file).or_default().add(item.warning());
         }
     }
-    tallies.into_iter().flat_map(|(file, counter)| counter.into_warnings(file)).collect()
+    counters.into_iter().flat_map(|(file, counter)| counter.into_warnings(file)).collect()
 }
 
 impl Described<'_> {

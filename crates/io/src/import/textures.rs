@@ -19,8 +19,8 @@ pub(super) enum Meaning {
     Amount,
     /// The picture's own opacity.
     Alpha,
-    /// The same, of which all is there where it is at least the number of these bits, and
-    /// nothing elsewhere.
+    /// The picture's own opacity, of which all is there where it is at least the number of these
+    /// bits, and nothing elsewhere.
     Mask(u32),
 }
 
@@ -112,10 +112,10 @@ type Key = (String, Meaning, bool, [u32; 3]);
 #[derive(Default)]
 pub(super) struct Textures {
     known: HashMap<Key, Result<Arc<Texture>, String>>,
-    /// Of all so far.
+    /// Pixels of all pictures so far.
     pixels: u64,
     limits: TextureLimits,
-    /// Those with no band of any pixel below one.
+    /// The pictures with no band of any pixel below one.
     full: Vec<Arc<Texture>>,
     warnings: Vec<Warning>,
 }
@@ -125,7 +125,7 @@ impl Textures {
         Self { limits: limits.texture(), ..Self::default() }
     }
 
-    /// A picture; why it cannot be used, else.
+    /// Loads a picture, or says why it cannot be used.
     pub(super) fn load(&mut self, file: &Location, usage: Usage) -> Result<Arc<Texture>, String> {
         self.load_from(&PictureSource::File(file), usage)
     }
@@ -173,13 +173,13 @@ impl Textures {
         Ok(texture)
     }
 
-    /// A layer of opacity, unless its picture leaves nothing out.
+    /// Returns a layer of opacity, unless its picture leaves nothing out.
     pub(super) fn opacity(&self, layer: Layer) -> Option<Layer> {
         let is_full = self.full.iter().any(|full| Arc::ptr_eq(full, &layer.texture));
         (!is_full).then_some(layer)
     }
 
-    /// What was repaired.
+    /// Returns what was repaired.
     pub(super) fn into_warnings(self) -> Vec<Warning> {
         self.warnings
     }
@@ -264,7 +264,7 @@ mod tests {
         assert_eq!([false, true].map(|undefined| opacity(picture(undefined))), [0.25, 1.0]);
     }
 
-    /// Of any use: zero, and one warning for the file.
+    /// They are zero for any use, with one warning for the file.
     #[test]
     fn numbers_that_are_none_are_zero() {
         let folder = Folder::new("none");

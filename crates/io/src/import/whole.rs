@@ -147,8 +147,8 @@ fn view(
     (view, vec![note])
 }
 
-/// That of a picture that nobody has named, for a camera that may be made for one this much
-/// wider than high.
+/// Chooses the resolution of a picture that nobody has named, for a camera that may be made for one
+/// this much wider than high.
 fn resolution(aspect: Option<f32>) -> (u32, u32) {
     let (width, height) = RESOLUTION;
     let sound = aspect.filter(|aspect| (0.1..=10.0).contains(aspect));

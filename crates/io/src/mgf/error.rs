@@ -127,7 +127,7 @@ pub enum Cause {
     /// A bound is exceeded.
     #[error("more than {limit} {what}; {}", .option.remedy(*.limit))]
     Limit {
-        /// Of what there is too much.
+        /// What there is too much of.
         what: &'static str,
         /// The bound.
         limit: u64,

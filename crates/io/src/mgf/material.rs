@@ -46,7 +46,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// Whether it emits light.
+    /// Tells whether it emits light.
     pub fn emits(&self) -> bool {
         self.ed.amount > 0.0
     }

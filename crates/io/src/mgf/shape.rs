@@ -68,7 +68,7 @@ pub enum Shape {
         normal: DVec3,
         /// From the centre to the middle of the tube.
         radius: f64,
-        /// Of the tube, at most the other radius.
+        /// The radius of the tube, at most the other radius.
         tube_radius: f64,
         /// Whether the front is inside of the tube.
         inward: bool,
@@ -130,7 +130,7 @@ impl Shape {
         }
     }
 
-    /// Whether every number is finite in single precision.
+    /// Tells whether every number is finite in single precision.
     pub(super) fn is_finite(&self) -> bool {
         let points = |points: &[DVec3]| points.iter().copied().all(is_point);
         match self {

@@ -32,7 +32,7 @@ impl Transform {
         Self { linear, ..Self::IDENTITY }
     }
 
-    /// By a factor other than zero; a negative one mirrors at the origin.
+    /// Scales by a factor other than zero; a negative one mirrors at the origin.
     pub(super) fn scaling(factor: f64) -> Self {
         let linear = DMat3::from_diagonal(DVec3::splat(factor));
         Self { linear, offset: DVec3::ZERO, scale: factor.abs(), mirrored: factor < 0.0 }

@@ -1,6 +1,7 @@
 //! Why bytes are no object file or material library.
 
 use crate::Limit;
+use crate::polygon_limits::PolygonFault;
 
 /// A file that makes no sense.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -53,12 +54,9 @@ pub enum Cause {
         /// How many there are.
         count: usize,
     },
-    /// A polygon has too many corners.
-    #[error("the polygon has more than {0} corners; {more}", more = Limit::Corners.remedy(*.0 as u64))]
-    TooManyCorners(usize),
-    /// Large polygons take too long to cut.
-    #[error("polygons take too long to cut; {}", Limit::Cutting.remedy(*.0))]
-    TooMuchCutting(u64),
+    /// A polygon asks for too much.
+    #[error(transparent)]
+    Polygon(#[from] PolygonFault),
     /// There are more of something than can be numbered.
     #[error("there are too many {0}")]
     TooMany(&'static str),

@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-/// Statements with the lines in which they begin, from 1. Blank lines and comments are left
-/// out; a line that ends in `\` goes on in the next, unless it is a comment.
+/// Iterates over statements with the lines in which they begin, from 1. Lines end in a line
+/// feed, a carriage return, or both. Blank lines and comments are left out; a line that ends in
+/// `\` goes on in the next, unless it is a comment.
 pub(super) struct Lines<'a> {
     rest: &'a [u8],
     line: u32,
@@ -16,18 +17,16 @@ impl<'a> Lines<'a> {
         Self { rest, line: 0 }
     }
 
-    /// The next line without its end and without blanks around it.
+    /// Returns the next line without its end and without blanks around it.
     fn line(&mut self) -> Option<&'a [u8]> {
         if self.rest.is_empty() {
             return None;
         }
         self.line = self.line.saturating_add(1);
-        let end = self.rest.iter().position(|&byte| byte == b'\n');
-        let (line, rest) = match end {
-            Some(end) => (&self.rest[..end], &self.rest[end + 1..]),
-            None => (self.rest, &self.rest[self.rest.len()..]),
-        };
-        self.rest = rest;
+        let end = self.rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        let (line, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
+        let after = rest.strip_prefix(b"\r\n").or_else(|| rest.get(1..));
+        self.rest = after.unwrap_or_default();
         Some(line.trim_ascii())
     }
 }
@@ -68,5 +67,18 @@ mod tests {
             Lines::new(text).map(|(n, line)| (n, String::from_utf8_lossy(&line).into())).collect();
         let wanted = [(3, "f 1 2  3  4"), (6, "g x"), (7, "end")];
         assert_eq!(found, wanted.map(|(n, line)| (n, line.to_string())));
+    }
+
+    #[test]
+    fn lines_end_as_on_any_machine() {
+        let said = |text: &str| {
+            let lines = Lines::new(text.as_bytes());
+            lines.map(|(n, line)| (n, line.into_owned())).collect::<Vec<_>>()
+        };
+        let text = "v 1\n# c\n\nf 1 \\\n2\n";
+        let unix = said(text);
+        assert_eq!(unix, [(1, b"v 1".to_vec()), (4, b"f 1  2".to_vec())]);
+        assert_eq!(said(&text.replace('\n', "\r\n")), unix);
+        assert_eq!(said(&text.replace('\n', "\r")), unix);
     }
 }

@@ -3,11 +3,16 @@
 use super::lines::Lines;
 use super::words::{any_number, name, number, shown, words};
 use super::{Cause, Corner, Document, Error, Face, Index, Limits, WarningKind};
+use crate::polygon_limits::PolygonBudget;
 use std::collections::HashMap;
 use traylib_math::{Vec2, Vec3};
 
-/// Polygons of no more corners are cut in no time.
-const SMALL: usize = 16;
+/// Statements of curves and surfaces of free form.
+const FREE_FORM: [&[u8]; 23] = [
+    b"vp", b"cstype", b"deg", b"bmat", b"step", b"curv", b"curv2", b"surf", b"parm", b"trim",
+    b"hole", b"scrv", b"sp", b"end", b"con", b"mg", b"ctech", b"stech", b"bsp", b"bzp", b"cdc",
+    b"cdp", b"res",
+];
 
 pub(super) fn read(bytes: &[u8], limits: Limits) -> Result<Document, Error> {
     let mut reader = Reader::new(limits);
@@ -19,10 +24,8 @@ pub(super) fn read(bytes: &[u8], limits: Limits) -> Result<Document, Error> {
 
 struct Reader {
     document: Document,
-    limits: Limits,
-    /// Squares of corners that are left.
-    cutting: u64,
-    /// Of the materials of the document.
+    budget: PolygonBudget,
+    /// The number of each material of the document.
     numbers: HashMap<String, u32>,
     material: Option<u32>,
     smoothing: u32,
@@ -32,8 +35,7 @@ impl Reader {
     fn new(limits: Limits) -> Self {
         Self {
             document: Document::default(),
-            limits,
-            cutting: limits.cutting,
+            budget: PolygonBudget::new(limits),
             numbers: HashMap::new(),
             material: None,
             smoothing: 0,
@@ -54,11 +56,7 @@ impl Reader {
             // Names that no material depends on.
             b"g" | b"o" => {}
             b"p" | b"l" => self.warn(WarningKind::PointOrLine),
-            b"vp" | b"cstype" | b"deg" | b"bmat" | b"step" | b"curv" | b"curv2" | b"surf"
-            | b"parm" | b"trim" | b"hole" | b"scrv" | b"sp" | b"end" | b"con" | b"mg"
-            | b"ctech" | b"stech" | b"bsp" | b"bzp" | b"cdc" | b"cdp" | b"res" => {
-                self.warn(WarningKind::FreeForm);
-            }
+            other if FREE_FORM.contains(&other) => self.warn(WarningKind::FreeForm),
             other => self.warn(WarningKind::statement(other)),
         }
         Ok(())
@@ -68,14 +66,9 @@ impl Reader {
         self.document.warnings.add(kind);
     }
 
-    /// Three coordinates; behind them nothing, a weight, or a colour.
+    /// Reads three coordinates; behind them nothing, a weight, or a colour.
     fn vertex<'a>(&mut self, mut words: impl Iterator<Item = &'a [u8]>) -> Result<(), Cause> {
-        let mut coordinate = || {
-            words
-                .next()
-                .map_or(Err(Cause::Missing { keyword: "v", wanted: "three coordinates" }), number)
-        };
-        let position = Vec3::new(coordinate()?, coordinate()?, coordinate()?);
+        let position = three("v", &mut words, number)?;
         let fourth = words.next();
         match (fourth, words.next()) {
             (None, _) => {}
@@ -100,13 +93,7 @@ impl Reader {
     }
 
     fn normal<'a>(&mut self, mut words: impl Iterator<Item = &'a [u8]>) -> Result<(), Cause> {
-        let mut coordinate = || {
-            words.next().map_or(
-                Err(Cause::Missing { keyword: "vn", wanted: "three coordinates" }),
-                any_number,
-            )
-        };
-        let normal = Vec3::new(coordinate()?, coordinate()?, coordinate()?);
+        let normal = three("vn", &mut words, any_number)?;
         if !normal.is_finite() {
             self.warn(WarningKind::NormalNotFinite);
         }
@@ -149,13 +136,7 @@ impl Reader {
             self.warn(WarningKind::TooFewCorners);
             return Ok(());
         }
-        if count > self.limits.corners {
-            return Err(Cause::TooManyCorners(self.limits.corners));
-        }
-        if count > SMALL {
-            let left = self.cutting.checked_sub((count * count) as u64);
-            self.cutting = left.ok_or(Cause::TooMuchCutting(self.limits.cutting))?;
-        }
+        self.budget.take(count)?;
         let (material, smoothing) = (self.material, self.smoothing);
         let face = Face { first: first as u32, count: count as u32, material, smoothing };
         self.document.faces.push(face);
@@ -182,7 +163,18 @@ impl Reader {
     }
 }
 
-/// A whole number of up to 18 digits; longer ones are numbers of nothing.
+/// Reads the three coordinates that a statement begins with.
+fn three<'a>(
+    keyword: &'static str,
+    words: &mut impl Iterator<Item = &'a [u8]>,
+    number: fn(&[u8]) -> Result<f32, Cause>,
+) -> Result<Vec3, Cause> {
+    let missing = || Cause::Missing { keyword, wanted: "three coordinates" };
+    let mut coordinate = || number(words.next().ok_or_else(missing)?);
+    Ok(Vec3::new(coordinate()?, coordinate()?, coordinate()?))
+}
+
+/// Reads a whole number of up to 18 digits; longer ones are numbers of nothing.
 fn integer(word: &[u8]) -> Option<i64> {
     let digits = word.strip_prefix(b"-").unwrap_or(word);
     if digits.is_empty() || digits.len() > 18 || !digits.iter().all(u8::is_ascii_digit) {
@@ -192,7 +184,7 @@ fn integer(word: &[u8]) -> Option<i64> {
     Some(if digits.len() < word.len() { -value } else { value })
 }
 
-/// From a number that counts from 1, or back from the last one, to one that counts from 0.
+/// Turns a number that counts from 1, or back from the last one, into one that counts from 0.
 fn index(what: &'static str, number: i64, count: usize) -> Result<u32, Cause> {
     let known = i64::try_from(count).unwrap_or(i64::MAX);
     let index = if number < 0 { known + number } else { number - 1 };

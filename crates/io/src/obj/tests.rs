@@ -31,7 +31,7 @@ fn corners_name_what_they_have() {
         numbers(&document, 3),
         [(0, Some(0), Some(0)), (1, Some(1), Some(0)), (2, Some(0), Some(0))]
     );
-    assert_eq!(document.warnings, Tally::default());
+    assert_eq!(document.warnings, WarningCounts::default());
 }
 
 #[test]
@@ -116,10 +116,13 @@ fn what_asks_for_too_much_is_refused() {
 
 #[test]
 fn text_in_any_coding_is_read() {
-    let text = b"# caf\xe9 \\\nusemtl caf\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\rf 1 2 3\n";
+    let text = b"# caf\xe9 \\\nusemtl caf\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\n\xffx\xfe 1\nf 1 2 3\n";
     let document = decode(text, Limits::default()).unwrap();
     assert_eq!(document.materials, ["caf\u{fffd}"]);
-    assert_eq!(decode(b"\xff\xfev\0", Limits::default()), Err(Error::Utf16));
+    for text in [b"\xff\xfev\0", b"\xfe\xff\0v"] {
+        assert_eq!(decode(text, Limits::default()), Err(Error::Utf16));
+        assert_eq!(mtl::decode(text, Limits::default()), Err(Error::Utf16));
+    }
 }
 
 #[test]

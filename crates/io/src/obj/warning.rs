@@ -35,18 +35,18 @@ pub enum WarningKind {
 }
 
 impl WarningKind {
-    /// Of a statement that is not known.
+    /// Makes the warning of a statement that is not known.
     pub(super) fn statement(keyword: &[u8]) -> Self {
         name(keyword).map_or(Self::Nameless, Self::Statement)
     }
 
-    /// Of an option that is not known.
+    /// Makes the warning of an option that is not known.
     pub(super) fn option(word: &str) -> Self {
         name(word.as_bytes()).map_or(Self::Nameless, Self::MapOption)
     }
 }
 
-/// A word that may be shown: short, and of letters.
+/// Returns a word that may be shown: short, and of letters.
 fn name(word: &[u8]) -> Option<String> {
     let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-');
     let text = std::str::from_utf8(word).ok()?;

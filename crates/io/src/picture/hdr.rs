@@ -23,7 +23,7 @@ pub(super) fn encode(radiance: &Grid<Rgb>) -> Result<Vec<u8>, Cause> {
     Ok(bytes)
 }
 
-/// Whether a band is not rounded but changed.
+/// Tells whether a band is not rounded but changed.
 pub(super) fn is_lost(band: f32) -> bool {
     !(0.0..=BRIGHTEST).contains(&band)
 }

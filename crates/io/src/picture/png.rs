@@ -1,6 +1,6 @@
 //! PNG, 8 bits a channel.
 //!
-//! By the crate that the `image` crate writes PNG with: that one passes no text on,
+//! Writes by the crate that the `image` crate writes PNG with: that one passes no text on,
 //! and does not say that the curve is sRGB.
 
 use super::Cause;

@@ -30,7 +30,7 @@ pub(super) struct Body<'a> {
     coding: Coding,
     bytes: &'a [u8],
     at: usize,
-    /// Of text.
+    /// The line of text, from 1.
     line: u32,
 }
 
@@ -39,7 +39,7 @@ impl<'a> Body<'a> {
         Self { coding, bytes, at, line: line.saturating_add(1) }
     }
 
-    /// Where the next number is.
+    /// Tells where the next number is.
     pub(super) fn place(&self) -> Place {
         match self.coding {
             Coding::Text => Place::Line(self.line),
@@ -61,39 +61,33 @@ impl<'a> Body<'a> {
         if fits { usize::try_from(count).map_err(|_| few()) } else { Err(few()) }
     }
 
-    /// The next number.
+    /// Reads the next number.
     #[inline]
     pub(super) fn number(&mut self, kind: Number) -> Result<f64, Cause> {
-        match self.coding {
-            Coding::Text => self.word(kind),
-            Coding::LittleEndian => Ok(match kind {
-                Number::I8 => f64::from(i8::from_le_bytes(self.take()?)),
-                Number::U8 => f64::from(u8::from_le_bytes(self.take()?)),
-                Number::I16 => f64::from(i16::from_le_bytes(self.take()?)),
-                Number::U16 => f64::from(u16::from_le_bytes(self.take()?)),
-                Number::I32 => f64::from(i32::from_le_bytes(self.take()?)),
-                Number::U32 => f64::from(u32::from_le_bytes(self.take()?)),
-                Number::F32 => f64::from(f32::from_le_bytes(self.take()?)),
-                Number::F64 => f64::from_le_bytes(self.take()?),
-            }),
-            Coding::BigEndian => Ok(match kind {
-                Number::I8 => f64::from(i8::from_be_bytes(self.take()?)),
-                Number::U8 => f64::from(u8::from_be_bytes(self.take()?)),
-                Number::I16 => f64::from(i16::from_be_bytes(self.take()?)),
-                Number::U16 => f64::from(u16::from_be_bytes(self.take()?)),
-                Number::I32 => f64::from(i32::from_be_bytes(self.take()?)),
-                Number::U32 => f64::from(u32::from_be_bytes(self.take()?)),
-                Number::F32 => f64::from(f32::from_be_bytes(self.take()?)),
-                Number::F64 => f64::from_be_bytes(self.take()?),
-            }),
+        if self.coding == Coding::Text {
+            return self.word(kind);
         }
+        Ok(match kind {
+            Number::I8 => f64::from(i8::from_le_bytes(self.take()?)),
+            Number::U8 => f64::from(u8::from_le_bytes(self.take()?)),
+            Number::I16 => f64::from(i16::from_le_bytes(self.take()?)),
+            Number::U16 => f64::from(u16::from_le_bytes(self.take()?)),
+            Number::I32 => f64::from(i32::from_le_bytes(self.take()?)),
+            Number::U32 => f64::from(u32::from_le_bytes(self.take()?)),
+            Number::F32 => f64::from(f32::from_le_bytes(self.take()?)),
+            Number::F64 => f64::from_le_bytes(self.take()?),
+        })
     }
 
+    /// Takes the next bytes, the least first.
     #[inline]
     fn take<const N: usize>(&mut self) -> Result<[u8; N], Cause> {
-        let bytes = self.bytes[self.at..].first_chunk().ok_or(Cause::Ended)?;
+        let mut bytes: [u8; N] = *self.bytes[self.at..].first_chunk().ok_or(Cause::Ended)?;
         self.at += N;
-        Ok(*bytes)
+        if self.coding == Coding::BigEndian {
+            bytes.reverse();
+        }
+        Ok(bytes)
     }
 
     fn word(&mut self, kind: Number) -> Result<f64, Cause> {
@@ -126,7 +120,7 @@ impl<'a> Body<'a> {
         value.ok_or_else(|| Cause::NotANumber(shown(&String::from_utf8_lossy(&rest[..length]))))
     }
 
-    /// The length of a list, no more than there are bytes.
+    /// Reads the length of a list, no more than there are bytes.
     pub(super) fn length(&mut self, kind: Number) -> Result<usize, Cause> {
         let value = self.number(kind)?;
         let left = (self.bytes.len() - self.at) as f64;

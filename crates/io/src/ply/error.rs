@@ -1,6 +1,7 @@
 //! Why bytes are no polygon file.
 
 use crate::Limit;
+use crate::polygon_limits::PolygonFault;
 use std::fmt;
 
 /// A file that makes no sense.
@@ -111,12 +112,9 @@ pub enum Cause {
     /// The number of a vertex that is none.
     #[error("there is no vertex {0}")]
     Index(String),
-    /// A polygon has too many corners.
-    #[error("the polygon has more than {0} corners; {more}", more = Limit::Corners.remedy(*.0 as u64))]
-    TooManyCorners(usize),
-    /// Large polygons take too long to cut.
-    #[error("polygons take too long to cut; {}", Limit::Cutting.remedy(*.0))]
-    TooMuchCutting(u64),
+    /// A polygon asks for too much.
+    #[error(transparent)]
+    Polygon(#[from] PolygonFault),
     /// There are more of something than can be numbered.
     #[error("there are too many {0}")]
     TooMany(&'static str),

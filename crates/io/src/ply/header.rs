@@ -5,7 +5,7 @@ use super::declaration::{Element, Property};
 use super::kind::{Kind, Number};
 use super::{Cause, Error, WarningKind};
 use crate::suggest::shown;
-use crate::tally::Tally;
+use crate::warning_counts::WarningCounts;
 
 /// What a file says it holds.
 #[derive(Debug, Default)]
@@ -13,12 +13,12 @@ pub(super) struct Header {
     pub(super) elements: Vec<Element>,
     /// Pictures that comments name.
     pub(super) textures: Vec<String>,
-    pub(super) warnings: Tally<WarningKind>,
+    pub(super) warnings: WarningCounts<WarningKind>,
 }
 
-/// The header and what follows it.
+/// Reads the header, and returns what follows it.
 pub(super) fn read(bytes: &[u8]) -> Result<(Header, Body<'_>), Error> {
-    let mut lines = Lines { bytes, at: 0, line: 0 };
+    let mut lines = Lines { bytes, at: 0, line: 0, ends_in_return: false };
     if lines.next().is_none_or(|first| first != "ply") {
         return Err(Error::NotPly);
     }
@@ -76,14 +76,19 @@ struct Lines<'a> {
     bytes: &'a [u8],
     at: usize,
     line: u32,
+    /// The first line ended in a carriage return alone, so that a line feed is of the data.
+    ends_in_return: bool,
 }
 
 impl Lines<'_> {
-    /// The next line in any coding, without blanks around it.
+    /// Returns the next line in any coding, without blanks around it.
     fn next(&mut self) -> Option<String> {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
-        let is_pair = rest[length..].starts_with(b"\r\n");
+        let is_pair = !self.ends_in_return && rest[length..].starts_with(b"\r\n");
+        if self.line == 0 {
+            self.ends_in_return = !is_pair && rest[length] == b'\r';
+        }
         self.at += length + if is_pair { 2 } else { 1 };
         self.line = self.line.saturating_add(1);
         Some(String::from_utf8_lossy(rest[..length].trim_ascii()).into_owned())

@@ -71,7 +71,7 @@ impl<'a> Ring<'a> {
         ring
     }
 
-    /// The first of the fittest corners from `start` on.
+    /// Finds the first of the fittest corners from `start` on.
     fn fittest(&self, start: usize) -> usize {
         let (mut best, mut corner) = (start, start);
         while self.fitness[best] != Fitness::Ear {
@@ -110,7 +110,7 @@ impl<'a> Ring<'a> {
         if area < 0.0 { Fitness::Reflex } else { self.obstacles(neighbours, [a, b, c]) }
     }
 
-    /// What the other corners do to a triangle.
+    /// Judges what the other corners do to a triangle.
     fn obstacles(&self, [first, last]: [usize; 2], [a, b, c]: [DVec2; 3]) -> Fitness {
         let mut fitness = Fitness::Ear;
         let mut corner = self.after[last];
@@ -138,7 +138,7 @@ impl<'a> Ring<'a> {
         fitness
     }
 
-    /// Whether an edge goes from a corner at the tip of a triangle into it. It
+    /// Tells whether an edge goes from a corner at the tip of a triangle into it. It
     /// may cross to the other side without any corner inside.
     fn leads_into(&self, corner: usize, [a, b, c]: [DVec2; 3]) -> bool {
         [self.before[corner], self.after[corner]].into_iter().any(|neighbour| {

@@ -24,7 +24,7 @@ impl Flat {
     }
 }
 
-/// Twice the area of a triangle, positive counter-clockwise.
+/// Returns twice the area of a triangle, positive counter-clockwise.
 pub(crate) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }

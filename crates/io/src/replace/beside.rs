@@ -17,7 +17,7 @@ pub(super) struct Beside {
     pub(super) path: PathBuf,
 }
 
-/// Those of this program that are there now.
+/// The unfinished files of this program that are there now.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {

@@ -48,7 +48,7 @@ impl Target {
     }
 }
 
-/// Whether the folder is there that the path names, if it names one.
+/// Tells whether the folder is there that the path names, if it names one.
 fn is_in_a_folder(path: &Path) -> bool {
     path.parent().is_none_or(|folder| folder.as_os_str().is_empty() || folder.is_dir())
 }

@@ -89,7 +89,7 @@ mod unix {
         assert_eq!(cause(&link), "it is a link that leads to no file");
     }
 
-    /// By the permissions, even where the system lets its administrator.
+    /// The permissions decide, even where the system lets its administrator.
     #[test]
     fn what_is_read_only_is_refused() {
         let folder = Folder::new("read-only");

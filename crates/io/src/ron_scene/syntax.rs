@@ -46,12 +46,12 @@ impl<'a> Stop<'a> {
         self.text[self.place..].chars().next()
     }
 
-    /// Whether it stopped at the point of a number.
+    /// Tells whether it stopped at the point of a number.
     fn is_at_fraction(&self) -> bool {
         self.next() == Some('.') && self.reading.last.end == self.place
     }
 
-    /// Whether it stopped between values without names.
+    /// Tells whether it stopped between values without names.
     fn is_in_tuple(&self) -> bool {
         let innermost = self.reading.frames.last();
         let is_plain = innermost.is_some_and(|frame| frame.name.is_none() && frame.field.is_none());
@@ -76,7 +76,7 @@ pub(crate) fn problem(source: &Arc<SourceText>, error: &SpannedError) -> Problem
     Problem { source: Arc::clone(source), spot: Spot::Bytes(span), title, label, help }
 }
 
-/// Whether a text begins as a scene file does.
+/// Tells whether a text begins as a scene file does.
 pub(crate) fn is_begun(text: &str) -> bool {
     let rest = text[skip_blanks(text, 0)..].trim_start_matches(|c: char| c.is_alphanumeric());
     rest.starts_with('(') || rest.starts_with("#!")

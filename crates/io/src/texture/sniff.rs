@@ -60,7 +60,7 @@ fn is_tga(bytes: &[u8], name: &Path) -> bool {
     bytes.ends_with(TGA_FOOTER) || has_tga_header(bytes) || named()
 }
 
-/// Whether the header agrees with itself: a map of colours where the kind of picture
+/// Tells whether the header agrees with itself: a map of colours where the kind of picture
 /// needs one, numbers of bits that there are, a size, and no bits that are not used.
 fn has_tga_header(bytes: &[u8]) -> bool {
     let Some(header) = bytes.first_chunk::<18>() else { return false };

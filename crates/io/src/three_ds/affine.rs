@@ -70,7 +70,7 @@ impl Affine {
         wide::dot(wide::cross(x, y), z)
     }
 
-    /// Whether the axes span less than 10⁻¹² of what they could at right angles,
+    /// Tells whether the axes span less than 10⁻¹² of what they could at right angles,
     /// which is far below what the single precision of files can mean.
     pub fn is_singular(&self) -> bool {
         let lengths = self.axes.map(|axis| wide::dot(axis, axis).sqrt());
@@ -80,7 +80,7 @@ impl Affine {
         !regular
     }
 
-    /// Whether all its numbers are.
+    /// Tells whether all its numbers are.
     pub fn is_finite(&self) -> bool {
         self.axes.iter().chain([&self.origin]).flatten().all(|x| x.is_finite())
     }

@@ -124,7 +124,7 @@ mod tests {
     fn a_camera_nowhere_is_dropped() {
         for numbers in [&[0.0, 0.0, 0.0, 1.0, 0.0][..], &[f32::NAN, 0.0, 0.0, 1.0, 0.0, 0.0]] {
             let (camera, warnings) = decoded(numbers, &[]);
-            assert_eq!((camera, warnings.count(WarningKind::CameraWithoutPlace)), (None, 1));
+            assert_eq!((camera, warnings.count(&WarningKind::CameraWithoutPlace)), (None, 1));
         }
     }
 }

@@ -182,7 +182,7 @@ mod tests {
     fn a_chunk_beyond_its_parent_is_cut() {
         let (found, warnings) = chunks(&[1, 0, 0xff, 0xff, 0xff, 0xff, 9]);
         assert_eq!(found, [(1, 1)]);
-        assert_eq!(warnings.count(WarningKind::ChunkCut), 1);
+        assert_eq!(warnings.count(&WarningKind::ChunkCut), 1);
     }
 
     #[test]
@@ -190,7 +190,7 @@ mod tests {
         for length in [0, 5] {
             let (found, warnings) = chunks(&[1, 0, length, 0, 0, 0, 2, 0, 6, 0, 0, 0]);
             assert_eq!(found, []);
-            assert_eq!(warnings.count(WarningKind::ChunkTooShort), 1);
+            assert_eq!(warnings.count(&WarningKind::ChunkTooShort), 1);
         }
     }
 
@@ -213,9 +213,9 @@ mod tests {
         let mut reader = Reader::new(&bytes);
         assert_eq!(reader.finite(&mut warnings), Some([1.0, 2.0]));
         assert_eq!(reader.number(&mut warnings), None);
-        assert_eq!(warnings.count(WarningKind::NumberNotFinite), 1);
+        assert_eq!(warnings.count(&WarningKind::NumberNotFinite), 1);
         assert_eq!(reader.finite::<2>(&mut warnings), None);
-        assert_eq!(warnings.count(WarningKind::RecordCut), 1);
+        assert_eq!(warnings.count(&WarningKind::RecordCut), 1);
     }
 
     #[test]
@@ -223,6 +223,6 @@ mod tests {
         let mut warnings = Warnings::default();
         let mut reader = Reader::new(&[0xff, 0xff, 1, 0, 2, 0, 3]);
         assert_eq!(reader.list(&mut warnings, Reader::u16), [1, 2]);
-        assert_eq!(warnings.count(WarningKind::ListCut), 1);
+        assert_eq!(warnings.count(&WarningKind::ListCut), 1);
     }
 }

@@ -115,12 +115,12 @@ impl Node {
         }
     }
 
-    /// Whether it is a group without a mesh.
+    /// Tells whether it is a group without a mesh.
     pub fn is_group(&self) -> bool {
         self.kind == NodeKind::Object && self.name == GROUP
     }
 
-    /// Whether it was hidden.
+    /// Tells whether it was hidden.
     pub fn is_hidden(&self) -> bool {
         self.flags[0] & HIDDEN != 0
     }

@@ -87,7 +87,7 @@ pub struct Spot {
 /// How a spot light casts its shadow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shadow {
-    /// By rays, not by a map.
+    /// Whether shadows are cast by rays, not by a map.
     pub ray_traced: bool,
     /// How far rays start off the surface.
     pub ray_bias: Option<f32>,
@@ -109,7 +109,7 @@ pub(super) fn decode(
     // The colour is a chunk among the others, which are warned about below.
     let mut seen = Warnings::default();
     set(&mut light.colour, colour(reader, &mut seen));
-    let faulty = seen.count(WarningKind::ColourNotFinite);
+    let faulty = seen.count(&WarningKind::ColourNotFinite);
     warnings.add_many(WarningKind::ColourNotFinite, faulty as usize);
     while let Some((id, body)) = reader.next_chunk(warnings) {
         light.read(id, body, warnings);

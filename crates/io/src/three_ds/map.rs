@@ -107,7 +107,7 @@ impl Map {
     /// Each of red, green and blue is tinted.
     pub const RGB_TINT: u16 = 0x200;
 
-    /// Whether all these flags are set.
+    /// Tells whether all these flags are set.
     pub fn has(&self, flags: u16) -> bool {
         self.flags & flags == flags
     }

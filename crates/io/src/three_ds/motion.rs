@@ -35,7 +35,7 @@ impl Motion {
         }
     }
 
-    /// Whether nothing moves.
+    /// Tells whether nothing moves.
     pub fn is_none(self) -> bool {
         self == Self::default()
     }

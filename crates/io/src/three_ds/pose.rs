@@ -54,7 +54,7 @@ pub fn stored_with_instances(document: &Document) -> Vec<Placed> {
     with_the_others(document, placed)
 }
 
-/// Whether a placed mesh is to be seen: neither it nor its node is hidden at
+/// Tells whether a placed mesh is to be seen: neither it nor its node is hidden at
 /// frame 0.
 pub fn is_shown(document: &Document, placed: &Placed) -> bool {
     let node_is_hidden = |node: usize| nodes(document)[node].is_hidden();

@@ -174,6 +174,6 @@ mod tests {
         let mesh = Mesh { vertices, faces, ..Mesh::default() };
         let mut warnings = Warnings::default();
         assert!(corner_normals(&mesh, &mut warnings).is_some());
-        assert_eq!(warnings.count(WarningKind::TooManySmoothingMasks), 1);
+        assert_eq!(warnings.count(&WarningKind::TooManySmoothingMasks), 1);
     }
 }

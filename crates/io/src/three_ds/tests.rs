@@ -60,7 +60,7 @@ fn the_last_group_of_a_face_and_the_first_material_of_a_name_win() {
     let materials = [material(b"a"), material(b"b"), material(b"b")].concat();
     let document = decode(&file(&[&vertices(&SQUARE), &corners], &[&materials])).unwrap();
     assert_eq!(document.meshes[0].faces[0].material, Some(1));
-    let count = |kind| document.warnings.count(kind);
+    let count = |kind| document.warnings.count(&kind);
     assert_eq!(count(WarningKind::FaceInTwoGroups), 1);
     assert_eq!(count(WarningKind::GroupBeyondFaces), 1);
     assert_eq!(count(WarningKind::UnknownMaterial), 1);
@@ -73,7 +73,7 @@ fn a_face_in_three_groups_is_one_face() {
     let corners = faces(&[[0, 1, 2]], &[&groups.concat()]);
     let materials = [material(b"a"), material(b"b")].concat();
     let document = decode(&file(&[&vertices(&SQUARE), &corners], &[&materials])).unwrap();
-    let count = |kind| document.warnings.count(kind);
+    let count = |kind| document.warnings.count(&kind);
     assert_eq!(count(WarningKind::FaceInTwoGroups), 1);
     assert_eq!(count(WarningKind::GroupBeyondFaces), 1);
     // The same material twice is no contradiction.
@@ -96,7 +96,7 @@ fn faces_that_cannot_be_drawn_are_counted_and_the_rest_keeps_its_masks() {
     for kind in
         [WarningKind::FaceWithoutVertex, WarningKind::FaceNotFinite, WarningKind::FaceWithoutArea]
     {
-        assert_eq!(document.warnings.count(kind), 1, "{kind}");
+        assert_eq!(document.warnings.count(&kind), 1, "{kind}");
     }
 }
 
@@ -111,8 +111,8 @@ fn texture_coordinates_are_made_to_fit() {
     let document = decode(&bytes).unwrap();
     let uvs: Vec<[f32; 2]> = document.meshes[0].uvs.iter().copied().map(<[f32; 2]>::from).collect();
     assert_eq!(uvs, [[0.0, 0.0], [0.25, 0.75], [0.0, 0.0], [0.0, 0.0]]);
-    assert_eq!(document.warnings.count(WarningKind::UvCount), 1);
-    assert_eq!(document.warnings.count(WarningKind::UvNotFinite), 1);
+    assert_eq!(document.warnings.count(&WarningKind::UvCount), 1);
+    assert_eq!(document.warnings.count(&WarningKind::UvNotFinite), 1);
 }
 
 #[test]

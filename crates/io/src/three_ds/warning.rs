@@ -1,6 +1,6 @@
 //! What the decoder skips or repairs, counted by kind.
 
-use std::collections::BTreeMap;
+use crate::warning_counts::WarningCounts;
 use std::fmt;
 
 /// A kind of thing that was skipped or repaired.
@@ -90,29 +90,5 @@ impl fmt::Display for WarningKind {
     }
 }
 
-/// How often each kind was met.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Warnings(BTreeMap<WarningKind, u32>);
-
-impl Warnings {
-    /// How often a kind was met.
-    pub fn count(&self, kind: WarningKind) -> u32 {
-        self.0.get(&kind).copied().unwrap_or(0)
-    }
-
-    /// Every kind that was met, with its count, in a fixed order.
-    pub fn iter(&self) -> impl Iterator<Item = (WarningKind, u32)> {
-        self.0.iter().map(|(&kind, &count)| (kind, count))
-    }
-
-    pub(super) fn add(&mut self, kind: WarningKind) {
-        self.add_many(kind, 1);
-    }
-
-    pub(super) fn add_many(&mut self, kind: WarningKind, times: usize) {
-        if times > 0 {
-            let count = self.0.entry(kind).or_insert(0);
-            *count = count.saturating_add(u32::try_from(times).unwrap_or(u32::MAX));
-        }
-    }
-}
+/// Counts how often each kind was met.
+pub type Warnings = WarningCounts<WarningKind>;

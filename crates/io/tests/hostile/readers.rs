@@ -6,7 +6,7 @@ use traylib_io::three_ds::{self, pose, smoothing};
 use traylib_io::{TextureLimits, texture_from_bytes};
 use traylib_io::{gltf, obj, ply};
 
-/// Whether it could be read. `root` is a folder of the test alone, in which `name` is.
+/// Tells whether it could be read. `root` is a folder of the test alone, in which `name` is.
 pub(crate) fn read(root: &Path, name: &Path, bytes: &[u8]) -> bool {
     let ending = name.extension().unwrap_or_default().to_ascii_lowercase();
     match ending.to_str() {

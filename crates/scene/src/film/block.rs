@@ -26,9 +26,9 @@ pub struct FilmBlock {
 pub enum FilmSquares {
     /// Passes depend on one another, too.
     Unwanted,
-    /// Those of the sum: there is one pass.
+    /// The squares are those of the sum: there is one pass.
     OfOne,
-    /// Those of more.
+    /// The sum of the squares of more passes.
     Sum(Grid<[f64; 3]>),
 }
 
@@ -40,7 +40,7 @@ impl FilmBlock {
         Self { first: number, passes: 1, sum: light, squares, layers }
     }
 
-    /// Whether it may be part of a film of so many sequences and pixels.
+    /// Tells whether it may be part of a film of so many sequences and pixels.
     pub(super) fn is_sound(&self, sequences: usize, width: usize, height: usize) -> bool {
         let fits = |grid: &Grid<[f64; 3]>| (grid.width(), grid.height()) == (width, height);
         let squares_fit = match &self.squares {
@@ -69,7 +69,7 @@ impl FilmBlock {
         self.first ^ self.passes
     }
 
-    /// Whether both make one block, this one first.
+    /// Tells whether both make one block, this one first.
     pub(super) fn joins(&self, next: &Self) -> bool {
         self.passes == next.passes && self.sibling() == next.first && self.first < next.first
     }

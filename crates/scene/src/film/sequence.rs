@@ -23,7 +23,7 @@ impl Sequence {
         self.0.iter().map(|block| (block.passes().end - block.passes().start) as u32).sum()
     }
 
-    /// Whether it has this pass.
+    /// Tells whether it has this pass.
     pub(super) fn has(&self, pass: u64) -> bool {
         self.0.iter().any(|block| block.passes().contains(&pass))
     }

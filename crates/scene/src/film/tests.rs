@@ -66,7 +66,8 @@ fn bits(film: &Film) -> Vec<u64> {
     sums.iter().flat_map(|grid| grid.values().as_flattened()).map(|v| v.to_bits()).collect()
 }
 
-/// Of 61 passes in 2, 3, 7 and 61 parts, that begin and end anywhere, in many orders.
+/// The bits are those of 61 passes in 2, 3, 7 and 61 parts, that begin and end anywhere, in many
+/// orders.
 #[test]
 fn parts_in_any_order_make_the_same_film() {
     const PASSES: u32 = 61;

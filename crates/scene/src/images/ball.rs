@@ -1,7 +1,7 @@
 //! The image in a ball: small, and near behind its surface.
 
 use super::ImageCone;
-use super::lamp::Lamp;
+use super::light_ball::LightBall;
 use super::reflection::Reflection;
 use traylib_geometry::Sphere;
 use traylib_math::glam::DVec3;
@@ -26,19 +26,19 @@ impl BallMirror {
         self.centre
     }
 
-    /// Whether a lamp's light may fall on it.
-    pub(super) fn may_show(&self, lamp: &Lamp) -> bool {
+    /// Tells whether a lamp's light may fall on it.
+    pub(super) fn may_show(&self, lamp: &LightBall) -> bool {
         lamp.may_light(self.centre, self.radius)
     }
 
-    /// Whether any of the ball is above a surface with this normal.
+    /// Tells whether any of the ball is above a surface with this normal.
     #[inline]
     pub(super) fn rises_above(&self, from: Vec3, normal: Vec3) -> bool {
         normal.dot(self.centre - from) > -self.radius
     }
 
     /// The cone around a lamp's image as `from` sees it, if any of it may show.
-    pub(super) fn image(&self, lamp: &Lamp, blur: f32, from: Vec3) -> Option<ImageCone> {
+    pub(super) fn image(&self, lamp: &LightBall, blur: f32, from: Vec3) -> Option<ImageCone> {
         let normal = self.mirroring_normal(from, lamp.centre)?;
         let seen_at = self.centre + self.radius * normal;
         let (to_eye, to_lamp) = (from - seen_at, lamp.centre - seen_at);

@@ -1,7 +1,7 @@
 //! The image in a flat mirror stands as far behind it as the lamp before it.
 
 use super::ImageCone;
-use super::lamp::Lamp;
+use super::light_ball::LightBall;
 use super::reflection::Reflection;
 use traylib_geometry::{Disk, Quad, Sides, Triangle};
 use traylib_math::Vec3;
@@ -22,7 +22,7 @@ enum Outline {
     /// Coordinates of an offset o from the anchor are o·`to_u` and o·`to_v`, both from 0
     /// to 1 in a parallelogram with these edges.
     Quad { edges: [Vec3; 2], to_u: Vec3, to_v: Vec3 },
-    /// The same, and their sum is at most 1.
+    /// They are in [0, 1], and their sum is at most 1.
     Triangle { edges: [Vec3; 2], to_u: Vec3, to_v: Vec3 },
     /// Around the anchor.
     Disk { radius: f32 },
@@ -62,15 +62,15 @@ impl FlatMirror {
         }
     }
 
-    /// Whether a lamp's light may fall on a side that mirrors.
-    pub(super) fn may_show(&self, lamp: &Lamp) -> bool {
+    /// Tells whether a lamp's light may fall on a side that mirrors.
+    pub(super) fn may_show(&self, lamp: &LightBall) -> bool {
         let height = self.normal.dot(lamp.centre - self.anchor);
         (!self.front_only || height > -lamp.radius)
             && lamp.may_light(self.middle(), self.outline.reach())
     }
 
     /// The cone around a lamp's image as `from` sees it, if any of it may show.
-    pub(super) fn image(&self, lamp: &Lamp, blur: f32, from: Vec3) -> Option<ImageCone> {
+    pub(super) fn image(&self, lamp: &LightBall, blur: f32, from: Vec3) -> Option<ImageCone> {
         // Both before the mirror, on one side of it.
         let height = self.normal.dot(from - self.anchor);
         let lamp_height = self.normal.dot(lamp.centre - self.anchor);
@@ -122,7 +122,7 @@ impl Outline {
         }
     }
 
-    /// Whether an offset from the anchor, in the plane, is inside or at most this far out.
+    /// Tells whether an offset from the anchor, in the plane, is inside or at most this far out.
     fn reaches(&self, offset: Vec3, margin: f32) -> bool {
         let inside = |to: Vec3, over: f32| {
             let (at, slack) = (offset.dot(to), margin * to.length());

@@ -3,7 +3,7 @@
 use super::ImageCone;
 use super::ball::BallMirror;
 use super::flat::FlatMirror;
-use super::lamp::Lamp;
+use super::light_ball::LightBall;
 use super::reflection::Reflection;
 use traylib_geometry::{Facing, Primitive, Sides};
 use traylib_math::Vec3;
@@ -55,8 +55,8 @@ impl Mirror {
         self.area / (self.area + distance_squared)
     }
 
-    /// Whether some point may see this lamp in it.
-    pub(super) fn may_show(&self, lamp: &Lamp) -> bool {
+    /// Tells whether some point may see this lamp in it.
+    pub(super) fn may_show(&self, lamp: &LightBall) -> bool {
         // An ideal mirror shows a point as a point, which no direction meets.
         let has_extent = self.blur > 0.0 || !lamp.is_point();
         has_extent
@@ -66,7 +66,7 @@ impl Mirror {
             }
     }
 
-    /// Whether a surface with this normal may see any of it; what is flat does not say no.
+    /// Tells whether a surface with this normal may see any of it; what is flat does not say no.
     #[inline]
     pub(super) fn rises_above(&self, from: Vec3, normal: Vec3) -> bool {
         match &self.form {
@@ -76,14 +76,14 @@ impl Mirror {
     }
 
     /// Where a point sees the image of a lamp, if it does.
-    pub(super) fn image(&self, lamp: &Lamp, from: Vec3) -> Option<ImageCone> {
+    pub(super) fn image(&self, lamp: &LightBall, from: Vec3) -> Option<ImageCone> {
         match &self.form {
             Form::Ball(ball) => ball.image(lamp, self.blur, from),
             Form::Flat(flat) => flat.image(lamp, self.blur, from),
         }
     }
 
-    /// Whether it shows a point as a point.
+    /// Tells whether it shows a point as a point.
     pub(super) fn is_ideal(&self) -> bool {
         self.blur == 0.0
     }

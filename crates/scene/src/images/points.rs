@@ -31,7 +31,7 @@ pub(crate) struct NumberedMirror {
 }
 
 impl MirroredPoints {
-    /// Those of a scene, if there are any.
+    /// Finds the pairs of a scene, if there are any.
     pub(super) fn new(
         surfaces: &Surfaces,
         materials: &[Material],
@@ -55,18 +55,18 @@ impl MirroredPoints {
     }
 
     /// How many pairs are looked at.
-    pub(crate) fn looks(&self) -> usize {
-        if self.looks_at_all() { self.mirrors.len() * self.lights.len() } else { 1 }
+    pub(crate) fn tries(&self) -> usize {
+        if self.tries_all() { self.mirrors.len() * self.lights.len() } else { 1 }
     }
 
-    fn looks_at_all(&self) -> bool {
+    fn tries_all(&self) -> bool {
         self.mirrors.len() * self.lights.len() <= MOST_PAIRS
     }
 
     /// A pair to look at, and the chance to do so; `u` is uniform.
     pub(crate) fn pair(&self, look: usize, u: [f64; 2]) -> (NumberedMirror, LightId, f32) {
         let count = self.lights.len();
-        if self.looks_at_all() {
+        if self.tries_all() {
             return (self.mirrors[look / count], self.lights[look % count], 1.0);
         }
         // By how much light there may be: many mirrors are parts of one as a rule.
@@ -81,7 +81,7 @@ impl MirroredPoints {
         // Both lists are in order.
         let mirror = self.mirrors.binary_search_by_key(&surface, |it| it.surface).ok()?;
         let light = self.lights.binary_search_by_key(&light.0, |it| it.0).ok()?;
-        let chance = if self.looks_at_all() {
+        let chance = if self.tries_all() {
             1.0
         } else {
             self.mirror_by_area.probability(mirror) * self.light_by_power.probability(light)

@@ -1,6 +1,6 @@
 //! The cones against the mirrors themselves: what is reflected onto the lamp is inside.
 
-use super::lamp::Lamp;
+use super::light_ball::LightBall;
 use super::mirror::Mirror;
 use super::*;
 use crate::PointLight;
@@ -56,7 +56,7 @@ fn reflected(mirror: &Primitive, ray: &Ray) -> Option<Ray> {
 }
 
 fn image(mirror: &Primitive, lamp: &Primitive, eye: Vec3) -> Option<ImageCone> {
-    let lamp = Lamp::of(&area_light(*lamp)).unwrap();
+    let lamp = LightBall::of(&area_light(*lamp)).unwrap();
     Mirror::new(mirror, Sides::Both, f32::INFINITY).unwrap().image(&lamp, eye)
 }
 
@@ -106,7 +106,7 @@ fn nothing_is_aimed_at_that_cannot_show() {
     assert_eq!(image(&far, &square, EYES[0]), None);
     // The back of a mirror that has only a front.
     let front = Mirror::new(&floor, Sides::Front, f32::INFINITY).unwrap();
-    let lamp = Lamp::of(&area_light(ball([0.0, -2.0, 0.0], 0.1))).unwrap();
+    let lamp = LightBall::of(&area_light(ball([0.0, -2.0, 0.0], 0.1))).unwrap();
     assert_eq!(front.image(&lamp, Vec3::new(0.5, -1.0, 0.0)), None);
 }
 
@@ -127,7 +127,7 @@ fn lobes_blur_points() {
         intensity: Rgb::WHITE,
         cone: None,
     });
-    let lamp = Lamp::of(&light).unwrap();
+    let lamp = LightBall::of(&light).unwrap();
     for mirror in mirrors() {
         for (exponent, eye) in [(1e3, EYES[0]), (1e5, EYES[2])] {
             let mirror = Mirror::new(&mirror, Sides::Both, exponent).unwrap();
@@ -199,7 +199,7 @@ fn scale_does_not_matter() {
                         | Primitive::Disk(_)
                         | Primitive::Cone(_)) => *other,
                     };
-                    let lamp = Lamp::of(&area_light(scaled(&lamps()[0]))).unwrap();
+                    let lamp = LightBall::of(&area_light(scaled(&lamps()[0]))).unwrap();
                     let mirror = Mirror::new(&scaled(&mirror), Sides::Both, exponent).unwrap();
                     mirror.image(&lamp, scale * eye)
                 };

@@ -17,7 +17,7 @@ const SLACK: f32 = 1.0 / (1 << 20) as f32;
 /// number a vector, with an element for each child.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
-    /// Of boxes around all lamps, by axis.
+    /// The centres of boxes around all lamps, by axis.
     centre: [Vec4; 3],
     /// From the centre of the box to a corner, by axis.
     corner: [Vec4; 3],
@@ -25,7 +25,7 @@ pub(super) struct Node {
     corner_sum: Vec4,
     /// The distance of the corner.
     radius: Vec4,
-    /// Of the cones, by axis.
+    /// The axes of the cones, by coordinate.
     axis: [Vec4; 3],
     /// How far the box reaches along the axis, from its centre.
     reach_of_box: Vec4,
@@ -39,8 +39,8 @@ pub(super) struct Node {
     bound_by_box: BVec4A,
     /// Whether all lamps of each child are flat and face one way.
     flat: bool,
-    /// Of all lamps together, over that of the scene's strongest; zero where there is no
-    /// child.
+    /// The intensity of all lamps together, over that of the scene's strongest; zero where there is
+    /// no child.
     pub(super) intensity: Vec4,
     /// Where there is no child, that of another.
     pub(super) links: [Link; WIDTH],

@@ -23,7 +23,7 @@ pub(super) struct Shares {
 /// One turn of a choice.
 pub(super) struct Turn {
     pub(super) child: usize,
-    /// Of the number that decided it, stretched to [0, 1) again.
+    /// What is left of the number that decided it, stretched to [0, 1) again.
     pub(super) rest: f64,
 }
 

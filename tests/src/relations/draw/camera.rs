@@ -28,7 +28,7 @@ pub(super) fn within(dice: &mut Dice, space: &Enclosure, objects: &[Object]) -> 
         _ => {
             let object = dice.pick(objects);
             let middle = object.shape.bounds().centre();
-            if object.is_lamp() && dice.chance(0.8) { space.place(dice) } else { middle }
+            if object.is_light() && dice.chance(0.8) { space.place(dice) } else { middle }
         }
     };
     let away = (target - position).length();

@@ -32,7 +32,7 @@ impl Dice {
         ((self.even() * end as f32) as u32).min(end - 1)
     }
 
-    /// Whether something of this probability happens.
+    /// Tells whether something of this probability happens.
     pub fn chance(&mut self, probability: f32) -> bool {
         self.even() < probability
     }

@@ -3,7 +3,7 @@
 use super::Dice;
 use crate::relations::scene::{Coding, Picture};
 
-/// Of one pixel, in halves, or speckled; grey or coloured, values up to `most`.
+/// Draws a picture of one pixel, in halves, or speckled; grey or coloured, values up to `most`.
 pub(super) fn any(dice: &mut Dice, most: u8) -> Picture {
     let [width, height] = dice.pick(&[[1, 1], [2, 1], [1, 2], [2, 2], [4, 4]]);
     let is_grey = dice.chance(0.6);

@@ -150,7 +150,7 @@ fn globe(dice: &mut Dice, place: Vec3, size: f32) -> Mesh {
     Mesh { positions, triangles, normals: dice.chance(0.6).then_some(normals), uvs: None }
 }
 
-/// The same elsewhere.
+/// Moves a shape.
 pub(super) fn moved(shape: &Shape, by: Vec3) -> Shape {
     Motion::shift(by.as_dvec3()).shape(shape)
 }

@@ -1,4 +1,4 @@
-//! The same surfaces in other pieces: boxes as quads, quads as triangles, meshes
+//! Cuts surfaces into other pieces: boxes as quads, quads as triangles, meshes
 //! as triangles; lamps in two; objects in another order.
 
 use crate::relations::scene::{DrawnScene, Mesh, Object, Shape, sides_of_box};
@@ -61,7 +61,7 @@ pub fn triangles_as_meshes(scene: &DrawnScene) -> Option<DrawnScene> {
 /// Each lamp that is a quad, a disk or a triangle without pictures in two pieces.
 pub fn lamps_in_two(scene: &DrawnScene) -> Option<DrawnScene> {
     everywhere(scene, |object| {
-        if !object.is_lamp() || object.material.has_maps() {
+        if !object.is_light() || object.material.has_maps() {
             return None;
         }
         let halves = match object.shape {

@@ -1,4 +1,4 @@
-//! The same scene with most of it in a file of another format.
+//! Writes a scene with most of it in a file of another format.
 
 use super::ron::{self, Entry};
 use super::{Files, mgf, three_ds};
@@ -63,7 +63,7 @@ fn greyed(scene: &DrawnScene) -> DrawnScene {
 /// In MGF what is open and has two sides shines from both.
 fn mgf_would_say(object: &Object) -> Object {
     let is_closed = matches!(object.shape, Shape::Sphere { .. });
-    let sides = if object.is_lamp() && !is_closed { Sides::Front } else { object.sides };
+    let sides = if object.is_light() && !is_closed { Sides::Front } else { object.sides };
     Object { sides, ..object.clone() }
 }
 
@@ -121,7 +121,7 @@ pub fn through_three_ds(scene: &DrawnScene, stem: &str) -> Option<Exported> {
         let mesh = mesh.filter(|_| !object.material.has_maps());
         let flat = mesh.map(|mesh| object.with_shape(Shape::Mesh(mesh)));
         match flat {
-            Some(lamp) if lamp.is_lamp() => lamps.push(lamp),
+            Some(lamp) if lamp.is_light() => lamps.push(lamp),
             Some(flat) if three_ds::can_say(&flat.material) => inside.push(flat),
             Some(_) | None => outside.push(object.clone()),
         }

@@ -61,7 +61,7 @@ impl Files {
         )
     }
 
-    /// Whether shapes that need no file get one.
+    /// Tells whether shapes that need no file get one.
     pub(super) fn places_all(&self) -> bool {
         self.placement.is_some()
     }

@@ -18,14 +18,14 @@ pub(super) fn single(shape: &Shape) -> String {
     format!("m only =\n\tsides 2\n{}", text.0)
 }
 
-/// Whether MGF has words for it: grey, and no pictures.
+/// Tells whether MGF has words for it: grey, and no pictures.
 pub(super) fn can_say(object: &Object) -> bool {
     let base = &object.material.base;
     let is_glass = matches!(base, Base::Glass(_));
     let scatters_on = !matches!(base, Base::Sheet(_, on) if on.diffuse == Vec3::ZERO && on.specular == Vec3::ZERO);
     let known = !matches!(base, Base::MaxPhong(..)) && scatters_on;
     // Glass has both sides there, and does not shine.
-    let as_glass_must = !is_glass || object.sides == Sides::Both && !object.is_lamp();
+    let as_glass_must = !is_glass || object.sides == Sides::Both && !object.is_light();
     !object.material.has_maps() && known && as_glass_must
 }
 
@@ -73,7 +73,7 @@ impl Text {
             // Not among what can be said.
             Base::MaxPhong(..) => {}
         }
-        if object.is_lamp() {
+        if object.is_light() {
             let exitance = f64::from(part(object.emission)) * PI * LUMENS_PER_WATT;
             self.line(&format!("\ted {exitance}"));
         }

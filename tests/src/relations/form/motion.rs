@@ -1,4 +1,4 @@
-//! The same scene elsewhere: moved, turned, scaled, mirrored.
+//! Takes a scene elsewhere: moved, turned, scaled, mirrored.
 
 use crate::relations::scene::{Camera, DrawnScene, Light, Mesh, Object, Shape, Spot};
 use traylib_math::Vec3;
@@ -19,12 +19,12 @@ impl Motion {
     /// Leaves everything where it is.
     pub const NONE: Self = Self { turn: DMat3::IDENTITY, scale: 1.0, shift: DVec3::ZERO };
 
-    /// By this many metres.
+    /// Shifts by this many metres.
     pub fn shift(shift: DVec3) -> Self {
         Self { shift, ..Self::NONE }
     }
 
-    /// By this factor about the origin.
+    /// Scales by this factor about the origin.
     pub fn scale(scale: f64) -> Self {
         Self { scale, ..Self::NONE }
     }

@@ -29,7 +29,7 @@ impl Files {
         files
     }
 
-    /// The same, with every shape that can stand in an MGF file in one of its own, and
+    /// Writes the scene with every shape that can stand in an MGF file in one of its own, and
     /// placed from there.
     pub fn placed(scene: &DrawnScene, stem: &str, placement: Placement) -> Self {
         let mut files = Self::empty(stem, Some(placement));
@@ -48,7 +48,7 @@ pub(super) fn scene(scene: &DrawnScene, entries: &[Entry<'_>], files: &mut Files
             Entry::Object(object) => {
                 let (shape, emission) = (shape(&object.shape, files), object.emission);
                 let emits = format!(", emission: {}", vector(emission));
-                let emits = if object.is_lamp() { emits.as_str() } else { "" };
+                let emits = if object.is_light() { emits.as_str() } else { "" };
                 format!("(shape: {shape}, {}{emits})", looks(object, &mut names))
             }
             Entry::Whole(file) => format!("(shape: Mesh(file: \"{file}\"))"),

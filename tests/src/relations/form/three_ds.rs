@@ -10,7 +10,7 @@ pub(super) fn mesh(mesh: &Mesh) -> Vec<u8> {
     file(&object)
 }
 
-/// Whether 3D Studio has words for it.
+/// Tells whether 3D Studio has words for it.
 pub(super) fn can_say(material: &Material) -> bool {
     let known = match material.base {
         Base::Lambert(_) => true,

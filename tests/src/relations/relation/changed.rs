@@ -206,7 +206,7 @@ fn has_quads_with_pictures(scene: &DrawnScene) -> bool {
     })
 }
 
-/// By a method or two.
+/// Claims by a method or two.
 pub(super) fn claims(
     change: Change,
     subject: &Subject<'_>,
@@ -243,7 +243,7 @@ fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
     let mut methods = methods::beginning_with(&[methods::PURE_MC, methods::COMBINED]);
     // One way to weigh the techniques of `bdpt` is enough.
     methods.retain(|&method| method != methods::BDPT_BALANCE);
-    methods.retain(|&method| any || !methods::walks_from_lamps(method));
+    methods.retain(|&method| any || !methods::walks_from_lights(method));
     Estimator::Method(dice.pick(&methods))
 }
 

@@ -75,7 +75,8 @@ pub(super) fn glowing(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Clai
         // A lamp close behind a sheet lights a spot about as wide as the gap, which samples
         // of its whole area find too rarely: 0.5 % short after 32,768 passes at a gap of
         // 2.4 mm, 0.1 % at ten times that, within the noise at a hundred times.
-        (is_opaque || !methods::never_hits(method)) && (alike || !methods::walks_from_lamps(method))
+        (is_opaque || !methods::never_hits(method))
+            && (alike || !methods::walks_from_lights(method))
     };
     let methods: Vec<Method> = methods::WALKING.into_iter().filter(can_tell).collect();
     let chosen = [methods::PURE_MC, dice.pick(&methods[1..])];
@@ -158,7 +159,7 @@ fn sky(scene: &DrawnScene) -> Object {
     }
 }
 
-/// Whether a quarter of all rays from the camera meet the sky at once.
+/// Tells whether a quarter of all rays from the camera meet the sky at once.
 fn is_open(scene: &Scene) -> bool {
     let mut dice = Dice::new(0, 0);
     let position = scene.camera().position();
@@ -172,7 +173,7 @@ fn is_open(scene: &Scene) -> bool {
 /// Gives it a surface of its kind that loses nothing, and no normals but its own:
 /// elsewhere light is lost to the sides on which they disagree.
 fn whiten(object: &mut Object) {
-    if object.is_lamp() {
+    if object.is_light() {
         return;
     }
     if let Shape::Mesh(mesh) = &mut object.shape {

@@ -47,7 +47,7 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim
     }])
 }
 
-/// Whether nothing gets out: in every direction there is something opaque.
+/// Tells whether nothing gets out: in every direction there is something opaque.
 fn is_closed(scene: &Scene) -> bool {
     let mut dice = Dice::new(0, 0);
     (0..400).all(|_| {

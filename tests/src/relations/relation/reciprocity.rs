@@ -32,7 +32,7 @@ struct Plate {
     normal: Vec3,
 }
 
-/// By a method each for either place.
+/// Claims by a method each for either place.
 pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
     let mut scene = subject.drawn.clone();
     scene.lights.clear();
@@ -137,7 +137,7 @@ impl Plate {
         self.centre + self.normal * (2.0 * self.half[0].length() * NEAR)
     }
 
-    /// Whether nothing stands between it and its camera, at so many points.
+    /// Tells whether nothing stands between it and its camera, at so many points.
     fn is_seen(&self, scene: &Scene) -> bool {
         const POINTS: u8 = 9;
         let share = |i: u8| 1.99 * (f32::from(i) / f32::from(POINTS - 1) - 0.5);

@@ -16,7 +16,7 @@ const MOST: usize = 4;
 /// For a first idea of how much light each lamp brings.
 const PASSES: u32 = 8;
 
-/// By one method.
+/// Claims by one method.
 pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
     let single = each_alone(subject.drawn);
     // Of two surfaces in one plane the lamp is met, while it is one.
@@ -68,7 +68,7 @@ fn each_alone(scene: &DrawnScene) -> Vec<DrawnScene> {
     let mut dark = scene.clone();
     dark.lights.clear();
     dark.objects.iter_mut().for_each(|object| object.emission = Vec3::ZERO);
-    let lamps = scene.objects.iter().enumerate().filter(|(_, object)| object.is_lamp());
+    let lamps = scene.objects.iter().enumerate().filter(|(_, object)| object.is_light());
     let of_objects = lamps.map(|(index, lamp)| {
         let mut single = dark.clone();
         single.objects[index].emission = lamp.emission;

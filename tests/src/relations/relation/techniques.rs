@@ -21,7 +21,7 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Vec<Claim> {
     {
         return Vec::new();
     }
-    let all_are_points = !drawn.objects.iter().any(Object::is_lamp);
+    let all_are_points = !drawn.objects.iter().any(Object::is_light);
     let mut pairs = vec![(0, 2)];
     for k in 2..=longest as usize {
         let by_samples = all_are_points || !drawn.has_mirrors() && dice.chance(0.5);

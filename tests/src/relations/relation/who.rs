@@ -25,7 +25,7 @@ pub(super) const RARITY: f64 = 17.0;
 /// times for each lamp that outshines it (the same).
 pub(super) const OUTSHONE: f64 = 256.0;
 
-/// Whether this method is not blind here, and its noise can be judged.
+/// Tells whether this method is not blind here, and its noise can be judged.
 pub(super) fn sees(subject: &Subject<'_>, method: Method) -> bool {
     let drawn = subject.drawn;
     let integrator = method.build();
@@ -40,7 +40,7 @@ pub(super) fn sees(subject: &Subject<'_>, method: Method) -> bool {
         | BlindSpot::PointLightChainsInMirrors => true,
     });
     let is_steady = (!methods::never_hits(method) || drawn.sharpest() <= SHARP)
-        && (!methods::walks_from_lamps(method) || drawn.fronts_are_alike());
+        && (!methods::walks_from_lights(method) || drawn.fronts_are_alike());
     !is_blind && is_steady
 }
 
@@ -112,7 +112,7 @@ fn rays(camera: &Camera) -> impl Iterator<Item = Ray> {
     })
 }
 
-/// Whether the camera sees a mirror anywhere, also through what is before it; by
+/// Tells whether the camera sees a mirror anywhere, also through what is before it; by
 /// 9 rays a pixel.
 fn sees_mirrors(scene: &Scene) -> bool {
     rays(scene.camera()).any(|mut ray| {

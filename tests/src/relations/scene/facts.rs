@@ -12,7 +12,7 @@ struct Flat {
 }
 
 impl DrawnScene {
-    /// Whether a surface reflects or refracts ideally.
+    /// Tells whether a surface reflects or refracts ideally.
     pub fn has_mirrors(&self) -> bool {
         self.objects.iter().any(|object| match object.material.base {
             Base::Mirror(..) | Base::Glass(_) => true,
@@ -32,7 +32,7 @@ impl DrawnScene {
         self.objects.iter().map(sharpness).fold(0.0, f32::max)
     }
 
-    /// Whether walks from lamps and from the camera see the same surfaces: no back
+    /// Tells whether walks from lamps and from the camera see the same surfaces: no back
     /// that is not there can be looked through or lit. Solids that hold neither
     /// camera nor light are so, and the room around all.
     pub fn fronts_are_alike(&self) -> bool {
@@ -61,7 +61,7 @@ impl DrawnScene {
         })
     }
 
-    /// Whether two flat surfaces lie in one plane and may overlap: which of them is
+    /// Tells whether two flat surfaces lie in one plane and may overlap: which of them is
     /// met is decided by their order or by rounding.
     pub fn has_coplanar(&self) -> bool {
         let flats: Vec<Vec<Flat>> =
@@ -73,7 +73,7 @@ impl DrawnScene {
         })
     }
 
-    /// Whether the camera or a light without extent lies on a surface, or nearly: on
+    /// Tells whether the camera or a light without extent lies on a surface, or nearly: on
     /// which side of it is decided by rounding.
     pub fn has_point_on_surface(&self) -> bool {
         let lights = self.lights.iter().map(|light| light.position);
@@ -86,7 +86,7 @@ impl DrawnScene {
         self.objects.iter().find_map(|object| surface_at(point, &object.shape, off))
     }
 
-    /// The same of a solid, whose two sides are never lit at once for the same picture. A
+    /// Finds the surface of a solid, whose two sides are never lit at once for the same picture. A
     /// light that lies on a sheet shines on both.
     pub fn solid_surface_at(&self, point: Vec3, off: f32) -> Option<Vec3> {
         let solids = self.objects.iter().filter(|object| object.shape.is_solid());
@@ -98,7 +98,7 @@ impl DrawnScene {
         solids.into_iter().find_map(on)
     }
 
-    /// Whether all glass is the boundary of something, and the camera outside.
+    /// Tells whether all glass is the boundary of something, and the camera outside.
     pub fn glass_is_solid(&self) -> bool {
         let is_glass = |object: &&Object| matches!(object.material.base, Base::Glass(_));
         self.objects.iter().filter(is_glass).all(|object| {
@@ -107,22 +107,22 @@ impl DrawnScene {
         })
     }
 
-    /// Whether rounding decides nowhere what is met.
+    /// Tells whether rounding decides nowhere what is met.
     pub fn is_clear(&self) -> bool {
         !self.has_coplanar() && !self.has_point_on_surface()
     }
 
     /// Makes its first object shine if nothing does.
     pub fn light_up(&mut self) {
-        if self.lights.is_empty() && !self.objects.iter().any(Object::is_lamp) {
+        if self.lights.is_empty() && !self.objects.iter().any(Object::is_light) {
             self.objects[0].emission = Vec3::ONE;
         }
     }
 
-    /// Whether a lamp that is small to the camera lights something at once beside it, or
+    /// Tells whether a lamp that is small to the camera lights something at once beside it, or
     /// itself: a bright spot on the film that few rays find.
     pub fn has_bright_spots(&self) -> bool {
-        self.objects.iter().filter(|object| object.is_lamp()).any(|lamp| {
+        self.objects.iter().filter(|object| object.is_light()).any(|lamp| {
             let bounds = lamp.shape.bounds();
             let size = bounds.extent().length();
             let away = (bounds.centre() - self.camera.position).length();

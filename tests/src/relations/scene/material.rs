@@ -121,7 +121,7 @@ impl Material {
         Self::plain(Base::Lambert(Vec3::splat(reflectance)))
     }
 
-    /// Whether there are pictures on it.
+    /// Tells whether there are pictures on it.
     pub fn has_maps(&self) -> bool {
         self.diffuse.is_some()
             || self.specular.is_some()
@@ -141,7 +141,7 @@ impl Lobes {
 }
 
 impl Map {
-    /// Of full strength, once along either side.
+    /// Makes a map of full strength, once along either side.
     pub fn of(picture: Picture) -> Self {
         Self { picture, tiling: Tiling::Repeat, scale: Vec2::ONE, strength: 1.0 }
     }

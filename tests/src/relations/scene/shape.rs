@@ -102,7 +102,7 @@ impl Shape {
         }
     }
 
-    /// Whether it has quads or texture coordinates for pictures to lie on.
+    /// Tells whether it has quads or texture coordinates for pictures to lie on.
     pub fn shows_pictures(&self) -> bool {
         match self {
             Self::Quad(_) | Self::Box(_) => true,
@@ -113,7 +113,7 @@ impl Shape {
         }
     }
 
-    /// Whether it is convex and closed, its front outside.
+    /// Tells whether it is convex and closed, its front outside.
     pub fn is_solid(&self) -> bool {
         match self {
             Self::Sphere { inward, .. } => !inward,

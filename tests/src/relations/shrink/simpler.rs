@@ -54,7 +54,7 @@ pub(super) fn than(scene: &DrawnScene) -> Vec<DrawnScene> {
 }
 
 fn can_be_seen(scene: &DrawnScene) -> bool {
-    let shines = !scene.lights.is_empty() || scene.objects.iter().any(Object::is_lamp);
+    let shines = !scene.lights.is_empty() || scene.objects.iter().any(Object::is_light);
     let Camera { position, target, up, fov, .. } = scene.camera;
     shines && !scene.objects.is_empty() && (target - position).cross(up) != Vec3::ZERO && fov > 0.0
 }
@@ -86,7 +86,7 @@ fn plainer(object: &Object) -> Vec<Object> {
             plainer.push(with(Material { opacity, ..object.material.clone() }));
         }
     }
-    if object.is_lamp() {
+    if object.is_light() {
         plainer.push(Object { emission: Vec3::ZERO, ..object.clone() });
         plainer.push(Object { emission: Vec3::ONE, ..object.clone() });
     }

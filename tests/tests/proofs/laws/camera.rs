@@ -10,9 +10,9 @@ use traylib_known::grid::{Counts, SIDE, even};
 use traylib_known::stage::{Stage, black, camera_of_size, disk_facing_down, lambert, rectangle};
 use traylib_known::{each_pass, samples_in_a_pass, settings_by_pass};
 use traylib_scene::{Camera, Scene};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::chi_square::follows;
 use traylib_tests::laws::verdict::{Known, has_mean, same_bits, within, worse};
-use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::methods;
 
 /// Fields of view in degrees, and films. Single precision keeps a direction to

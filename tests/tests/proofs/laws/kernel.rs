@@ -10,8 +10,8 @@ use traylib_known::stage::{lambert, max_phong, phong};
 use traylib_materials::SurfaceModel;
 use traylib_math::{Rgb, Sampler, warp};
 use traylib_scene::{SurfacePoint, Walk};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::verdict::{same_bits, within, worse};
-use traylib_tests::ledger::{Finding, settle};
 
 const PAIRS: u64 = 100_000;
 /// Tangent of the angle between the normals.

@@ -4,57 +4,15 @@
 use super::{FAST, LONG, sampler};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
-use traylib_geometry::{Primitive, Triangle, Vec3};
+use traylib_geometry::{Primitive, Vec3};
 use traylib_known::frame::frame;
 use traylib_known::grid::{Counts, even, probabilities};
-use traylib_known::stage::{ball, disk_facing_down, hollow_ball, rectangle, tube};
 use traylib_math::Rgb;
 use traylib_scene::{Light, PointLight};
-use traylib_tests::laws::chart::Chart;
+use traylib_tests::findings::{Finding, settle};
+use traylib_tests::laws::chart::{Chart, View, views};
 use traylib_tests::laws::chi_square::follows;
 use traylib_tests::laws::verdict::{within, worse};
-use traylib_tests::ledger::{Finding, settle};
-
-/// A lamp and where it is seen from.
-struct View {
-    name: &'static str,
-    shape: Primitive,
-    from: Vec3,
-}
-
-fn views() -> Vec<View> {
-    let at = Vec3::new;
-    let centre = at(0.4, -0.3, 1.2);
-    let corners = [at(0.0, 0.0, 1.0), at(0.1, 2.0, 1.5), at(-1.0, 0.2, 2.0)];
-    let [a, b, c] = corners;
-    let triangle = Primitive::Triangle(Triangle::new(a, b, c).unwrap());
-    let thin = Primitive::Triangle(Triangle::new(a, b, a.lerp(b, 0.4) + 0.01 * Vec3::X).unwrap());
-    // Facing down, of 1 m × 0.6 m.
-    let sheet = rectangle(centre, at(0.8, 0.6, 0.0), at(0.36, -0.48, 0.0));
-    let beside = |u: f32, v: f32, height: f32| {
-        centre + u * at(0.8, 0.6, 0.0) + v * at(0.36, -0.48, 0.0) + height * Vec3::NEG_Z
-    };
-    let outside = |distance: f32| centre + distance * at(0.48, 0.6, -0.64);
-    let view = |name, shape, from| View { name, shape, from };
-    vec![
-        view("quad", rectangle(centre, at(0.5, 0.2, 0.0), at(-0.3, 0.4, 0.1)), Vec3::ZERO),
-        view("rectangle from far", sheet, beside(0.5, 0.5, 2.0)),
-        view("rectangle from near", sheet, beside(0.3, 0.6, 0.25)),
-        view("rectangle from its corner", sheet, beside(0.0, 0.0, 0.1)),
-        view("rectangle from aside", sheet, beside(-0.2, 0.4, 0.1)),
-        view("triangle", triangle, Vec3::ZERO),
-        view("triangle from near", triangle, at(0.05, 0.72, 1.45)),
-        view("thin triangle from near", thin, at(0.2, 0.8, 1.05)),
-        view("tube", tube([centre, at(1.0, 0.1, 2.0)], [0.3, 0.3]), Vec3::ZERO),
-        view("cone", tube([centre, at(1.0, 0.1, 2.0)], [0.5, 0.1]), Vec3::ZERO),
-        view("disk", disk_facing_down(centre, 0.6), at(0.5, 0.0, 1.1)),
-        view("ball from far", ball(centre, 0.5), outside(500.0)),
-        view("ball", ball(centre, 0.5), outside(1.3)),
-        view("ball from near", ball(centre, 0.5), outside(0.51)),
-        view("ball from within", ball(centre, 0.5), outside(0.3)),
-        view("hollow ball from within", hollow_ball(centre, 0.5), outside(0.4)),
-    ]
-}
 
 /// Points toward a place follow the stated density, which integrates to one
 /// over what is seen.
@@ -174,14 +132,7 @@ fn emission_findings(name: &str, light: &Light, samples: u64) -> Vec<Finding> {
 fn emission_laws(samples: u64) {
     let radiance = Rgb::splat(3.0);
     let lamps = views().into_iter().filter(|view| !view.name.contains("from")).map(|view| {
-        let area = match view.shape {
-            // 4πr² = 4π/4.
-            Primitive::Sphere(_) => PI,
-            Primitive::Triangle(_)
-            | Primitive::Quad(_)
-            | Primitive::Disk(_)
-            | Primitive::Cone(_) => Chart::seen_from(&view.shape, view.from).area(),
-        };
+        let area = Chart::whole(&view.shape).area();
         (view.name, Light::Area { primitive: view.shape, radiance }, PI * area * 3.0)
     });
     let point = PointLight { position: Vec3::ONE, intensity: Rgb::splat(2.0), cone: None };

@@ -12,8 +12,8 @@ use traylib_known::furnace::{
     central_light, diffuse_walls, glowing_ball, mirroring_walls, offset_light_wide,
 };
 use traylib_known::{Case, pass_means, samples_in_a_pass, settings_by_pass};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::verdict::{Known, has_mean};
-use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::methods;
 
 /// What rounding may add, relative to the truth.

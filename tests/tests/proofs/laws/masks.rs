@@ -6,8 +6,8 @@ use traylib_integrators::{
     Bdpt, Control, LightSampling, Rendering, Report, Settings, Technique, Techniques, render,
 };
 use traylib_math::Rgb;
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::verdict::same_bits;
-use traylib_tests::ledger::{Finding, settle};
 use traylib_tests::still_life::still_life;
 
 /// The pictures of all techniques, by these techniques together.
@@ -18,7 +18,7 @@ fn pictures(techniques: Techniques) -> Rendering {
     render(&still_life(1.0), &bdpt, &settings, &Control::default(), observe).expect("one thread")
 }
 
-/// Whether the raw picture of a technique must stay as it is. Whether a
+/// Tells whether the raw picture of a technique must stay as it is. Whether a
 /// connection is tried depends on what the camera path has found by other
 /// techniques (`Worth`), so connections are left out; light samples are, where
 /// only some lamps are sampled.

@@ -10,8 +10,8 @@ use traylib_known::frame::frame;
 use traylib_known::grid::{At, Counts, even};
 use traylib_known::stage::{Stage, black, camera, disk_facing_down};
 use traylib_math::{DiscreteDistribution, Sampler, warp};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::chi_square::follows;
-use traylib_tests::ledger::{Finding, settle};
 
 /// A map is right if the point of the square in which its density is even comes
 /// back evenly.
@@ -148,7 +148,7 @@ fn choice_laws(samples: u64) {
     let radiances: Vec<f32> = (0..40_u8).map(|i| 0.5 + f32::from(i)).collect();
     let stage = Stage::new(camera(Vec3::ZERO, Vec3::Z, 40.0, 8));
     let scene = radiances.iter().enumerate().fold(stage, |stage, (i, &radiance)| {
-        stage.lamp(disk_facing_down(Vec3::Z * (i + 1) as f32, 1.0), radiance, black())
+        stage.light(disk_facing_down(Vec3::Z * (i + 1) as f32, 1.0), radiance, black())
     });
     let scene = scene.build();
     let mean = radiances.iter().sum::<f32>() / radiances.len() as f32;

@@ -10,10 +10,10 @@ use traylib_known::lobe::Lobe;
 use traylib_known::stage::{lambert, max_phong, mirror, phong};
 use traylib_materials::{BsdfSample, SurfaceModel};
 use traylib_math::{Rgb, Sampler, warp};
+use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::chi_square::follows;
 use traylib_tests::laws::frequency::happens;
 use traylib_tests::laws::verdict::{Known, has_mean, same_bits, within, worse};
-use traylib_tests::ledger::{Finding, settle};
 
 const EXPONENTS: [f32; 7] = [0.0, 1.0, 5.0, 20.0, 1e3, 1e5, 1e6];
 const ANGLES: [f32; 6] = [0.0, 30.0, 60.0, 80.0, 89.0, 89.99];

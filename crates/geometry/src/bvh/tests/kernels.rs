@@ -6,7 +6,7 @@ use crate::bvh::*;
 use crate::testing::{Random, icosphere};
 use crate::tree::Kernel;
 
-/// The same tree for each instruction set of this machine, the scalar one first.
+/// Builds the tree for each instruction set of this machine, the scalar one first.
 fn versions<C: Clone>(bvh: &Bvh<C>) -> Vec<Bvh<C>> {
     let version = |kernel| {
         let mut bvh = bvh.clone();

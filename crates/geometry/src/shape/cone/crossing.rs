@@ -4,7 +4,7 @@ use super::Cone;
 use crate::Ray;
 use crate::precise::{DVec3, difference};
 
-/// By how much of its axis a cone counts as longer at each end: a few roundings of what
+/// The part of its axis by which a cone counts as longer at each end: a few roundings of what
 /// it meets.
 const LONGER: f64 = 2.0 * f32::EPSILON as f64;
 

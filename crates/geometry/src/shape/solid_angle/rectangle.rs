@@ -15,7 +15,7 @@ use traylib_math::AreaPdf;
 pub(crate) struct SphericalRectangle {
     /// Where the first edge begins and ends, with the viewpoint in the origin.
     x: [f64; 2],
-    /// The same of the second edge.
+    /// The two numbers of the second edge.
     y: [f64; 2],
     /// From the viewpoint to the plane.
     height: f64,
@@ -44,7 +44,7 @@ impl SphericalRectangle {
         if is_far(squares, centre) { None } else { Self::seen_near(quad, from) }
     }
 
-    /// The same of what is near: apart, so that the question costs little.
+    /// Makes it of what is near: apart, so that the question costs little.
     #[inline(never)]
     fn seen_near(quad: &Quad, from: Vec3) -> Option<Self> {
         let corner = difference(quad.corner(), from);

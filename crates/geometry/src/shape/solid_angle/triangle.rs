@@ -36,7 +36,7 @@ impl SphericalTriangle {
         if is_far(width_squared, centre) { None } else { Self::seen_near(triangle, from) }
     }
 
-    /// The same of what is near: apart, so that the question costs little.
+    /// Makes it of what is near: apart, so that the question costs little.
     #[inline(never)]
     fn seen_near(triangle: &Triangle, from: Vec3) -> Option<Self> {
         let corners @ [a, b, c] = triangle.corners().map(|corner| difference(corner, from));

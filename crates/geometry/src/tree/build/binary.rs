@@ -18,9 +18,9 @@ pub(super) struct Inner {
 /// the items.
 #[derive(Debug)]
 pub(super) struct Binary {
-    /// Of all nodes.
+    /// The bounds of all nodes.
     pub(super) bounds: Vec<Bounds>,
-    /// Of node `count` and those that follow.
+    /// The inner nodes, which are node `count` and those that follow.
     pub(super) inner: Vec<Inner>,
     pub(super) root: u32,
 }

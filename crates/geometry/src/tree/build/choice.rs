@@ -72,7 +72,7 @@ impl Columns {
         best
     }
 
-    /// Of each box and the one at this distance together.
+    /// Computes the area of each box and the one at this distance together.
     fn areas(&self, distance: usize, areas: &mut [f32]) {
         let count = areas.len();
         let [low_a, high_a] = [&self.low, &self.high].map(|columns| part(columns, 0, count));

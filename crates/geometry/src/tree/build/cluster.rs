@@ -72,7 +72,7 @@ fn merge(clusters: &[u32], plan: &Plan, tree: &mut Binary, made: usize, mut left
 struct Task<'a> {
     /// The first cluster.
     first: usize,
-    /// Of the first node.
+    /// The number of the first node.
     number: u32,
     bounds: &'a mut [Bounds],
     inner: &'a mut [Inner],

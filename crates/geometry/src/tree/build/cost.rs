@@ -37,7 +37,7 @@ impl Summary {
         Self { count: 1, costs: of_item(area, kind), kind }
     }
 
-    /// Of two subtrees under a box of this area; and whether they had best become
+    /// Computes the cost of two subtrees under a box of this area; and whether they had best become
     /// one leaf.
     pub(super) fn of_node(area: f32, a: &Self, b: &Self) -> (Self, bool) {
         let kind = if a.kind == b.kind { a.kind } else { Kind::Mixed };
@@ -57,7 +57,7 @@ pub(super) fn of_item(area: f32, kind: Kind) -> Costs {
     [leaf(area, kind, 1).unwrap_or(f32::INFINITY); WIDTH - 1]
 }
 
-/// Of a leaf, if there may be one.
+/// Computes the cost of a leaf, if there may be one.
 fn leaf(area: f32, kind: Kind, count: usize) -> Option<f32> {
     match kind {
         _ if count > LEAF => None,

@@ -17,7 +17,7 @@ pub(super) struct Plan<'a> {
     pub(super) tallies: Vec<Tally>,
 }
 
-/// Of a chunk of clusters: how many are left afterwards, and how many of these are
+/// For a chunk of clusters, how many are left afterwards, and how many of these are
 /// pairs.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Tally {
@@ -33,7 +33,7 @@ pub(super) enum Fate {
 }
 
 impl<'a> Plan<'a> {
-    /// Of as many clusters as there is room for choices; `bounds` knows their boxes.
+    /// Plans as many clusters as there is room for choices; `bounds` knows their boxes.
     pub(super) fn new(
         choices: &'a mut [u32],
         radius: usize,
@@ -82,7 +82,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Of clusters.
+    /// Returns the number of clusters.
     pub(super) fn count(&self) -> usize {
         self.choices.len()
     }

@@ -49,11 +49,11 @@ struct Part {
 #[derive(Default)]
 struct Size {
     nodes: usize,
-    /// By [`BlockKind`].
+    /// The number of blocks by [`BlockKind`].
     blocks: [usize; 4],
     shapes: usize,
     depth: usize,
-    /// Of the children, where each is worth a thread.
+    /// The plans of the children, where each is worth a thread.
     children: Vec<Self>,
 }
 

@@ -12,7 +12,7 @@ const NARROW: f32 = 0.99;
 pub(crate) struct Rays<E: Simd> {
     pub(crate) simd: E,
     pub(crate) origin: Vec3,
-    /// By axis.
+    /// The directions by axis.
     pub(crate) directions: [E::F32x8; 3],
     /// For each axis 1 if they go backward along it.
     pub(crate) backward: [usize; 3],

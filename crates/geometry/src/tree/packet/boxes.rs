@@ -12,7 +12,7 @@ pub(super) struct PacketBoxes<E: Simd> {
     origin: [f32; 3],
     /// For each axis 1 if they go backward along it.
     backward: [usize; 3],
-    /// By axis: from a distance along it to t, for near and for far planes.
+    /// For each axis, from a distance along it to t, for near and for far planes.
     near: [E::F32x8; 3],
     far: [E::F32x8; 3],
 }

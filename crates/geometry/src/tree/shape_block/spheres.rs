@@ -13,7 +13,7 @@ use crate::{Facing, Sides};
 #[repr(C, align(32))]
 pub(crate) struct SphereBlock {
     centres: Rows,
-    /// Of the radii.
+    /// The squares of the radii.
     squares: [f64; LEAF],
     numbers: [u32; LEAF],
     /// One bit for each that is met where a ray enters.

@@ -40,7 +40,7 @@ pub(super) fn tree(items: &[ImportedObject]) -> Option<Tree> {
     Bvh::of_shapes(items.iter().flat_map(seen).collect::<Vec<_>>()).ok()
 }
 
-/// Whether there is any light.
+/// Tells whether there is any light.
 pub(super) fn shines(items: &[ImportedObject], lights: &[PointLight]) -> bool {
     items.iter().any(|item| !item.emission.is_black())
         || lights.iter().any(|light| !light.intensity.is_black())
@@ -48,15 +48,15 @@ pub(super) fn shines(items: &[ImportedObject], lights: &[PointLight]) -> bool {
 
 /// What rays from the middle meet, in numbers of rays.
 #[derive(Clone, Copy, Debug, Default)]
-struct Met {
+struct Hits {
     all: u32,
     at_the_sides: u32,
     backs: u32,
-    /// Of the backs, those of surfaces that reflect on both sides.
+    /// How many backs are of surfaces that reflect on both sides.
     solid_backs: u32,
 }
 
-/// Whether it is to be seen from inside.
+/// Tells whether it is to be seen from inside.
 pub(super) fn is_room(
     tree: &Tree,
     items: &[ImportedObject],
@@ -67,27 +67,27 @@ pub(super) fn is_room(
     if !shines(items, lights) {
         return false;
     }
-    let met = met(tree, items, bounds, up);
-    if !is_around(met) {
+    let hits = hits(tree, items, bounds, up);
+    if !is_around(hits) {
         return false;
     }
-    let most = MOST_BACKS * met.all as f32;
-    let one_sided_backs = met.backs - met.solid_backs;
-    met.backs as f32 <= most
+    let most = MOST_BACKS * hits.all as f32;
+    let one_sided_backs = hits.backs - hits.solid_backs;
+    hits.backs as f32 <= most
         || (one_sided_backs as f32 <= most && is_lit_from_within(tree, items, lights, bounds))
 }
 
-fn is_around(met: Met) -> bool {
+fn is_around(hits: Hits) -> bool {
     let part = |count: u32| count as f32 / DIRECTIONS as f32;
-    let all = part(met.all);
-    all >= ENCLOSED || (all >= HALF_OPEN && part(met.at_the_sides) >= AT_THE_SIDES)
+    let all = part(hits.all);
+    all >= ENCLOSED || (all >= HALF_OPEN && part(hits.at_the_sides) >= AT_THE_SIDES)
 }
 
-fn met(tree: &Tree, items: &[ImportedObject], bounds: &Aabb, up: Vec3) -> Met {
+fn hits(tree: &Tree, items: &[ImportedObject], bounds: &Aabb, up: Vec3) -> Hits {
     let (centre, half) = (bounds.centre(), 0.5 * bounds.extent());
     let whose = |item| ImportedObject::primitives(item).map(move |_| item);
     let owners: Vec<&ImportedObject> = items.iter().flat_map(whose).collect();
-    let mut met = Met::default();
+    let mut hits = Hits::default();
     for index in 0..DIRECTIONS {
         let ray = Ray::new(centre, direction(index, DIRECTIONS, up));
         let Some(hit) = tree.nearest(&ray) else { continue };
@@ -97,15 +97,15 @@ fn met(tree: &Tree, items: &[ImportedObject], bounds: &Aabb, up: Vec3) -> Met {
         let is_back = (normal.dot(ray.direction) > 0.0) != (owner.side == ModelSide::Back);
         let is_solid = owner.side == ModelSide::Back || owner.sides == Sides::Both;
         let off = (ray.at(hit.t) - centre).abs();
-        met.all += 1;
-        met.at_the_sides += u32::from(off.cmpgt(NEAR_A_SIDE * half).any());
-        met.backs += u32::from(is_back);
-        met.solid_backs += u32::from(is_back && is_solid);
+        hits.all += 1;
+        hits.at_the_sides += u32::from(off.cmpgt(NEAR_A_SIDE * half).any());
+        hits.backs += u32::from(is_back);
+        hits.solid_backs += u32::from(is_back && is_solid);
     }
-    met
+    hits
 }
 
-/// Whether most of the light is of lamps that the middle sees: then walls that show
+/// Tells whether most of the light is of lamps that the middle sees: then walls that show
 /// their backs are those of a room all the same, drawn with their fronts outward.
 fn is_lit_from_within(
     tree: &Tree,

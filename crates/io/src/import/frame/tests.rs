@@ -92,7 +92,7 @@ fn point(position: Vec3) -> PointLight {
     PointLight { position, intensity: Rgb::WHITE, cone: None }
 }
 
-/// Whether these are seen from inside, by a point light there.
+/// Tells whether these are seen from inside, by a point light there.
 fn is_room(items: &[ImportedObject], light: Option<Vec3>) -> bool {
     let lights: Vec<PointLight> = light.map(point).into_iter().collect();
     let bounds = bounds(items);

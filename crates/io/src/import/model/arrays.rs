@@ -16,7 +16,7 @@ pub(super) struct Arrays {
 }
 
 impl Arrays {
-    /// The mesh, of which every normal is on the front of its triangle: a surface would be
+    /// Makes the mesh, of which every normal is on the front of its triangle: a surface would be
     /// black where it is not.
     ///
     /// # Errors
@@ -33,7 +33,7 @@ impl Arrays {
         with_attributes(mesh, self.normals, self.uvs)
     }
 
-    /// The normal of a triangle, of any length; `None` without area.
+    /// Returns the normal of a triangle, of any length; `None` without area.
     fn front(&self, triangle: &[u32; 3]) -> Option<DVec3> {
         let [a, b, c] = triangle.map(|corner| self.positions[corner as usize].as_dvec3());
         let front = (b - a).cross(c - a);

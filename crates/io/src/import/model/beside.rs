@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 /// Where a model looks for files.
 pub(super) struct Beside {
     folder: Folder,
-    /// That of the model.
+    /// The folder of the model.
     path: PathBuf,
     /// What nothing may leave, by its one name.
     root: PathBuf,
@@ -27,7 +27,7 @@ impl Beside {
         Self { folder: Folder::of(model), path, root }
     }
 
-    /// The file of exactly this name, with `/` between folders.
+    /// Finds the file of exactly this name, with `/` between folders.
     pub(super) fn exactly(&self, name: &str) -> Option<Location> {
         if name.starts_with('/') || Path::new(name).is_absolute() || name.contains('\0') {
             return None;
@@ -39,8 +39,8 @@ impl Beside {
         (path.starts_with(&self.root) && path.is_file()).then_some(Location::Disk(path))
     }
 
-    /// The same, else one beside the model whose name differs in case or in its ending: models
-    /// carry folders of the machines on which they were made.
+    /// Finds the file of exactly this name, else one beside the model whose name differs in case or
+    /// in its ending: models carry folders of the machines on which they were made.
     pub(super) fn find(&self, name: &str) -> Option<Location> {
         let name = name.replace('\\', "/");
         let last = name.rsplit('/').next().unwrap_or_default();

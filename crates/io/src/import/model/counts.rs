@@ -10,7 +10,7 @@ use crate::{Error, MeshCounts, Warning};
 use traylib_geometry::Aabb;
 use traylib_scene::ObjectShape;
 
-/// Whether [`of`] counts files of this name: those that come to meshes.
+/// Tells whether [`of`] counts files of this name: those that come to meshes.
 pub(in crate::import) fn is_counted(path: &std::path::Path) -> bool {
     match Format::of(path) {
         Some(Format::Obj | Format::Ply | Format::Gltf) => true,

@@ -15,7 +15,7 @@ pub(super) struct Folder {
 }
 
 impl Folder {
-    /// That of a model; empty if it cannot be listed.
+    /// Lists the folder of a model; it is empty if it cannot be listed.
     pub(super) fn of(model: &Location) -> Self {
         let path = match model.folder() {
             Some(folder) => folder.to_path_buf(),
@@ -28,7 +28,7 @@ impl Folder {
         Self { path, names }
     }
 
-    /// The file of this name, whatever the case; else one that differs in its
+    /// Finds the file of this name, whatever the case; else one that differs in its
     /// ending alone.
     pub(super) fn find(&self, name: &str) -> Option<Location> {
         let exact = self.names.iter().find(|known| *known == name);

@@ -43,7 +43,7 @@ impl Format {
         }
     }
 
-    /// Whether what it emits has a unit, so that an exposure can be told from it.
+    /// Tells whether what it emits has a unit, so that an exposure can be told from it.
     pub(in crate::import) fn is_physical(self) -> bool {
         match self {
             Self::Mgf => true,

@@ -5,48 +5,51 @@ mod material;
 use super::arrays::Arrays;
 use super::beside::Beside;
 use super::meshes::{self, Content, Piece};
-use super::{Format, ModelFile, plain};
+use super::pictures::Pictures;
+use super::source::ModelSource;
+use super::{Format, ModelFile};
 use crate::gltf::{self, Camera, Document, Light, Primitive};
 use crate::import::counter::Counter;
-use crate::import::imported_material::ImportedMaterial;
 use crate::import::model_camera::{Fov, ModelCamera};
 use crate::import::textures::Textures;
 use crate::load_options::LoadOptions;
 use crate::source::{Location, why};
 use crate::{Error, Warning};
 use material::MaterialImporter;
-use traylib_geometry::{self as geometry, Sides};
+use traylib_geometry as geometry;
 use traylib_scene::{PointLight, SpotCone};
 
-/// Beside the file, what was repaired in its pictures.
+/// Reads a file with its buffers, and returns with it what was repaired in its pictures.
 pub(super) fn read(
     location: &Location,
     options: LoadOptions<'_>,
     counter: &mut Counter,
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
-    let file = location.to_string();
-    let bytes = location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?;
+    let source = ModelSource::new(location);
     let beside = Beside::of(location, options);
     let mut load = |name: &str| buffer(&beside, name);
-    let document = gltf::decode(&bytes, options.limits.gltf(), &mut load)
-        .map_err(|cause| Error::Gltf { file: file.clone(), cause })?;
-    drop(bytes);
-    for (what, count) in document.warnings.iter() {
-        counter.add_many(what, count);
-    }
+    let document = gltf::decode(&source.bytes()?, options.limits.gltf(), &mut load)
+        .map_err(|cause| source.malformed(cause))?;
+    counter.add_counts(&document.warnings);
     let has_triangles = |primitive: &Primitive| !primitive.triangles.is_empty();
     if document.instances.is_empty() || !document.primitives.iter().any(has_triangles) {
-        return Err(Error::NothingToSee(file));
+        return Err(source.nothing_to_see());
     }
     let mut textures = Textures::new(options.limits);
-    let materials = materials(&document, &file, &beside, &mut textures, counter)
-        .map_err(|cause| Error::Material { file: file.clone(), cause })?;
-    let content = content(document, materials.len() - 1, counter)
-        .map_err(|cause| Error::Model { file, cause: cause.into() })?;
+    let mut importer = MaterialImporter {
+        file: &source.name,
+        images: &document.images,
+        beside: &beside,
+        pictures: Pictures { textures: &mut textures, counter },
+    };
+    let materials =
+        importer.all(&document.materials).map_err(|cause| source.bad_material(cause))?;
+    let content =
+        content(document, materials.len() - 1, counter).map_err(|cause| source.bad_mesh(cause))?;
     Ok((ModelFile::of_meshes(Format::Gltf, materials, content), textures.into_warnings()))
 }
 
-/// A file beside the model; names that lead elsewhere are none.
+/// Reads a file beside the model; names that lead elsewhere are none.
 fn buffer(beside: &Beside, name: &str) -> Result<Vec<u8>, String> {
     let shown = crate::suggest::shown(name);
     let location = beside.exactly(name).ok_or_else(|| {
@@ -54,24 +57,6 @@ fn buffer(beside: &Beside, name: &str) -> Result<Vec<u8>, String> {
     })?;
     let bytes = location.read().map_err(|cause| format!("`{shown}`: {}", why(&cause)))?;
     Ok(bytes.into_owned())
-}
-
-/// Those of the document, and last that of what has none.
-fn materials(
-    document: &Document,
-    file: &str,
-    beside: &Beside,
-    textures: &mut Textures,
-    counter: &mut Counter,
-) -> Result<Vec<ImportedMaterial>, traylib_materials::Error> {
-    let images = &document.images;
-    let mut importer = MaterialImporter { file, images, beside, textures, counter };
-    let mut materials = Vec::with_capacity(document.materials.len() + 1);
-    for material in &document.materials {
-        materials.push(importer.imported(material)?);
-    }
-    materials.push(ImportedMaterial { sides: Sides::Front, ..plain::material("")? });
-    Ok(materials)
 }
 
 fn content(
@@ -106,7 +91,7 @@ fn arrays(primitive: Primitive) -> Arrays {
     Arrays { positions, normals, uvs, triangles }
 }
 
-/// Candela are taken for W/sr, as emission is for radiance.
+/// Makes a light of ours. Candela are taken for W/sr, as emission is for radiance.
 fn light(light: &Light) -> Option<PointLight> {
     let cone = match light.cone {
         Some(angles) => {

@@ -33,14 +33,14 @@ pub(super) struct Content {
 }
 
 impl Content {
-    /// Pieces that stand as they are.
+    /// Takes pieces that stand as they are.
     pub(super) fn of_pieces(pieces: Vec<Piece>) -> Self {
         let standing = |piece| Instance { piece, place: DAffine3::IDENTITY };
         let instances = (0..pieces.len()).map(standing).collect();
         Self { pieces, instances, ..Self::default() }
     }
 
-    /// Every instance where it goes. What is open, has two sides and shines does so from
+    /// Puts every instance where it goes. What is open, has two sides and shines does so from
     /// both: formats without a word on sides do not say which one is the front.
     pub(super) fn parts(
         &self,
@@ -67,7 +67,7 @@ impl Content {
         Ok(parts)
     }
 
-    /// Its lights where they go; in W/sr they are as strong at any scale.
+    /// Puts its lights where they go; in W/sr they are as strong at any scale.
     pub(super) fn lights(&self, placement: &Placement) -> Vec<PointLight> {
         let placed = |light: &PointLight| {
             let position = placement.point(light.position);
@@ -79,7 +79,7 @@ impl Content {
     }
 }
 
-/// The mesh at a place of its file, and there where the file goes.
+/// Puts a mesh at a place of its file, and that where the file goes.
 fn placed(mesh: &Mesh, place: &DAffine3, placement: &Placement) -> Result<Mesh, geometry::Error> {
     let point = |p: &Vec3| placement.wide_point(place.transform_point3(p.as_dvec3())).as_vec3();
     let positions = mesh.positions().iter().map(point).collect();
@@ -95,15 +95,15 @@ fn placed(mesh: &Mesh, place: &DAffine3, placement: &Placement) -> Result<Mesh, 
     )
 }
 
-/// What turns normals with a surface: the cofactors, which are the inverse transposed but for
-/// a positive factor, and exist where that does not.
+/// Returns what turns normals with a surface: the cofactors, which are the inverse transposed but
+/// for a positive factor, and exist where that does not.
 fn across(matrix: &DMat3) -> DMat3 {
     let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
     let sign = if matrix.determinant() < 0.0 { -1.0 } else { 1.0 };
     DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)) * sign
 }
 
-/// The same surface seen from behind.
+/// Turns a surface, so that it is seen from behind.
 fn turned(mesh: &Mesh) -> Result<Mesh, geometry::Error> {
     let triangles = mesh.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
     with_attributes(
@@ -113,7 +113,7 @@ fn turned(mesh: &Mesh) -> Result<Mesh, geometry::Error> {
     )
 }
 
-/// The mesh with normals and texture coordinates where there are any.
+/// Gives a mesh normals and texture coordinates where there are any.
 pub(super) fn with_attributes(
     mesh: Mesh,
     normals: Vec<Vec3>,

@@ -7,68 +7,68 @@ mod welder;
 
 use super::beside::Beside;
 use super::meshes::{Content, Piece};
+use super::pictures::Pictures;
+use super::source::ModelSource;
 use super::{Format, ModelFile, plain};
 use crate::import::counter::Counter;
 use crate::import::imported_material::ImportedMaterial;
 use crate::import::textures::Textures;
 use crate::load_options::LoadOptions;
+use crate::obj::mtl::Material;
 use crate::obj::{self, Document};
 use crate::source::Location;
 use crate::{Error, Warning};
 use material::MaterialImporter;
+use std::collections::HashMap;
 use welder::Welder;
 
-/// Beside the file, what was repaired in its pictures.
+/// Reads a file with its libraries, and returns with it what was repaired in its pictures.
 pub(super) fn read(
     location: &Location,
     options: LoadOptions<'_>,
     counter: &mut Counter,
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
-    let file = location.to_string();
-    let failed = |cause| Error::Obj { file: file.clone(), cause };
-    let bytes = location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?;
-    let document = obj::decode(&bytes, options.limits.obj()).map_err(failed)?;
-    drop(bytes);
+    let source = ModelSource::new(location);
+    let limits = options.limits.polygons();
+    let document =
+        obj::decode(&source.bytes()?, limits).map_err(|cause| source.malformed(cause))?;
     if document.faces.is_empty() {
-        return Err(Error::NothingToSee(file));
+        return Err(source.nothing_to_see());
     }
     let beside = Beside::of(location, options);
-    let (materials, warnings) = materials(&document, &beside, options, counter, &file)?;
-    for (what, count) in document.warnings.iter() {
-        counter.add_many(what, count);
-    }
-    let pieces = pieces(&document, materials.len() - 1, counter)
-        .map_err(|cause| Error::Model { file, cause: cause.into() })?;
-    Ok((ModelFile::of_meshes(Format::Obj, materials, Content::of_pieces(pieces)), warnings))
+    let library = library::read(&document, &beside, limits, counter)?;
+    let mut textures = Textures::new(options.limits);
+    let pictures = Pictures { textures: &mut textures, counter };
+    let materials = materials(&document, &library, MaterialImporter { beside: &beside, pictures })
+        .map_err(|cause| source.bad_material(cause))?;
+    counter.add_counts(&document.warnings);
+    let pieces =
+        pieces(&document, materials.len() - 1, counter).map_err(|cause| source.bad_mesh(cause))?;
+    let content = Content::of_pieces(pieces);
+    Ok((ModelFile::of_meshes(Format::Obj, materials, content), textures.into_warnings()))
 }
 
-/// Those of the document in its order, and last that of faces without one.
+/// Makes the materials of the document in its order, and last that of faces without one.
 fn materials(
     document: &Document,
-    beside: &Beside,
-    options: LoadOptions<'_>,
-    counter: &mut Counter,
-    file: &str,
-) -> Result<(Vec<ImportedMaterial>, Vec<Warning>), Error> {
-    let known = library::read(document, beside, options.limits.obj(), counter)?;
-    let mut textures = Textures::new(options.limits);
-    let mut importer = MaterialImporter { beside, textures: &mut textures, counter };
+    library: &HashMap<String, Material>,
+    mut importer: MaterialImporter<'_>,
+) -> Result<Vec<ImportedMaterial>, traylib_materials::Error> {
     let mut materials = Vec::with_capacity(document.materials.len() + 1);
-    let failed = |cause| Error::Material { file: file.to_string(), cause };
     for name in &document.materials {
-        let material = if let Some(material) = known.get(name) {
-            importer.imported(material)
+        materials.push(if let Some(material) = library.get(name) {
+            importer.imported(material)?
         } else {
-            importer.counter.add(format!("material `{name}` not found, shown grey"));
-            plain::material(name)
-        };
-        materials.push(material.map_err(failed)?);
+            let what = format!("material `{name}` not found, shown grey");
+            importer.pictures.counter.add(what);
+            plain::material(name)?
+        });
     }
-    materials.push(plain::material("").map_err(failed)?);
-    Ok((materials, textures.into_warnings()))
+    materials.push(plain::material("")?);
+    Ok(materials)
 }
 
-/// The polygons as triangles, for each material those alike in what their corners have.
+/// Cuts the polygons into triangles, for each material those alike in what their corners have.
 fn pieces(
     document: &Document,
     plain: usize,

@@ -8,10 +8,10 @@ use traylib_math::Rgb;
 /// What it reflects.
 pub(super) const GREY: f32 = 0.5;
 
-/// Grey, of two sides.
+/// Makes a grey material of two sides.
 ///
 /// # Errors
-/// None: grey is a colour.
+/// There are none: grey is a colour.
 pub(super) fn material(name: &str) -> Result<ImportedMaterial, Error> {
     let surface = SurfaceModel::Lambert(Lambert::new(Rgb::splat(GREY))?).into();
     let name = name.to_string();

@@ -3,6 +3,8 @@
 use super::arrays::Arrays;
 use super::beside::Beside;
 use super::meshes::{Content, Piece};
+use super::pictures::Pictures;
+use super::source::ModelSource;
 use super::{Format, ModelFile, plain};
 use crate::import::counter::Counter;
 use crate::import::imported_material::ImportedMaterial;
@@ -14,58 +16,46 @@ use crate::{Error, Warning, polygon};
 use std::collections::HashMap;
 use traylib_materials::{Layer, Maps};
 
-/// Beside the file, what was repaired in its picture.
+/// Reads a file, and returns with it what was repaired in its picture.
 pub(super) fn read(
     location: &Location,
     options: LoadOptions<'_>,
     counter: &mut Counter,
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
-    let file = location.to_string();
-    let bytes = location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?;
-    let document = ply::decode(&bytes, options.limits.ply())
-        .map_err(|cause| Error::Ply { file: file.clone(), cause })?;
-    drop(bytes);
+    let source = ModelSource::new(location);
+    let document = ply::decode(&source.bytes()?, options.limits.polygons())
+        .map_err(|cause| source.malformed(cause))?;
     if document.counts.is_empty() {
-        return Err(Error::NothingToSee(file));
+        return Err(source.nothing_to_see());
     }
-    for (what, count) in document.warnings.iter() {
-        counter.add_many(what, count);
-    }
+    counter.add_counts(&document.warnings);
     let mut textures = Textures::new(options.limits);
     let beside = Beside::of(location, options);
-    let material = material(&document, &beside, &mut textures, counter)
-        .map_err(|cause| Error::Material { file: file.clone(), cause })?;
-    let mesh = arrays(document)
-        .finish(counter)
-        .map_err(|cause| Error::Model { file, cause: cause.into() })?;
+    let mut pictures = Pictures { textures: &mut textures, counter };
+    let material =
+        material(&document, &beside, &mut pictures).map_err(|cause| source.bad_material(cause))?;
+    let mesh = arrays(document).finish(counter).map_err(|cause| source.bad_mesh(cause))?;
     let content = Content::of_pieces(vec![Piece { mesh, material: 0 }]);
     Ok((ModelFile::of_meshes(Format::Ply, vec![material], content), textures.into_warnings()))
 }
 
+/// Makes the only material: grey, or the first picture that the file names.
 fn material(
     document: &Document,
     beside: &Beside,
-    textures: &mut Textures,
-    counter: &mut Counter,
+    pictures: &mut Pictures<'_>,
 ) -> Result<ImportedMaterial, traylib_materials::Error> {
     let mut material = plain::material("")?;
     let has_uvs = !(document.uvs.is_empty() && document.corner_uvs.is_empty());
-    let Some(name) = document.textures.first().filter(|_| has_uvs) else { return Ok(material) };
-    let Some(location) = beside.find(name) else {
-        counter.add(format!("picture `{name}` not found, shown without"));
-        return Ok(material);
-    };
-    match textures.load(&location, Usage::plain(Meaning::Colour)) {
-        Ok(texture) => {
-            let diffuse = Some(Layer::new(texture));
-            material.surface.maps = Some(Box::new(Maps { diffuse, ..Maps::default() }));
-        }
-        Err(cause) => counter.add(cause),
+    if let Some(name) = document.textures.first().filter(|_| has_uvs) {
+        let picture = pictures.load(name, beside.find(name), Usage::plain(Meaning::Colour));
+        let maps = |texture| Maps { diffuse: Some(Layer::new(texture)), ..Maps::default() };
+        material.surface.maps = picture.map(|texture| Box::new(maps(texture)));
     }
     Ok(material)
 }
 
-/// The polygons as triangles.
+/// Cuts the polygons into triangles.
 fn arrays(document: Document) -> Arrays {
     let vertices = Vertices::of(&document);
     let Document { positions, normals, .. } = &document;
@@ -98,11 +88,11 @@ fn arrays(document: Document) -> Arrays {
 
 /// The vertices of triangles.
 enum Vertices {
-    /// Those of the file.
+    /// They are those of the file.
     AsTheyAre,
     /// One for each vertex and texture coordinates that meet in a corner.
     Split {
-        /// For each corner.
+        /// The number of the vertex of each corner.
         numbers: Vec<u32>,
         /// The vertex of the file.
         from: Vec<u32>,

@@ -7,6 +7,8 @@ mod skipped;
 mod welder;
 
 use super::folder::Folder;
+use super::pictures::Pictures;
+use super::source::ModelSource;
 use super::{Format, ModelFile};
 use crate::import::counter::Counter;
 use crate::import::imported_material::ImportedMaterial;
@@ -32,28 +34,27 @@ pub(super) struct Content {
     normals: Vec<Option<Vec<[Vec3; 3]>>>,
     lights: Vec<three_ds::Light>,
     camera: Option<ModelCamera>,
-    /// The look of faces without a material.
+    /// The number of the material of faces that name none.
     plain: usize,
 }
 
-/// Beside the file, what was repaired in its pictures.
+/// Reads a file, and returns with it what was repaired in its pictures.
 pub(super) fn read(
     location: &Location,
     limits: ReadLimits,
     counter: &mut Counter,
 ) -> Result<(ModelFile, Vec<Warning>), Error> {
-    let file = location.to_string();
-    let bytes =
-        location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?.into_owned();
-    let document = three_ds::decode_within(&bytes, limits.three_ds())
-        .map_err(|cause| Error::Mesh { file: file.clone(), cause })?;
+    let source = ModelSource::new(location);
+    let document = three_ds::decode_within(&source.bytes()?, limits.three_ds())
+        .map_err(|cause| source.malformed(cause))?;
     if document.meshes.iter().all(|mesh| mesh.faces.is_empty()) {
-        return Err(Error::NothingToSee(file));
+        return Err(source.nothing_to_see());
     }
     let mut textures = Textures::new(limits);
     let folder = Folder::of(location);
-    let mut importer = MapImporter { folder, textures: &mut textures, counter };
-    let model = model(document, &mut importer).map_err(|cause| Error::Material { file, cause })?;
+    let pictures = Pictures { textures: &mut textures, counter };
+    let model = model(document, &mut MapImporter { folder, pictures })
+        .map_err(|cause| source.bad_material(cause))?;
     Ok((model, textures.into_warnings()))
 }
 
@@ -65,7 +66,7 @@ fn model(
     let materials = document.materials.iter().chain([&plain]);
     let materials = materials.map(|material| material::imported(material, importer));
     let materials: Vec<ImportedMaterial> = materials.collect::<Result<_, _>>()?;
-    let counter = &mut *importer.counter;
+    let counter = &mut *importer.pictures.counter;
     let content = Content::new(document, materials.len() - 1, counter);
     let content = super::Content::ThreeDs(content);
     Ok(ModelFile { materials, format: Format::ThreeDs, content })
@@ -78,9 +79,7 @@ impl Content {
         let camera = document.cameras.iter().find_map(camera);
         let mut warnings = document.warnings;
         let normals = meshes.iter().map(|mesh| corner_normals(mesh, &mut warnings)).collect();
-        for (kind, count) in warnings.iter() {
-            counter.add_many(kind.to_string(), count);
-        }
+        counter.add_counts(&warnings);
         for (what, count) in skipped {
             counter.add_many(what, count);
         }
@@ -91,7 +90,7 @@ impl Content {
     pub(super) fn parts(&self, placement: &Placement) -> Result<Vec<ModelPart>, geometry::Error> {
         let mut parts = Vec::new();
         for (mesh, normals) in self.meshes.iter().zip(&self.normals) {
-            for (material, faces) in self.faces_by_look(mesh) {
+            for (material, faces) in self.faces_by_material(mesh) {
                 let mut welder = Welder::new(mesh, normals.as_deref(), placement);
                 let triangles = faces.into_iter().map(|face| welder.triangle(face)).collect();
                 let shape = ObjectShape::Mesh(welder.finish(triangles)?);
@@ -101,7 +100,7 @@ impl Content {
         Ok(parts)
     }
 
-    fn faces_by_look(&self, mesh: &Mesh) -> BTreeMap<usize, Vec<usize>> {
+    fn faces_by_material(&self, mesh: &Mesh) -> BTreeMap<usize, Vec<usize>> {
         let mut materials: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (index, face) in mesh.faces.iter().enumerate() {
             materials.entry(face.material.unwrap_or(self.plain)).or_default().push(index);

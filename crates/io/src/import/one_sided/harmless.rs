@@ -27,7 +27,7 @@ impl<'a> Surroundings<'a> {
         Self { items, bounds: bounds.collect(), points, work: MOST_WORK }
     }
 
-    /// Whether both ends of every line see the same of this item; `false` where that
+    /// Tells whether both ends of every line see the same of this item; `false` where that
     /// would take long to find out.
     pub(super) fn is_harmless(&mut self, index: usize) -> bool {
         let Described { item, material, .. } = self.items[index];
@@ -56,7 +56,7 @@ fn overlap(a: &Aabb, b: &Aabb) -> bool {
     a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
 }
 
-/// Whether a surface has no point in a box. A sphere is also apart if the box is inside.
+/// Tells whether a surface has no point in a box. A sphere is also apart if the box is inside.
 fn is_apart(primitive: &Primitive, within: &Aabb) -> bool {
     let is_around = |centre: Vec3, radius: f32| {
         let farthest = (within.min - centre).abs().max((within.max - centre).abs());
@@ -77,7 +77,7 @@ fn is_closed(shape: &ObjectShape) -> bool {
     }
 }
 
-/// Whether each edge is gone along as often one way as the other. Corners are the same
+/// Tells whether each edge is gone along as often one way as the other. Corners are the same
 /// if they are at the same place.
 pub(in crate::import) fn is_closed_mesh(mesh: &Mesh) -> bool {
     let mut edges: HashMap<[[u32; 3]; 2], i64> = HashMap::new();

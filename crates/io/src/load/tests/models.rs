@@ -159,7 +159,7 @@ fn files_that_make_no_scene_say_why() {
     fs::write(&path, "text").unwrap();
     let error = load_scene(&path.to_string_lossy()).unwrap_err();
     fs::remove_file(&path).unwrap();
-    assert!(matches!(error, Error::Mesh { .. }), "{error:?}");
+    assert!(matches!(error, Error::Format { .. }), "{error:?}");
 }
 
 /// A limit that a file exceeds is named as programs know it, and can be raised, also where

@@ -8,7 +8,7 @@ use traylib_math::glam::DVec3;
 pub(super) struct Axis {
     /// Where heights begin.
     pub(super) base: DVec3,
-    /// Of length one.
+    /// The direction of the axis, of length one.
     pub(super) direction: DVec3,
     /// Whether fronts and normals are turned inside out.
     pub(super) inward: bool,

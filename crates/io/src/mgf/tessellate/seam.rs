@@ -85,13 +85,13 @@ fn nearest(points: &[DVec2], eye: DVec2) -> usize {
     (0..points.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
 }
 
-/// Whether a point is in a triangle of either sense, its border included.
+/// Tells whether a point is in a triangle of either sense, its border included.
 fn inside([a, b, c]: [DVec2; 3], point: DVec2) -> bool {
     let turns = [turn(a, b, point), turn(b, c, point), turn(c, a, point)];
     turns.iter().all(|&t| t >= 0.0) || turns.iter().all(|&t| t <= 0.0)
 }
 
-/// Whether the polygon's inside at a corner is toward a point. Where corners of
+/// Tells whether the polygon's inside at a corner is toward a point. Where corners of
 /// several seams coincide, it is at one of them.
 fn opens_to(points: &[DVec2], index: usize, eye: DVec2) -> bool {
     let count = points.len();

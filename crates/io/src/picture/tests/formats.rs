@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Of every width modulo 2 and 4, and both sides of where compressed runs end.
+/// Sizes of every width modulo 2 and 4, and both sides of where compressed runs end.
 const SIZES: [(usize, usize); 8] =
     [(1, 1), (2, 3), (3, 2), (5, 1), (17, 4), (255, 2), (511, 2), (62, 3)];
 

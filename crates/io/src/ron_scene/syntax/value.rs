@@ -9,7 +9,7 @@ use crate::suggest::shown;
 use ron::error::Error;
 use std::ops::Range;
 
-/// Whether an error is about the kind of a value, and not about brackets and commas.
+/// Tells whether an error is about the kind of a value, and not about brackets and commas.
 #[expect(clippy::wildcard_enum_match_arm, reason = "the parser's open set")]
 pub(super) fn is_about(stop: &Stop<'_>, code: &Error) -> bool {
     let begins_here = || stop.context().is_some_and(|context| context.value.start == stop.place);

@@ -5,7 +5,7 @@ use traylib_math::Sampler;
 
 const LIMITS: TextureLimits = TextureLimits { pixels: 1 << 12, file_bytes: 1 << 20 };
 
-/// Whether it can be read; what is read is whole.
+/// Tells whether it can be read; what is read is whole.
 fn survives(format: &str, bytes: &[u8]) -> bool {
     match texture_from_bytes(bytes, Path::new("a.tga"), LIMITS) {
         Ok(found) => {

@@ -229,8 +229,8 @@ mod tests {
         let keys = [key(0, &[], &floats(&[f32::NAN])), key(1, &[], &floats(&[2.0]))];
         let (found, warnings) = decoded(TrackKind::Roll, &track(u32::MAX, &keys));
         assert_eq!(found.keys.len(), 1);
-        assert_eq!(warnings.count(WarningKind::ListCut), 1);
-        assert_eq!(warnings.count(WarningKind::NumberNotFinite), 1);
+        assert_eq!(warnings.count(&WarningKind::ListCut), 1);
+        assert_eq!(warnings.count(&WarningKind::NumberNotFinite), 1);
         assert_eq!(decoded(TrackKind::Roll, &[1, 0, 9]).0.keys, []);
     }
 }

@@ -80,9 +80,9 @@ fn damaged_lights_lose_what_is_damaged() {
     assert_eq!(light.unwrap(), Light::new("lamp".to_string(), Vec3::ZERO));
     let kinds =
         [WarningKind::ColourNotFinite, WarningKind::RecordCut, WarningKind::NumberNotFinite];
-    assert_eq!(kinds.map(|kind| warnings.count(kind)), [1; 3]);
+    assert_eq!(kinds.map(|kind| warnings.count(&kind)), [1; 3]);
     for numbers in [&[0.0, 1.0][..], &[0.0, f32::NAN, 0.0]] {
         let (light, warnings) = decoded(numbers, &[]);
-        assert_eq!((light, warnings.count(WarningKind::LightWithoutPlace)), (None, 1));
+        assert_eq!((light, warnings.count(&WarningKind::LightWithoutPlace)), (None, 1));
     }
 }

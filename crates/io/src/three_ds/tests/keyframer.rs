@@ -74,8 +74,8 @@ fn parents_that_make_no_sense_are_opened() {
     let (keyframer, warnings) = keyframer(&nodes);
     let parents: Vec<_> = keyframer.nodes.iter().map(|node| node.parent).collect();
     assert_eq!(parents, [Some(1), None, None]);
-    assert_eq!(warnings.count(WarningKind::ParentLoop), 1);
-    assert_eq!(warnings.count(WarningKind::ParentUnknown), 1);
+    assert_eq!(warnings.count(&WarningKind::ParentLoop), 1);
+    assert_eq!(warnings.count(&WarningKind::ParentUnknown), 1);
 }
 
 #[test]

@@ -32,7 +32,7 @@ struct Audit<'a> {
     items: Vec<u32>,
     /// So many so far, as also of blocks and shapes: each must come in its turn.
     nodes: usize,
-    /// By [`BlockKind`].
+    /// The number of blocks by [`BlockKind`].
     blocks: [usize; 4],
     shapes: usize,
     depth: usize,

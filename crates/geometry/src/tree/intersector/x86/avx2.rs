@@ -65,7 +65,7 @@ impl<T: Copy> Avx2<T> {
 
 /// The boxes of a node that a ray meets.
 struct Met {
-    /// By box.
+    /// Where the ray enters, by box.
     enter: __m256,
     /// Which box comes at which place, the farthest first; `None` for box by box.
     order: Option<__m256i>,

@@ -16,11 +16,12 @@
 //! cosine: a dielectric at 80° reflects 0.39 there and 0.01 here.
 
 use crate::gltf::{AlphaMode, Image, Material, Picture, Wrap};
-use crate::import::counter::Counter;
 use crate::import::imported_material::ImportedMaterial;
+use crate::import::model::appearance::{Appearance, SHARPEST};
 use crate::import::model::beside::Beside;
-use crate::import::model::gloss;
-use crate::import::textures::{Meaning, PictureSource, Textures, Usage};
+use crate::import::model::pictures::Pictures;
+use crate::import::model::plain;
+use crate::import::textures::{Meaning, PictureSource, Usage};
 use std::sync::Arc;
 use traylib_geometry::Sides;
 use traylib_materials::{self as materials, Layer, Maps, Texture, Tiling};
@@ -36,88 +37,67 @@ pub(super) struct MaterialImporter<'a> {
     pub(super) file: &'a str,
     pub(super) images: &'a [Image],
     pub(super) beside: &'a Beside,
-    pub(super) textures: &'a mut Textures,
-    pub(super) counter: &'a mut Counter,
+    pub(super) pictures: Pictures<'a>,
 }
 
 impl MaterialImporter<'_> {
-    /// A material as it can be rendered.
+    /// Makes the materials of a document, and last that of what has none.
     ///
     /// # Errors
-    /// A number that makes no material.
-    pub(super) fn imported(
+    /// A number makes no material.
+    pub(super) fn all(
         &mut self,
-        material: &Material,
-    ) -> Result<ImportedMaterial, materials::Error> {
+        materials: &[Material],
+    ) -> Result<Vec<ImportedMaterial>, materials::Error> {
+        let plain = plain::material("");
+        let plain = plain.map(|plain| ImportedMaterial { sides: Sides::Front, ..plain });
+        let materials = materials.iter().map(|material| self.imported(material));
+        materials.chain([plain]).collect()
+    }
+
+    fn imported(&mut self, material: &Material) -> Result<ImportedMaterial, materials::Error> {
         self.note_skipped(material);
         let [roughness, metallic] = self.roughness_and_metal(material);
         let colour = material.base_colour;
         let diffuse = colour * ((1.0 - metallic) * (1.0 - DIELECTRIC));
-        let dielectric = Rgb::splat(DIELECTRIC * (1.0 - metallic));
-        let specular = dielectric + colour * metallic;
-        let mut maps = Maps::default();
-        let picture = material.base_colour_picture.as_ref();
-        if let Some(picture) = picture.filter(|picture| self.is_usable(picture)) {
-            let usage = |meaning, factor| Usage { meaning, negative: false, factor };
-            maps.diffuse = self.layer(picture, usage(Meaning::Colour, diffuse));
-            if metallic > 0.0 && maps.diffuse.is_some() {
-                // Over what a dielectric has: 0.04·(1 − m) + m·c.
-                maps.specular = self
-                    .layer(picture, usage(Meaning::Colour, colour))
-                    .map(|layer| Layer { strength: metallic, ..layer });
-            }
-            let alpha = Rgb::splat(material.alpha);
-            let opacity = match material.alpha_mode {
-                AlphaMode::Opaque => None,
-                AlphaMode::Blend => Some(Meaning::Alpha),
-                AlphaMode::Mask => Some(Meaning::Mask(material.alpha_cutoff.to_bits())),
-            };
-            maps.opacity = opacity.and_then(|meaning| self.layer(picture, usage(meaning, alpha)));
-        }
-        self.finished(material, maps, [diffuse, specular], roughness, metallic)
-    }
-
-    fn finished(
-        &mut self,
-        material: &Material,
-        mut maps: Maps,
-        [diffuse, specular]: [Rgb; 2],
-        roughness: f32,
-        metallic: f32,
-    ) -> Result<ImportedMaterial, materials::Error> {
-        let share = match material.alpha_mode {
-            AlphaMode::Opaque => 1.0,
-            AlphaMode::Blend => material.alpha,
-            AlphaMode::Mask if material.alpha >= material.alpha_cutoff => 1.0,
-            AlphaMode::Mask => 0.0,
-        };
-        let is_plain = maps == Maps::default();
-        // Textures replace colours, so that what is behind cannot be taken off them.
-        if !is_plain && maps.opacity.is_none() && share < 1.0 {
-            maps.opacity = even(share);
-        }
-        maps.opacity = maps.opacity.and_then(|layer| self.textures.opacity(layer));
-        let clear = if is_plain { 1.0 - share } else { 0.0 };
+        let maps = self.maps(material, diffuse, metallic);
         // The part of a metal comes with the picture, over that of a dielectric.
-        let base = if maps.specular.is_some() && metallic > 0.0 {
+        let specular = if maps.specular.is_some() {
             Rgb::splat(DIELECTRIC)
         } else {
-            specular
+            Rgb::splat(DIELECTRIC * (1.0 - metallic)) + colour * metallic
         };
-        let (model, was_scaled) =
-            gloss::surface_model([diffuse, base], exponent(roughness), 1.0 - clear)?;
-        if was_scaled {
-            self.counter.add(gloss::SCALED);
-        }
-        let maps = (!is_plain).then(|| Box::new(maps));
+        let (exponent, share) = (exponent(roughness), share(material));
+        let appearance = Appearance { diffuse, specular, exponent, share, maps };
+        let surface = appearance.material(&mut self.pictures)?;
         let emission =
             if material.has_normal_occlusion_emission[2] { Rgb::BLACK } else { material.emission };
-        Ok(ImportedMaterial {
-            name: material.name.clone(),
-            surface: materials::Material { model, through: Rgb::splat(clear), maps },
-            sides: if material.double_sided { Sides::Both } else { Sides::Front },
-            emission,
-        })
+        let sides = if material.double_sided { Sides::Both } else { Sides::Front };
+        Ok(ImportedMaterial { name: material.name.clone(), surface, sides, emission })
+    }
+
+    /// Loads what the picture of colour and alpha is for: the diffuse part, that of a metal, and
+    /// opacity.
+    fn maps(&mut self, material: &Material, diffuse: Rgb, metallic: f32) -> Maps {
+        let mut maps = Maps::default();
+        let picture = material.base_colour_picture.as_ref();
+        let Some(picture) = picture.filter(|picture| self.is_usable(picture)) else { return maps };
+        let usage = |meaning, factor| Usage { meaning, negative: false, factor };
+        maps.diffuse = self.layer(picture, usage(Meaning::Colour, diffuse));
+        if metallic > 0.0 && maps.diffuse.is_some() {
+            // Over what a dielectric has: 0.04·(1 − m) + m·c.
+            maps.specular = self
+                .layer(picture, usage(Meaning::Colour, material.base_colour))
+                .map(|layer| Layer { strength: metallic, ..layer });
+        }
+        let opacity = match material.alpha_mode {
+            AlphaMode::Opaque => None,
+            AlphaMode::Blend => Some(Meaning::Alpha),
+            AlphaMode::Mask => Some(Meaning::Mask(material.alpha_cutoff.to_bits())),
+        };
+        let alpha = Rgb::splat(material.alpha);
+        maps.opacity = opacity.and_then(|meaning| self.layer(picture, usage(meaning, alpha)));
+        maps
     }
 
     fn note_skipped(&mut self, material: &Material) {
@@ -131,11 +111,11 @@ impl MaterialImporter<'_> {
             ),
             (material.is_unlit, "surface of the same light from everywhere shown as diffuse"),
         ] {
-            self.counter.add_many(what, u32::from(is_there));
+            self.pictures.counter.add_many(what, u32::from(is_there));
         }
     }
 
-    /// Of pictures of them the mean.
+    /// Returns both; where pictures say them, their mean.
     fn roughness_and_metal(&mut self, material: &Material) -> [f32; 2] {
         if material.is_unlit {
             return [1.0, 0.0];
@@ -145,14 +125,16 @@ impl MaterialImporter<'_> {
         let texture = self.texture(picture, Usage::plain(Meaning::Amount));
         let Some(texture) = texture else { return factors };
         let mean = texture.mean();
-        self.counter.add("picture of metal and roughness: its mean taken for all of the surface");
+        self.pictures
+            .counter
+            .add("picture of metal and roughness: its mean taken for all of the surface");
         [factors[0] * mean.g.clamp(0.0, 1.0), factors[1] * mean.b.clamp(0.0, 1.0)]
     }
 
     fn is_usable(&mut self, picture: &Picture) -> bool {
         let scale = picture.transform.matrix2;
         let has_extent = scale.determinant() != 0.0;
-        self.counter.add_many("picture of no extent skipped", u32::from(!has_extent));
+        self.pictures.counter.add_many("picture of no extent skipped", u32::from(!has_extent));
         has_extent
     }
 
@@ -160,7 +142,9 @@ impl MaterialImporter<'_> {
         let texture = self.texture(picture, usage)?;
         let [along_u, along_v] = picture.wrap;
         if along_u != along_v || along_u == Wrap::Clamp {
-            self.counter.add("picture whose edge goes on, or does so one way alone: repeated");
+            self.pictures
+                .counter
+                .add("picture whose edge goes on, or does so one way alone: repeated");
         }
         let tiling = match along_u {
             Wrap::Mirror if along_v == Wrap::Mirror => Tiling::Mirror,
@@ -174,32 +158,33 @@ impl MaterialImporter<'_> {
 
     fn texture(&mut self, picture: &Picture, usage: Usage) -> Option<Arc<Texture>> {
         let Some(index) = picture.image else {
-            self.counter.add("picture in a format that an extension brings skipped");
+            self.pictures.counter.add("picture in a format that an extension brings skipped");
             return None;
         };
         let loaded = match &self.images[index] {
-            Image::File(name) => match self.beside.find(name) {
-                Some(location) => self.textures.load(&location, usage),
-                None => Err(format!("picture `{name}` not found, shown without")),
-            },
+            Image::File(name) => return self.pictures.load(name, self.beside.find(name), usage),
             Image::Bytes(bytes) => {
                 let name = format!("{}: image {index}", self.file);
-                self.textures.load_from(&PictureSource::Bytes { name, bytes }, usage)
+                self.pictures.textures.load_from(&PictureSource::Bytes { name, bytes }, usage)
             }
             Image::Missing(why) => Err(format!("picture {index} cannot be read: {why}")),
         };
-        loaded.map_err(|cause| self.counter.add(cause)).ok()
+        self.pictures.counted(loaded)
     }
 }
 
-/// About the mirror direction.
+/// The exponent of a lobe about the mirror direction.
 fn exponent(roughness: f32) -> f32 {
     let slope = roughness * roughness;
-    (0.5 / (slope * slope)).clamp(1.0, gloss::SHARPEST)
+    (0.5 / (slope * slope)).clamp(1.0, SHARPEST)
 }
 
-/// The same everywhere.
-fn even(value: f32) -> Option<Layer> {
-    let texture = Texture::new(traylib_math::Grid::filled(1, 1, Rgb::splat(value)))?;
-    Some(Layer::new(Arc::new(texture)))
+/// How much of a surface is there where no picture says it.
+fn share(material: &Material) -> f32 {
+    match material.alpha_mode {
+        AlphaMode::Opaque => 1.0,
+        AlphaMode::Blend => material.alpha,
+        AlphaMode::Mask if material.alpha >= material.alpha_cutoff => 1.0,
+        AlphaMode::Mask => 0.0,
+    }
 }

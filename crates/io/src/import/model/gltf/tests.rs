@@ -1,8 +1,10 @@
 //! What becomes of glTF files, held against what they mean.
 
 use super::*;
+use crate::import::imported_material::ImportedMaterial;
 use crate::import::model_part::ModelPart;
 use crate::import::placement::Placement;
+use traylib_geometry::Sides;
 use traylib_geometry::{Mesh, Vec3};
 use traylib_materials::{Phong, SurfaceModel, Tiling};
 use traylib_math::{Grid, Rgb, Vec2};
@@ -71,7 +73,7 @@ fn metal_and_roughness_become_diffuse_and_phong() {
     assert_eq!(exponent("1"), Phong::new(Rgb::BLACK, Rgb::WHITE, 1.0).unwrap());
 }
 
-/// Of a metal the picture is the specular part, of anything else the diffuse one.
+/// The picture is the specular part of a metal, and of anything else the diffuse one.
 #[test]
 fn pictures_show_in_both_parts() {
     let at = |layer: &Option<traylib_materials::Layer>| {

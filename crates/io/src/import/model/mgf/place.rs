@@ -47,7 +47,7 @@ pub(super) fn placed(shape: &Shape, placement: &Placement) -> Shape {
     }
 }
 
-/// The same surface with its front where its back was. Prisms stay: both of their
+/// Turns a surface, so that its front is where its back was. Prisms stay: both of their
 /// sides are never wanted.
 pub(super) fn turned(shape: &Shape) -> Shape {
     let mut shape = shape.clone();

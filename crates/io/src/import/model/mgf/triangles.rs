@@ -9,7 +9,7 @@ use traylib_geometry::{self as geometry, Mesh};
 use traylib_math::Vec3;
 use traylib_scene::ObjectShape;
 
-/// Of a quarter circle, for shapes that are not rendered as they are: a torus
+/// Parts of a quarter circle, for shapes that are not rendered as they are: a torus
 /// has 40 × 40 quads. Corners lie on the shape and have its normals.
 const DIVISIONS: u32 = 2 * DEFAULT_DIVISIONS;
 

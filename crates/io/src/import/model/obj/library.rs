@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::import::counter::Counter;
 use crate::import::model::beside::Beside;
+use crate::import::model::source::ModelSource;
 use crate::obj::mtl::{self, Material};
 use crate::obj::{Document, Limits};
 use crate::source::Location;
@@ -11,7 +12,7 @@ use std::collections::HashMap;
 /// Material libraries that one file may name.
 const MOST: usize = 1000;
 
-/// All materials by name; of those with the same name the first.
+/// Reads all materials by name; of those with the same name the first.
 ///
 /// # Errors
 /// A library cannot be read or makes no sense. One that is not there is a warning.
@@ -35,7 +36,7 @@ pub(super) fn read(
     Ok(materials)
 }
 
-/// One file whose name may have blanks, else several between blanks.
+/// Finds one file whose name may have blanks, else several between blanks.
 fn locations(name: &str, beside: &Beside, counter: &mut Counter) -> Vec<Location> {
     if let Some(whole) = beside.find(name) {
         return vec![whole];
@@ -60,12 +61,9 @@ fn add(
     counter: &mut Counter,
     materials: &mut HashMap<String, Material>,
 ) -> Result<(), Error> {
-    let file = location.to_string();
-    let bytes = location.read().map_err(|cause| Error::Read { file: file.clone(), cause })?;
-    let library = mtl::decode(&bytes, limits).map_err(|cause| Error::Obj { file, cause })?;
-    for (what, count) in library.warnings.iter() {
-        counter.add_many(what, count);
-    }
+    let source = ModelSource::new(location);
+    let library = mtl::decode(&source.bytes()?, limits).map_err(|cause| source.malformed(cause))?;
+    counter.add_counts(&library.warnings);
     for material in library.materials {
         materials.entry(material.name.clone()).or_insert(material);
     }

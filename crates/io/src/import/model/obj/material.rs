@@ -9,18 +9,17 @@
 //! | map_Kd, map_Ks, map_d | pictures times Kd, Ks, d |
 //! | map_Bump | height, of which 1 is a hundredth of a unit of u times `-bm` |
 
-use crate::import::counter::Counter;
 use crate::import::imported_material::ImportedMaterial;
+use crate::import::model::appearance::{Appearance, SHARPEST};
 use crate::import::model::beside::Beside;
-use crate::import::model::gloss;
+use crate::import::model::pictures::Pictures;
 use crate::import::model::plain::GREY;
-use crate::import::textures::{Meaning, Textures, Usage};
+use crate::import::textures::{Meaning, Usage};
 use crate::obj::mtl::{Map, MapKind, Material};
-use std::sync::Arc;
 use traylib_geometry::Sides;
-use traylib_materials::{self as materials, Bump, Layer, Maps, Texture, Tiling};
+use traylib_materials::{self as materials, Bump, Layer, Maps, Tiling};
+use traylib_math::Rgb;
 use traylib_math::glam::Affine2;
-use traylib_math::{Grid, Rgb};
 
 /// Height of a bump map, in lengths of a unit of u.
 const BUMP_HEIGHT: f32 = 0.01;
@@ -28,48 +27,50 @@ const BUMP_HEIGHT: f32 = 0.01;
 /// Turns materials of a library into ours.
 pub(super) struct MaterialImporter<'a> {
     pub(super) beside: &'a Beside,
-    pub(super) textures: &'a mut Textures,
-    pub(super) counter: &'a mut Counter,
+    pub(super) pictures: Pictures<'a>,
 }
 
 impl MaterialImporter<'_> {
-    /// A material as it can be rendered.
+    /// Makes a material that can be rendered.
     ///
     /// # Errors
-    /// A number that makes no material.
+    /// A number makes no material.
     pub(super) fn imported(
         &mut self,
         material: &Material,
     ) -> Result<ImportedMaterial, materials::Error> {
         let share = self.share(material);
         let [diffuse, specular] = self.colours(material);
-        let maps = self.maps(material, [diffuse, specular], share);
-        // A picture of opacity says the same where there are others.
-        let clear = if maps.is_none() { 1.0 - share } else { 0.0 };
-        let exponent = material.exponent.unwrap_or(1.0).clamp(0.0, gloss::SHARPEST);
-        let (model, was_scaled) = gloss::surface_model([diffuse, specular], exponent, 1.0 - clear)?;
-        if was_scaled {
-            self.counter.add(gloss::SCALED);
-        }
-        let surface = materials::Material { model, through: Rgb::splat(clear), maps };
+        let appearance = Appearance {
+            diffuse,
+            specular,
+            exponent: material.exponent.unwrap_or(1.0).clamp(0.0, SHARPEST),
+            share,
+            maps: self.maps(material, [diffuse, specular], share),
+        };
+        let surface = appearance.material(&mut self.pictures)?;
         let (name, emission) = (material.name.clone(), self.emission(material));
         Ok(ImportedMaterial { name, surface, sides: Sides::Both, emission })
     }
 
-    /// How much of the surface is there.
+    fn warn(&mut self, what: impl Into<String>) {
+        self.pictures.counter.add(what);
+    }
+
+    /// Returns how much of the surface is there.
     fn share(&mut self, material: &Material) -> f32 {
         let clear = matches!(material.illumination, Some(6 | 7));
         if clear && material.index.is_some_and(|index| index != 1.0) {
-            self.counter.add("refraction skipped (`illum` 6 or 7), light passes straight");
+            self.warn("refraction skipped (`illum` 6 or 7), light passes straight");
         }
         if material.filter.is_some_and(|filter| filter != Rgb::WHITE) {
-            self.counter.add("colour of what passes (`Tf`) skipped");
+            self.warn("colour of what passes (`Tf`) skipped");
         }
         let transparency = material.transparency.map(|clear| 1.0 - clear);
         material.dissolve.or(transparency).unwrap_or(1.0).clamp(0.0, 1.0)
     }
 
-    /// kd and ks, brought into 0..1.
+    /// Returns kd and ks, brought into 0..1.
     fn colours(&mut self, material: &Material) -> [Rgb; 2] {
         let has = |wanted| material.maps.iter().any(|(kind, _)| *kind == wanted);
         let diffuse = material
@@ -80,7 +81,7 @@ impl MaterialImporter<'_> {
         let specular = if shines { material.specular.unwrap_or(usual) } else { Rgb::BLACK };
         [diffuse, specular].map(|colour| {
             if colour != colour.saturated() {
-                self.counter.add("colour of a material not from 0 to 1, brought there");
+                self.warn("colour of a material not from 0 to 1, brought there");
             }
             colour.saturated()
         })
@@ -89,22 +90,17 @@ impl MaterialImporter<'_> {
     fn emission(&mut self, material: &Material) -> Rgb {
         let emission = material.emission.unwrap_or(Rgb::BLACK);
         if material.maps.iter().any(|(kind, _)| *kind == MapKind::Emission) {
-            self.counter.add("picture of what a surface emits skipped, and what it emits");
+            self.warn("picture of what a surface emits skipped, and what it emits");
             return Rgb::BLACK;
         }
         if emission.min_band() < 0.0 {
-            self.counter.add("emission that takes light away skipped");
+            self.warn("emission that takes light away skipped");
         }
         Rgb::from(emission.to_array().map(|band| band.max(0.0)))
     }
 
-    /// The maps that are rendered; `None` if there are none.
-    fn maps(
-        &mut self,
-        material: &Material,
-        [diffuse, specular]: [Rgb; 2],
-        share: f32,
-    ) -> Option<Box<Maps>> {
+    /// Loads the maps that are rendered.
+    fn maps(&mut self, material: &Material, [diffuse, specular]: [Rgb; 2], share: f32) -> Maps {
         let mut maps = Maps::default();
         for (kind, map) in &material.maps {
             match kind {
@@ -123,47 +119,28 @@ impl MaterialImporter<'_> {
                 | MapKind::Exponent
                 | MapKind::Displacement
                 | MapKind::Decal
-                | MapKind::Reflection => self.counter.add(format!("{} skipped", name(*kind))),
+                | MapKind::Reflection => self.warn(format!("{} skipped", name(*kind))),
             }
         }
-        if maps == Maps::default() {
-            return None;
-        }
-        // Textures replace colours, so that what is behind cannot be taken off them.
-        if maps.opacity.is_none() && share < 1.0 {
-            maps.opacity = even(share);
-        }
-        maps.opacity = maps.opacity.and_then(|layer| self.textures.opacity(layer));
-        Some(Box::new(maps))
+        maps
     }
 
     fn layer(&mut self, map: &Map, meaning: Meaning, factor: Rgb) -> Option<Layer> {
-        let Some(file) = self.beside.find(&map.file) else {
-            self.counter.add(format!("picture `{}` not found, shown without", map.file));
-            return None;
-        };
         let usage = Usage { meaning, negative: false, factor };
-        let texture = self.textures.load(&file, usage).map_err(|cause| self.counter.add(cause));
+        let texture = self.pictures.load(&map.file, self.beside.find(&map.file), usage)?;
         let placement = Affine2::from_scale_angle_translation(map.scale, 0.0, map.offset);
         let tiling = if map.clamp { Tiling::Once } else { Tiling::Repeat };
         let usable = placement.is_finite() && map.scale.cmpne(traylib_math::Vec2::ZERO).all();
         if !usable {
-            self.counter.add("picture of no extent skipped");
+            self.warn("picture of no extent skipped");
         }
-        let layer = |texture| Layer { placement, tiling, ..Layer::new(texture) };
-        texture.ok().filter(|_| usable).map(layer)
+        usable.then(|| Layer { placement, tiling, ..Layer::new(texture) })
     }
 
     fn bump(&mut self, map: &Map) -> Option<Bump> {
         let layer = self.layer(map, Meaning::Amount, Rgb::WHITE)?;
         Some(Bump { layer, height: BUMP_HEIGHT * map.height })
     }
-}
-
-/// The same everywhere.
-fn even(value: f32) -> Option<Layer> {
-    let texture = Texture::new(Grid::filled(1, 1, Rgb::splat(value)))?;
-    Some(Layer::new(Arc::new(texture)))
 }
 
 fn name(kind: MapKind) -> &'static str {

@@ -10,12 +10,12 @@ use std::collections::HashMap;
 use traylib_math::Vec3;
 use traylib_math::glam::DVec3;
 
-/// Whether a face's normals are those of its group.
+/// Tells whether a face's normals are those of its group.
 pub(super) fn is_smoothed(face: &Face, corners: &[Corner]) -> bool {
     face.smoothing != 0 && corners.iter().any(|corner| corner.normal.is_none())
 }
 
-/// A unit normal for each position and group that meet.
+/// Computes a unit normal for each position and group that meet.
 pub(super) fn normals(document: &Document) -> HashMap<(u32, u32), Vec3> {
     let mut sums: HashMap<(u32, u32), DVec3> = HashMap::new();
     for face in &document.faces {

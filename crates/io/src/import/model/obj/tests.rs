@@ -57,7 +57,7 @@ fn read(test: &str, text: &str) -> (ModelFile, Vec<String>) {
     Folder::new(test, &[("a.obj", text)]).read().unwrap()
 }
 
-/// Of an L, whose fan from the first corner would leave the polygon.
+/// An L is cut, whose fan from the first corner would leave the polygon.
 #[test]
 fn polygons_need_not_be_convex() {
     let text = "v 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\nf 1 2 3 4 5 6\n";

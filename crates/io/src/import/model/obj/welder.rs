@@ -2,7 +2,7 @@
 
 use super::smoothing;
 use crate::import::model::arrays::Arrays;
-use crate::obj::{Corner, Document, Face};
+use crate::obj::{Corner, Document, Face, Index};
 use crate::polygon;
 use std::collections::{BTreeMap, HashMap};
 use traylib_math::Vec3;
@@ -17,21 +17,30 @@ enum Normal {
     None,
     /// One of the file's.
     Given(u32),
-    /// That of a smoothing group there.
+    /// The normal of a smoothing group there.
     Smooth(u32),
-    /// That of this face.
+    /// The normal of this face.
     Flat(u32),
 }
 
 /// A corner that others may share: position, texture coordinates, normal.
 type Shared = (u32, Option<u32>, Normal);
 
+/// Collects polygons into meshes, one for each [`Key`].
 pub(super) struct Welder<'a> {
     document: &'a Document,
+    /// The normals of smoothing groups, by position and group.
     smooth: HashMap<(u32, u32), Vec3>,
-    meshes: BTreeMap<Key, (Arrays, HashMap<Shared, u32>)>,
+    meshes: BTreeMap<Key, Welded>,
     /// Faces so far.
     faces: u32,
+}
+
+/// A mesh under way, and the numbers of its corners.
+#[derive(Default)]
+struct Welded {
+    arrays: Arrays,
+    numbers: HashMap<Shared, u32>,
 }
 
 impl<'a> Welder<'a> {
@@ -40,6 +49,7 @@ impl<'a> Welder<'a> {
         Self { document, smooth, meshes: BTreeMap::new(), faces: 0 }
     }
 
+    /// Adds a polygon as triangles.
     pub(super) fn add(&mut self, face: &Face) {
         let corners = self.document.corners_of(face);
         let has_uvs = corners.iter().all(|corner| corner.uv.is_some());
@@ -47,42 +57,60 @@ impl<'a> Welder<'a> {
             face.smoothing != 0 || corners.iter().any(|corner| corner.normal.is_some());
         let number = self.faces;
         self.faces += 1;
-        let position = |corner: &Corner| self.document.positions[corner.position as usize];
-        let outline = || corners.iter().map(|corner| position(corner).as_dvec3());
+        let outline = || corners.iter().map(|corner| position(self.document, corner).as_dvec3());
         let front = polygon::newell(outline());
         let triangles = match corners.len() {
             3 => vec![[0, 1, 2]],
             _ => polygon::cut(outline(), front),
         };
-        let (arrays, numbers) =
-            self.meshes.entry((face.material, has_uvs, has_normals)).or_default();
+        let welded = self.meshes.entry((face.material, has_uvs, has_normals)).or_default();
         let mut shared = |corner: &Corner| {
-            let uv = corner.uv.filter(|_| has_uvs).map(crate::obj::Index::get);
+            let uv = corner.uv.filter(|_| has_uvs).map(Index::get);
             let normal = match (has_normals, corner.normal, face.smoothing) {
                 (false, ..) => Normal::None,
                 (true, Some(index), _) => Normal::Given(index.get()),
                 (true, None, 0) => Normal::Flat(number),
                 (true, None, group) => Normal::Smooth(group),
             };
-            *numbers.entry((corner.position, uv, normal)).or_insert_with(|| {
-                arrays.positions.push(position(corner));
-                arrays.uvs.extend(uv.map(|index| self.document.uvs[index as usize]));
-                arrays.normals.extend(match normal {
-                    Normal::None => None,
-                    Normal::Given(index) => Some(self.document.normals[index as usize]),
-                    Normal::Smooth(group) => Some(
-                        self.smooth.get(&(corner.position, group)).copied().unwrap_or_default(),
-                    ),
-                    Normal::Flat(_) => Some(front.normalize_or_zero().as_vec3()),
-                });
-                arrays.positions.len() as u32 - 1
+            let key = (corner.position, uv, normal);
+            welded.number(key, self.document, |normal| match normal {
+                Normal::None => None,
+                Normal::Given(index) => Some(self.document.normals[index as usize]),
+                Normal::Smooth(group) => {
+                    Some(self.smooth.get(&(corner.position, group)).copied().unwrap_or_default())
+                }
+                Normal::Flat(_) => Some(front.normalize_or_zero().as_vec3()),
             })
         };
         let numbers: Vec<u32> = corners.iter().map(&mut shared).collect();
-        arrays.triangles.extend(triangles.into_iter().map(|t| t.map(|corner| numbers[corner])));
+        let triangles = triangles.into_iter().map(|t| t.map(|corner| numbers[corner]));
+        welded.arrays.triangles.extend(triangles);
     }
 
     pub(super) fn finish(self) -> BTreeMap<Key, Arrays> {
-        self.meshes.into_iter().map(|(key, (arrays, _))| (key, arrays)).collect()
+        self.meshes.into_iter().map(|(key, welded)| (key, welded.arrays)).collect()
     }
+}
+
+impl Welded {
+    /// Returns the number of a corner, which is added if it is new, with its normal.
+    fn number(
+        &mut self,
+        shared: Shared,
+        document: &Document,
+        normal_of: impl FnOnce(Normal) -> Option<Vec3>,
+    ) -> u32 {
+        let arrays = &mut self.arrays;
+        *self.numbers.entry(shared).or_insert_with(|| {
+            let (position, uv, normal) = shared;
+            arrays.positions.push(document.positions[position as usize]);
+            arrays.uvs.extend(uv.map(|index| document.uvs[index as usize]));
+            arrays.normals.extend(normal_of(normal));
+            arrays.positions.len() as u32 - 1
+        })
+    }
+}
+
+fn position(document: &Document, corner: &Corner) -> Vec3 {
+    document.positions[corner.position as usize]
 }

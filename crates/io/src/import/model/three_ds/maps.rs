@@ -4,13 +4,12 @@
 //! strength of the highlight, the opacity map, and the bump map, whose white is
 //! a hundredth of a unit of u above its black: 3D Studio gives no height.
 
-use crate::import::counter::Counter;
 use crate::import::model::folder::Folder;
-use crate::import::textures::{Meaning, Textures, Usage};
+use crate::import::model::pictures::Pictures;
+use crate::import::textures::{Meaning, Usage};
 use crate::three_ds::{Map, MapKind, Material};
-use std::sync::Arc;
-use traylib_materials::{Bump, Layer, Maps, Texture};
-use traylib_math::{Grid, Rgb};
+use traylib_materials::{Bump, Layer, Maps};
+use traylib_math::Rgb;
 
 /// Height of a bump map of full strength, in lengths of a unit of u.
 const BUMP_HEIGHT: f32 = 0.01;
@@ -18,18 +17,17 @@ const BUMP_HEIGHT: f32 = 0.01;
 /// Turns the maps of a file's materials into textures.
 pub(super) struct MapImporter<'a> {
     pub(super) folder: Folder,
-    pub(super) textures: &'a mut Textures,
-    pub(super) counter: &'a mut Counter,
+    pub(super) pictures: Pictures<'a>,
 }
 
 impl MapImporter<'_> {
-    /// The maps of a material that are rendered; `None` if there are none.
-    pub(super) fn maps(&mut self, material: &Material) -> Option<Box<Maps>> {
-        self.counter.add_many("mask of a map skipped", material.masks.len() as u32);
+    /// Loads the maps of a material that are rendered.
+    pub(super) fn maps(&mut self, material: &Material) -> Maps {
+        self.pictures.counter.add_many("mask of a map skipped", material.masks.len() as u32);
         let mut maps = Maps::default();
         for (kind, map) in &material.maps {
             if map.flags & (Map::TINT | Map::RGB_TINT) != 0 {
-                self.counter.add("tint of a map skipped");
+                self.pictures.counter.add("tint of a map skipped");
             }
             match kind {
                 MapKind::Texture1 => maps.diffuse = self.layer(map, Meaning::Colour, 1.0),
@@ -46,18 +44,12 @@ impl MapImporter<'_> {
                 MapKind::Texture2
                 | MapKind::Shininess
                 | MapKind::SelfIllumination
-                | MapKind::Reflection => self.counter.add(format!("{} map skipped", name(*kind))),
+                | MapKind::Reflection => {
+                    self.pictures.counter.add(format!("{} map skipped", name(*kind)));
+                }
             }
         }
-        if maps == Maps::default() {
-            return None;
-        }
-        // Textures replace colours, so that what is behind cannot be taken off them.
-        if maps.opacity.is_none() && material.transparency > 0.0 {
-            maps.opacity = even(1.0 - material.transparency);
-        }
-        maps.opacity = maps.opacity.and_then(|layer| self.textures.opacity(layer));
-        Some(Box::new(maps))
+        maps
     }
 
     fn layer(&mut self, map: &Map, meaning: Meaning, factor: f32) -> Option<Layer> {
@@ -65,21 +57,11 @@ impl MapImporter<'_> {
         if name.is_empty() || map.strength == 0.0 {
             return None;
         }
-        let Some(file) = self.folder.find(name) else {
-            self.counter.add(format!("picture `{name}` not found, shown without"));
-            return None;
-        };
         let negative = map.has(Map::NEGATIVE);
         let usage = Usage { meaning, negative, factor: Rgb::splat(factor) };
-        let texture = self.textures.load(&file, usage).map_err(|cause| self.counter.add(cause));
+        let texture = self.pictures.load(name, self.folder.find(name), usage)?;
         let (placement, tiling, strength) = (map.placement(), map.tiling(), map.strength);
-        let usable = placement.is_finite();
-        texture.ok().filter(|_| usable).map(|texture| Layer {
-            texture,
-            placement,
-            tiling,
-            strength,
-        })
+        placement.is_finite().then_some(Layer { texture, placement, tiling, strength })
     }
 
     fn bump(&mut self, map: &Map) -> Option<Bump> {
@@ -87,12 +69,6 @@ impl MapImporter<'_> {
         let height = BUMP_HEIGHT * layer.strength;
         Some(Bump { layer: Layer { strength: 1.0, ..layer }, height })
     }
-}
-
-/// The same everywhere.
-fn even(value: f32) -> Option<Layer> {
-    let texture = Texture::new(Grid::filled(1, 1, Rgb::splat(value)))?;
-    Some(Layer::new(Arc::new(texture)))
 }
 
 fn name(kind: MapKind) -> &'static str {

@@ -13,8 +13,8 @@ fn placement() -> Placement {
 fn file(document: Document) -> (ModelFile, Vec<String>) {
     let (mut textures, mut counter) = (Textures::new(ReadLimits::default()), Counter::default());
     let folder = Folder::of(&Location::BuiltIn(String::new()));
-    let mut importer = MapImporter { folder, textures: &mut textures, counter: &mut counter };
-    let file = model(document, &mut importer).unwrap();
+    let pictures = Pictures { textures: &mut textures, counter: &mut counter };
+    let file = model(document, &mut MapImporter { folder, pictures }).unwrap();
     (file, counter.into_warnings("f").map(|warning| warning.to_string()).collect())
 }
 

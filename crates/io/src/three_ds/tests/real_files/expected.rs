@@ -60,7 +60,7 @@ fn wide(values: &[f32]) -> Vec<f64> {
     values.iter().copied().map(f64::from).collect()
 }
 
-/// Whether numbers agree within 10⁻⁴ of their size; within 10⁻⁴ below one.
+/// Tells whether numbers agree within 10⁻⁴ of their size; within 10⁻⁴ below one.
 fn agree(found: &[f32], expected: &Value) -> bool {
     let (found, expected) = (wide(found), numbers(expected));
     let close = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-4 * b.abs().max(1.0);

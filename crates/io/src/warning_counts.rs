@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 /// Kinds with counts, in a fixed order.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Tally<K> {
+pub struct WarningCounts<K> {
     kinds: BTreeMap<K, u32>,
     others: u32,
 }
@@ -13,13 +13,13 @@ pub struct Tally<K> {
 /// More kinds than these are not told apart.
 const MOST: usize = 1000;
 
-impl<K> Default for Tally<K> {
+impl<K> Default for WarningCounts<K> {
     fn default() -> Self {
         Self { kinds: BTreeMap::new(), others: 0 }
     }
 }
 
-impl<K: Ord> Tally<K> {
+impl<K: Ord> WarningCounts<K> {
     pub(crate) fn add(&mut self, kind: K) {
         self.add_many(kind, 1);
     }
@@ -40,7 +40,7 @@ impl<K: Ord> Tally<K> {
     }
 }
 
-impl<K: Display> Tally<K> {
+impl<K: Display> WarningCounts<K> {
     /// Every kind that was met, in words, with its count.
     pub fn iter(&self) -> impl Iterator<Item = (String, u32)> {
         let known = self.kinds.iter().map(|(kind, &count)| (kind.to_string(), count));
@@ -54,10 +54,10 @@ mod tests {
 
     #[test]
     fn kinds_are_counted_and_too_many_become_one() {
-        let mut tally = Tally::default();
-        (0..1100).for_each(|kind| tally.add(kind % 1050));
-        tally.add_many(3, 0);
-        assert_eq!((tally.count(&3), tally.count(&999), tally.count(&1049)), (2, 1, 0));
-        assert_eq!(tally.iter().last(), Some(("…".to_string(), 50)));
+        let mut counts = WarningCounts::default();
+        (0..1100).for_each(|kind| counts.add(kind % 1050));
+        counts.add_many(3, 0);
+        assert_eq!((counts.count(&3), counts.count(&999), counts.count(&1049)), (2, 1, 0));
+        assert_eq!(counts.iter().last(), Some(("…".to_string(), 50)));
     }
 }

@@ -33,7 +33,7 @@ impl Lambert {
         Self { reflectance: reflectance.saturated() }
     }
 
-    /// Whether nothing is reflected at all.
+    /// Tells whether nothing is reflected at all.
     pub(crate) fn is_black(&self) -> bool {
         self.reflectance.is_black()
     }

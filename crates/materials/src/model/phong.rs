@@ -39,7 +39,7 @@ impl Phong {
         Ok(Self { diffuse, specular, exponent, lobe_chance })
     }
 
-    /// The same surface with another diffuse and specular part, for textures:
+    /// Returns the surface with another diffuse and specular part, for textures:
     /// each band is brought into [0, 1] and both parts are scaled down where
     /// they would reflect more than arrives.
     #[must_use]
@@ -77,7 +77,7 @@ impl Phong {
         self.scattering(cosines, half_square_off_mirror(normal, wo, wi))
     }
 
-    /// The same for light that passes to the other side, with the lobe about the
+    /// Evaluates it for light that passes to the other side, with the lobe about the
     /// straight direction: as if `wi` were mirrored in the surface.
     #[inline]
     pub(crate) fn evaluate_through(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {

@@ -1,7 +1,7 @@
 //! A metal lobe that stays bright at grazing angles.
 
+use super::phong::{half_square_off_mirror, mirror_direction};
 use crate::error::{Error, check_exponent, check_reflectance};
-use crate::phong::{half_square_off_mirror, mirror_direction};
 use crate::scattering::Scattering;
 use std::f32::consts::TAU;
 use traylib_math::{Rgb, SolidAnglePdf, Vec2, Vec3, warp};

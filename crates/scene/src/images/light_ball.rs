@@ -6,7 +6,7 @@ use traylib_math::Vec3;
 
 /// What of a lamp its images depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lamp {
+pub(super) struct LightBall {
     /// The middle of a ball that holds it.
     pub(super) centre: Vec3,
     /// The radius of that ball; zero of a point.
@@ -17,8 +17,8 @@ pub(super) struct Lamp {
     pub(super) power: f32,
 }
 
-impl Lamp {
-    /// Of any lamp but one that is seen from within, which fills every mirror.
+impl LightBall {
+    /// Describes any lamp but one that is seen from within, which fills every mirror.
     pub(super) fn of(light: &Light) -> Option<Self> {
         let power = light.power().luminance();
         let [centre, reach] = match light {
@@ -32,17 +32,17 @@ impl Lamp {
         Some(Self { centre, radius: reach.length(), normal, power })
     }
 
-    /// Whether it has no extent.
+    /// Tells whether it has no extent.
     pub(super) fn is_point(&self) -> bool {
         self.radius == 0.0
     }
 
-    /// Whether light of it may fall on a ball.
+    /// Tells whether light of it may fall on a ball.
     pub(super) fn may_light(&self, centre: Vec3, radius: f32) -> bool {
         self.normal.is_none_or(|normal| normal.dot(centre - self.centre) > -radius)
     }
 
-    /// Whether light may leave it in this direction, of any length.
+    /// Tells whether light may leave it in this direction, of any length.
     pub(super) fn shines_to(&self, direction: Vec3) -> bool {
         self.normal.is_none_or(|normal| normal.dot(direction) > 0.0)
     }

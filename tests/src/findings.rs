@@ -10,7 +10,7 @@ use std::fs::OpenOptions;
 use std::io::Write;
 
 /// The variable of the environment that names the file.
-pub const FILE: &str = "TRAYLIB_LEDGER";
+pub const FILE: &str = "TRAYLIB_FINDINGS";
 
 /// One comparison and what came of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,9 +1,9 @@
 //! The ideal mirror.
 
+use super::lambert::Lambert;
+use super::phong::mirror_direction;
 use crate::error::{Error, check_energy};
-use crate::lambert::Lambert;
 use crate::lobe_choice::specular_chance;
-use crate::phong::mirror_direction;
 use crate::scattering::{BsdfSample, Scattering};
 use traylib_math::{Rgb, SolidAnglePdf, Vec3};
 
@@ -31,7 +31,7 @@ impl Mirror {
         Ok(Self { reflectance, diffuse: Lambert::new(diffuse)?, delta_chance })
     }
 
-    /// Whether a connection can find light here.
+    /// Tells whether a connection can find light here.
     pub(crate) fn has_smooth_part(&self) -> bool {
         !self.diffuse.is_black()
     }
@@ -41,7 +41,7 @@ impl Mirror {
         1.0 - self.delta_chance
     }
 
-    /// Whether anything goes into the mirror direction.
+    /// Tells whether anything goes into the mirror direction.
     pub(crate) fn has_delta_part(&self) -> bool {
         self.delta_chance > 0.0
     }

@@ -1,7 +1,7 @@
 //! A thin sheet through which light is scattered.
 
+use super::phong::Phong;
 use crate::error::{Error, check_energy};
-use crate::phong::Phong;
 use crate::scattering::Scattering;
 use traylib_math::{Rgb, SolidAnglePdf, Vec3};
 

@@ -1,7 +1,7 @@
 //! Smooth glass.
 
+use super::phong::mirror_direction;
 use crate::error::Error;
-use crate::phong::mirror_direction;
 use crate::scattering::BsdfSample;
 use traylib_math::{Rgb, SolidAnglePdf, Vec3};
 
@@ -32,7 +32,7 @@ impl Dielectric {
         }
     }
 
-    /// The same boundary seen from inside of the solid.
+    /// Returns the boundary seen from inside of the solid.
     pub(crate) fn seen_from_behind(self) -> Self {
         Self { relative_index: self.relative_index.recip() }
     }
