@@ -24,6 +24,7 @@ mod cost;
 mod evidence;
 mod forecast;
 mod length;
+mod means;
 mod pilot;
 mod probes;
 mod tiles;
@@ -38,10 +39,11 @@ pub use work::Work;
 use crate::{Control, Method, PointSet, SceneFacts, ThreadError};
 use candidates::{Candidates, candidates, without_images};
 use forecast::{Forecast, RARE, forecast};
+use means::Passes;
 use pilot::Pilot;
 use probes::Probes;
 use traylib_scene::Scene;
-use trial::trial;
+use trial::{edges_of_lights, trial};
 use work::Counted;
 
 /// What is to be planned.
@@ -115,6 +117,8 @@ pub fn plan(
         let probes = Probes::spread(scene, probes, request.seed, control);
         let pilot = Pilot::run(&probes, request.max_depth, PILOT_PASSES);
         let max_depth = length::longest(&pilot, request);
+        let passes = Passes { points: request.points, count: TRIAL_PASSES, spp: request.spp };
+        let edges = edges_of_lights(&probes, &pilot.tiles, passes);
         let planner = Planner {
             probes: &probes,
             quarter: probes.one_of(TRIED_PROBES),
@@ -122,8 +126,8 @@ pub fn plan(
             counted: Counted::default(),
             pilot,
             facts: SceneFacts::of(scene),
-            points: request.points,
-            spp: request.spp,
+            passes,
+            edges,
         };
         let plan = planner.choose(max_depth, samples);
         (!control.is_cancelled()).then_some(plan)
@@ -185,8 +189,9 @@ struct Planner<'a> {
     counted: Counted,
     pilot: Pilot,
     facts: SceneFacts,
-    points: PointSet,
-    spp: u32,
+    passes: Passes,
+    /// The noise of lights that the camera sees, which all methods share.
+    edges: f64,
 }
 
 impl Planner<'_> {
@@ -218,22 +223,22 @@ impl Planner<'_> {
 
     fn forecast(&mut self, method: Method) -> Choice {
         let Forecast { variance, .. } = forecast(&self.pilot, method);
-        let work = self.counted.of(&self.few, method, self.points);
+        let work = self.counted.of(&self.few, method, self.passes.points);
         let cost = price(method, &work, self.probes.scene);
-        Choice { method, forecast: variance, tried: None, cost }
+        Choice { method, forecast: variance + self.edges, tried: None, cost }
     }
 
     /// The noise of a method by trial, but for what is too rare to be tried.
     fn try_out(&self, method: Method) -> f64 {
-        let by = (self.points, TRIAL_PASSES, self.spp);
-        let variance = |clip| trial(&self.quarter, &self.pilot.tiles, method, by, clip);
+        let tried =
+            |clip| trial(&self.quarter, &self.pilot.tiles, method, self.passes, clip) + self.edges;
         // What directlight aims at in mirrors the pilot does not know of.
         let is_known =
             method.techniques().need_light_paths() || !self.probes.scene.lights_are_small();
         if is_known {
-            variance(RARE) + forecast(&self.pilot, method).rare
+            tried(RARE) + forecast(&self.pilot, method).rare
         } else {
-            variance(f64::INFINITY)
+            tried(f64::INFINITY)
         }
     }
 
