@@ -1,4 +1,4 @@
-//! C1 to C4: light that a mirror throws onto the floor.
+//! C1 to C4 and C6: light that mirrors throw onto the floor.
 //!
 //! A lamp at the height 1 shines up at a plane mirror at the height 2, and from
 //! there onto a diffuse floor at the height 0. By the method of images the floor
@@ -10,7 +10,8 @@
 use crate::case::Case;
 use crate::polygon::{factor, square_at, through};
 use crate::stage::{
-    Stage, ball, black, camera, disk_facing_up, floor, lambert, mirror, rectangle, spot,
+    Stage, ball, black, camera, disk_facing_down, disk_facing_up, floor, lambert, mirror,
+    rectangle, spot,
 };
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -117,6 +118,72 @@ pub fn mirrored_point_in_a_mirror() -> Case {
     let scene = second_mirror(point_below_mirror(in_mirror(), mirror(MIRROR as f32, 0.0))).build();
     let truth = FLOOR * MIRROR * MIRROR / PI * INTENSITY * 3.0 / 10.0_f64.powf(1.5);
     Case { name: "C2 + C3".into(), scene, max_depth: Some(4), truth }
+}
+
+/// C6: a lamp, seen from the floor through a periscope by way of two mirrors.
+///
+/// Both are planes at 45 degrees, 2 m apart, so that the lamp, a disk of radius r at (2, 0, 3),
+/// has its image straight above the floor's point 0 at the height 5: L = ρ·km²·Le·r²/(r² + 25).
+/// A black wall keeps the lamp's own light off, and the floor that it lights out of sight. Paths
+/// have four edges.
+pub fn periscope() -> Case {
+    let scene = periscope_lamp(Stage::new(spot(Vec3::new(0.0, -1.0, 0.5), Vec3::ZERO)));
+    Case { name: "C6".into(), scene, max_depth: Some(4), truth: of_periscope_lamp(2) }
+}
+
+/// C6 seen in a third mirror, the plane x = −0.6 near the floor: light that nothing connects.
+pub fn periscope_in_a_mirror() -> Case {
+    let scene = periscope_lamp(beside_periscope());
+    Case { name: "C6 in a mirror".into(), scene, max_depth: Some(5), truth: of_periscope_lamp(3) }
+}
+
+/// C6 in a mirror with a point light in the lamp's place, L = ρ/π·km³·I/25: it can only be joined
+/// by way of both mirrors.
+pub fn point_in_periscope() -> Case {
+    let scene = below_periscope(beside_periscope()).point(PERISCOPE_LAMP, INTENSITY as f32);
+    let truth = FLOOR * MIRROR.powi(3) / PI * INTENSITY / 25.0;
+    Case { name: "C6 by a point".into(), scene: scene.build(), max_depth: Some(5), truth }
+}
+
+/// The same where the camera sees the floor, L = ρ/π·km²·I/25: light walks find it too.
+pub fn point_in_bare_periscope() -> Case {
+    let stage = Stage::new(spot(Vec3::new(0.0, -1.0, 0.5), Vec3::ZERO));
+    let scene = below_periscope(stage).point(PERISCOPE_LAMP, INTENSITY as f32);
+    let truth = FLOOR * MIRROR.powi(2) / PI * INTENSITY / 25.0;
+    Case { name: "C6 by a bare point".into(), scene: scene.build(), max_depth: Some(4), truth }
+}
+
+const PERISCOPE_LAMP: Vec3 = Vec3::new(2.0, 0.0, 3.0);
+const PERISCOPE_RADIUS: f32 = 0.05;
+
+/// After so many mirrors.
+fn of_periscope_lamp(mirrors: i32) -> f64 {
+    let square = f64::from(PERISCOPE_RADIUS).powi(2);
+    FLOOR * MIRROR.powi(mirrors) * RADIANCE * square / (square + 25.0)
+}
+
+fn periscope_lamp(stage: Stage) -> Scene {
+    let lamp = disk_facing_down(PERISCOPE_LAMP, PERISCOPE_RADIUS);
+    below_periscope(stage).lamp(lamp, RADIANCE as f32, black()).build()
+}
+
+fn below_periscope(stage: Stage) -> Stage {
+    // Half-side 0.4 and more.
+    let slope = Vec3::new(0.8, 0.0, 0.8);
+    let pane = |middle: Vec3| rectangle(middle - 0.5 * (slope + Vec3::Y), slope, Vec3::Y);
+    let wall = rectangle(Vec3::new(1.0, -4.0, 0.0), 8.0 * Vec3::Y, 1.9 * Vec3::Z);
+    stage
+        .surface(floor(), lambert(FLOOR as f32))
+        .surface(pane(Vec3::new(0.0, 0.0, 2.0)), mirror(MIRROR as f32, 0.0))
+        .surface(pane(Vec3::new(2.0, 0.0, 2.0)), mirror(MIRROR as f32, 0.0))
+        .surface(wall, black())
+}
+
+fn beside_periscope() -> Stage {
+    let eye = spot(Vec3::new(-0.2, 0.0, 0.3), Vec3::new(-1.2, 0.0, 0.0));
+    // Too low to throw the lamp's own light onto the point: that would be at 0.56.
+    let third = rectangle(Vec3::new(-0.6, -0.5, 0.0), 0.4 * Vec3::Z, Vec3::Y);
+    Stage::new(eye).surface(third, mirror(MIRROR as f32, 0.0))
 }
 
 /// C4: C1 with another surface in the mirror's place, and what sharp lobes on it

@@ -26,6 +26,10 @@ impl BallMirror {
         self.centre
     }
 
+    pub(super) fn radius(&self) -> f32 {
+        self.radius
+    }
+
     /// Whether a lamp's light may fall on it.
     pub(super) fn may_show(&self, lamp: &Lamp) -> bool {
         lamp.may_light(self.centre, self.radius)
