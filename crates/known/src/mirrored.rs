@@ -8,7 +8,7 @@
 //! behind and casts a shadow. Paths have three edges.
 
 use crate::case::Case;
-use crate::polygon::{factor, square_at, through};
+use crate::polygon::{clip, factor, square_at, through};
 use crate::stage::{
     Stage, ball, black, camera, disk_facing_down, disk_facing_up, floor, lambert, mirror,
     rectangle, spot,
@@ -66,6 +66,25 @@ pub fn mirrored_lamp_in_a_mirror() -> Case {
     let seen = image_factor(DVec3::X, WIDE_MIRROR);
     let truth = FLOOR * MIRROR * MIRROR * RADIANCE * seen;
     Case { name: "C2".into(), scene: scene.build(), max_depth: Some(4), truth }
+}
+
+/// C2 by a mirror of which nothing is there beyond x₀, in the middle of the lamp's image: light
+/// passes into the void there. A texture of 4096 pixels has the step, x₀ at the edge of one.
+pub fn mirrored_lamp_in_a_mirror_with_a_hole() -> Case {
+    const PIXELS: usize = 4096;
+    // The image of the lamp's middle is seen at x = 1/3.
+    let from_corner = |x: f64| (x + WIDE_MIRROR) / (2.0 * WIDE_MIRROR);
+    let there = (from_corner(1.0 / 3.0) * PIXELS as f64).round() as usize;
+    let x_0 = there as f64 / PIXELS as f64 * 2.0 * WIDE_MIRROR - WIDE_MIRROR;
+    let pixels = (0..PIXELS).map(|i| if i < there { Rgb::WHITE } else { Rgb::BLACK }).collect();
+    let texture = Grid::from_values(PIXELS, 1, pixels).and_then(Texture::new).map(Arc::new);
+    let maps = Maps { opacity: texture.map(Layer::new), ..Maps::default() };
+    let pierced = Material { maps: Some(Box::new(maps)), ..mirror(MIRROR as f32, 0.0).into() };
+    let scene = second_mirror(below_mirror(in_mirror(), WIDE_MIRROR, pierced));
+    let whole = square_at(2.0, WIDE_MIRROR);
+    let rest = clip(&whole, x_0 * DVec3::X, DVec3::NEG_X);
+    let truth = FLOOR * MIRROR * MIRROR * RADIANCE * image_factor_through(DVec3::X, &rest);
+    Case { name: "C2 with a hole".into(), scene: scene.build(), max_depth: Some(4), truth }
 }
 
 /// C3: C1 with a point light I and a black plate of radius 0.2 below it. Its
@@ -203,7 +222,12 @@ pub fn mirrored_in(model: SurfaceModel, specular: f64) -> Picture {
 /// F of what the floor's point sees of the lamp's image: through the mirror, but
 /// for what is behind the lamp.
 fn image_factor(point: DVec3, mirror_half_side: f64) -> f64 {
-    let seen = through(point, &square_at(3.0, LAMP), &square_at(2.0, mirror_half_side));
+    image_factor_through(point, &square_at(2.0, mirror_half_side))
+}
+
+/// The same through a mirror with these corners.
+fn image_factor_through(point: DVec3, mirror: &[DVec3]) -> f64 {
+    let seen = through(point, &square_at(3.0, LAMP), mirror);
     let hidden = through(point, &seen, &square_at(1.0, LAMP));
     factor(point, DVec3::Z, &seen) - factor(point, DVec3::Z, &hidden)
 }
@@ -218,11 +242,11 @@ fn in_mirror() -> Camera {
     spot(Vec3::new(1.2, 0.0, 0.3), Vec3::new(2.2, 0.0, 0.0))
 }
 
-fn below_mirror(camera: Camera, half_side: f64, model: SurfaceModel) -> Stage {
+fn below_mirror(camera: Camera, half_side: f64, mirror: impl Into<Material>) -> Stage {
     let lamp = square_up(1.0, LAMP as f32);
     Stage::new(camera)
         .surface(floor(), lambert(FLOOR as f32))
-        .surface(square_up(2.0, half_side as f32), model)
+        .surface(square_up(2.0, half_side as f32), mirror)
         .solid_lamp(lamp, RADIANCE as f32, black())
 }
 

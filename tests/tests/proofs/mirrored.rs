@@ -7,8 +7,9 @@ use std::time::Instant;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Statistics};
 use traylib_known::mirrored::{
     NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_lamp, mirrored_lamp_in_a_mirror,
-    mirrored_point, mirrored_point_in_a_mirror, periscope, periscope_in_a_mirror, point_below_ball,
-    point_below_faded_mirror, point_in_bare_periscope, point_in_periscope,
+    mirrored_lamp_in_a_mirror_with_a_hole, mirrored_point, mirrored_point_in_a_mirror, periscope,
+    periscope_in_a_mirror, point_below_ball, point_below_faded_mirror, point_in_bare_periscope,
+    point_in_periscope,
 };
 use traylib_known::stage::phong;
 use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass, settings_by_pass};
@@ -162,6 +163,13 @@ fn c2_seen_in_a_mirror() {
     settle(&findings);
 }
 
+/// Walks that aim at the image come to the mirror or through a hole in it.
+#[test]
+fn c2_with_a_hole() {
+    let case = mirrored_lamp_in_a_mirror_with_a_hole();
+    settle(&from_point(&case, &[(BDPT, 100), (COMBINED, 100)], 214, 0.03));
+}
+
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn c2_by_all_methods() {
@@ -185,7 +193,7 @@ fn dark(case: &Case, method: Method) -> Finding {
     }
 }
 
-/// Light of a point by way of mirrors.
+/// Mean radiance by these methods, with so many passes each.
 fn from_point(case: &Case, methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
     let compare = |&(method, passes): &(Method, u32)| {
         let claim = format!("{}, {method}: mean radiance", case.name);
