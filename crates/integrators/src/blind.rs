@@ -25,7 +25,8 @@ pub enum BlindSpot {
     PointLightCaustics,
     /// The same, seen by way of a mirror or glass.
     PointLightCausticsInMirrors,
-    /// Light of point lamps thrown otherwise than by one ideal mirror that is flat or a ball.
+    /// Light of point lamps thrown otherwise than by one ideal mirror that is flat or a ball, or by
+    /// what of these a flat one shows.
     PointLightChains,
     /// The same, seen by way of a mirror or glass.
     PointLightChainsInMirrors,
@@ -73,12 +74,12 @@ impl fmt::Display for BlindSpot {
                 "light of point lamps that a mirror or glass throws onto surfaces seen by way of one"
             }
             Self::PointLightChains => {
-                "light of point lamps that glass, two mirrors one after the other, or a mirror \
-                 neither flat nor a ball throws onto other surfaces"
+                "light of point lamps that glass, mirrors one after the other but for two of few \
+                 and flat ones, or a mirror neither flat nor a ball throws onto other surfaces"
             }
             Self::PointLightChainsInMirrors => {
-                "light of point lamps that glass, two mirrors one after the other, or a mirror \
-                 neither flat nor a ball throws onto surfaces seen by way of one"
+                "light of point lamps that glass, mirrors one after the other but for two of few \
+                 and flat ones, or a mirror neither flat nor a ball throws onto surfaces seen by way of one"
             }
             Self::SeenInMirrors => "everything seen in a mirror or through solid glass",
         })

@@ -3,7 +3,7 @@
 mod pixel;
 
 use crate::direct::{LightSample, sample_light};
-use crate::mirrored_point::{MIRRORED_EDGES, light_through_mirrors};
+use crate::mirrored_point::light_through_mirrors;
 use crate::numbers::PathSampler;
 use crate::step::next_step_toward_light;
 use crate::toward_light::{TowardLight, images_for};
@@ -109,8 +109,9 @@ impl DirectLight {
                 }
             }
             // Point lights by way of a mirror, which no walk from the camera finds.
-            if joins && self.limits.allow(edges + MIRRORED_EDGES) {
-                let value = throughput * light_through_mirrors(tracer, point, wo, &numbers);
+            if joins {
+                let room = (edges, self.limits);
+                let value = throughput * light_through_mirrors(tracer, point, wo, &numbers, room);
                 radiance += value;
                 if let Some(notes) = notes.as_deref_mut() {
                     notes.found(Way::Mirrors, value, 1.0);

@@ -23,6 +23,8 @@ const FILES: &[(&str, &[u8])] = &[
     file!("bump.ron"),
     file!("textures/tiles.png"),
     file!("textures/waves.png"),
+    file!("bowl.ron"),
+    file!("models/bowl.obj"),
     file!("reference-a.ron"),
     file!("reference-c.ron"),
 ];
@@ -40,6 +42,7 @@ const NAMES: &[&str] = &[
     "hangar",
     "glass",
     "bump",
+    "bowl",
     "reference-a",
     "reference-c",
 ];

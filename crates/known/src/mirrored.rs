@@ -1,4 +1,4 @@
-//! C1 to C4: light that a mirror throws onto the floor.
+//! C1 to C4 and C6: light that mirrors throw onto the floor.
 //!
 //! A lamp at the height 1 shines up at a plane mirror at the height 2, and from
 //! there onto a diffuse floor at the height 0. By the method of images the floor
@@ -8,9 +8,10 @@
 //! behind and casts a shadow. Paths have three edges.
 
 use crate::case::Case;
-use crate::polygon::{factor, square_at, through};
+use crate::polygon::{clip, factor, square_at, through};
 use crate::stage::{
-    Stage, ball, black, camera, disk_facing_up, floor, lambert, mirror, rectangle, spot,
+    Stage, ball, black, camera, disk_facing_down, disk_facing_up, floor, lambert, mirror,
+    rectangle, spot,
 };
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -67,6 +68,25 @@ pub fn mirrored_light_in_a_mirror() -> Case {
     Case { name: "C2".into(), scene: scene.build(), max_depth: Some(4), truth }
 }
 
+/// C2 by a mirror of which nothing is there beyond x₀, in the middle of the lamp's image: light
+/// passes into the void there. A texture of 4096 pixels has the step, x₀ at the edge of one.
+pub fn mirrored_light_in_a_mirror_with_a_hole() -> Case {
+    const PIXELS: usize = 4096;
+    // The image of the lamp's middle is seen at x = 1/3.
+    let from_corner = |x: f64| (x + WIDE_MIRROR) / (2.0 * WIDE_MIRROR);
+    let there = (from_corner(1.0 / 3.0) * PIXELS as f64).round() as usize;
+    let x_0 = there as f64 / PIXELS as f64 * 2.0 * WIDE_MIRROR - WIDE_MIRROR;
+    let pixels = (0..PIXELS).map(|i| if i < there { Rgb::WHITE } else { Rgb::BLACK }).collect();
+    let texture = Grid::from_values(PIXELS, 1, pixels).and_then(Texture::new).map(Arc::new);
+    let maps = Maps { opacity: texture.map(Layer::new), ..Maps::default() };
+    let pierced = Material { maps: Some(Box::new(maps)), ..mirror(MIRROR as f32, 0.0).into() };
+    let scene = second_mirror(below_mirror(in_mirror(), WIDE_MIRROR, pierced));
+    let whole = square_at(2.0, WIDE_MIRROR);
+    let rest = clip(&whole, x_0 * DVec3::X, DVec3::NEG_X);
+    let truth = FLOOR * MIRROR * MIRROR * RADIANCE * image_factor_through(DVec3::X, &rest);
+    Case { name: "C2 with a hole".into(), scene: scene.build(), max_depth: Some(4), truth }
+}
+
 /// C3: C1 with a point light I and a black plate of radius 0.2 below it. Its
 /// image at the height 3 gives L = ρ/π·km·I·cosθ/d² = ρ/π·km·I·3/d³ outside the
 /// plate's shadow, a disk of radius 0.2·3/(3 − 0.98). Direct light begins
@@ -119,6 +139,72 @@ pub fn mirrored_point_in_a_mirror() -> Case {
     Case { name: "C2 + C3".into(), scene, max_depth: Some(4), truth }
 }
 
+/// C6: a lamp, seen from the floor through a periscope by way of two mirrors.
+///
+/// Both are planes at 45 degrees, 2 m apart, so that the lamp, a disk of radius r at (2, 0, 3),
+/// has its image straight above the floor's point 0 at the height 5: L = ρ·km²·Le·r²/(r² + 25).
+/// A black wall keeps the lamp's own light off, and the floor that it lights out of sight. Paths
+/// have four edges.
+pub fn periscope() -> Case {
+    let scene = periscope_lamp(Stage::new(spot(Vec3::new(0.0, -1.0, 0.5), Vec3::ZERO)));
+    Case { name: "C6".into(), scene, max_depth: Some(4), truth: of_periscope_lamp(2) }
+}
+
+/// C6 seen in a third mirror, the plane x = −0.6 near the floor: light that nothing connects.
+pub fn periscope_in_a_mirror() -> Case {
+    let scene = periscope_lamp(beside_periscope());
+    Case { name: "C6 in a mirror".into(), scene, max_depth: Some(5), truth: of_periscope_lamp(3) }
+}
+
+/// C6 in a mirror with a point light in the lamp's place, L = ρ/π·km³·I/25: it can only be joined
+/// by way of both mirrors.
+pub fn point_in_periscope() -> Case {
+    let scene = below_periscope(beside_periscope()).point(PERISCOPE_LAMP, INTENSITY as f32);
+    let truth = FLOOR * MIRROR.powi(3) / PI * INTENSITY / 25.0;
+    Case { name: "C6 by a point".into(), scene: scene.build(), max_depth: Some(5), truth }
+}
+
+/// The same where the camera sees the floor, L = ρ/π·km²·I/25: light walks find it too.
+pub fn point_in_bare_periscope() -> Case {
+    let stage = Stage::new(spot(Vec3::new(0.0, -1.0, 0.5), Vec3::ZERO));
+    let scene = below_periscope(stage).point(PERISCOPE_LAMP, INTENSITY as f32);
+    let truth = FLOOR * MIRROR.powi(2) / PI * INTENSITY / 25.0;
+    Case { name: "C6 by a bare point".into(), scene: scene.build(), max_depth: Some(4), truth }
+}
+
+const PERISCOPE_LAMP: Vec3 = Vec3::new(2.0, 0.0, 3.0);
+const PERISCOPE_RADIUS: f32 = 0.05;
+
+/// After so many mirrors.
+fn of_periscope_lamp(mirrors: i32) -> f64 {
+    let square = f64::from(PERISCOPE_RADIUS).powi(2);
+    FLOOR * MIRROR.powi(mirrors) * RADIANCE * square / (square + 25.0)
+}
+
+fn periscope_lamp(stage: Stage) -> Scene {
+    let lamp = disk_facing_down(PERISCOPE_LAMP, PERISCOPE_RADIUS);
+    below_periscope(stage).light(lamp, RADIANCE as f32, black()).build()
+}
+
+fn below_periscope(stage: Stage) -> Stage {
+    // Half-side 0.4 and more.
+    let slope = Vec3::new(0.8, 0.0, 0.8);
+    let pane = |middle: Vec3| rectangle(middle - 0.5 * (slope + Vec3::Y), slope, Vec3::Y);
+    let wall = rectangle(Vec3::new(1.0, -4.0, 0.0), 8.0 * Vec3::Y, 1.9 * Vec3::Z);
+    stage
+        .surface(floor(), lambert(FLOOR as f32))
+        .surface(pane(Vec3::new(0.0, 0.0, 2.0)), mirror(MIRROR as f32, 0.0))
+        .surface(pane(Vec3::new(2.0, 0.0, 2.0)), mirror(MIRROR as f32, 0.0))
+        .surface(wall, black())
+}
+
+fn beside_periscope() -> Stage {
+    let eye = spot(Vec3::new(-0.2, 0.0, 0.3), Vec3::new(-1.2, 0.0, 0.0));
+    // Too low to throw the lamp's own light onto the point: that would be at 0.56.
+    let third = rectangle(Vec3::new(-0.6, -0.5, 0.0), 0.4 * Vec3::Z, Vec3::Y);
+    Stage::new(eye).surface(third, mirror(MIRROR as f32, 0.0))
+}
+
 /// C4: C1 with another surface in the mirror's place, and what sharp lobes on it
 /// converge to: a lobe of Phong's model reflects ks times the cosine of the
 /// angle of incidence (its albedo there), and lamp, mirror and floor share that
@@ -136,7 +222,12 @@ pub fn mirrored_in(model: SurfaceModel, specular: f64) -> Picture {
 /// F of what the floor's point sees of the lamp's image: through the mirror, but
 /// for what is behind the lamp.
 fn image_factor(point: DVec3, mirror_half_side: f64) -> f64 {
-    let seen = through(point, &square_at(3.0, LAMP), &square_at(2.0, mirror_half_side));
+    image_factor_through(point, &square_at(2.0, mirror_half_side))
+}
+
+/// The same through a mirror with these corners.
+fn image_factor_through(point: DVec3, mirror: &[DVec3]) -> f64 {
+    let seen = through(point, &square_at(3.0, LAMP), mirror);
     let hidden = through(point, &seen, &square_at(1.0, LAMP));
     factor(point, DVec3::Z, &seen) - factor(point, DVec3::Z, &hidden)
 }
@@ -151,11 +242,11 @@ fn in_mirror() -> Camera {
     spot(Vec3::new(1.2, 0.0, 0.3), Vec3::new(2.2, 0.0, 0.0))
 }
 
-fn below_mirror(camera: Camera, half_side: f64, model: SurfaceModel) -> Stage {
+fn below_mirror(camera: Camera, half_side: f64, mirror: impl Into<Material>) -> Stage {
     let lamp = square_up(1.0, LAMP as f32);
     Stage::new(camera)
         .surface(floor(), lambert(FLOOR as f32))
-        .surface(square_up(2.0, half_side as f32), model)
+        .surface(square_up(2.0, half_side as f32), mirror)
         .solid_light(lamp, RADIANCE as f32, black())
 }
 

@@ -16,8 +16,7 @@ mod mirror;
 mod points;
 mod reflection;
 
-pub(crate) use points::NumberedMirror;
-pub(crate) use reflection::Reflection;
+pub(crate) use points::{MirrorWay, NumberedMirror};
 
 use crate::surface_point::SHARP;
 use crate::surfaces::{Surface, Surfaces};
@@ -41,6 +40,8 @@ const MOST_OF_A_KIND: usize = 64;
 /// is small: where light paths do not help, 26 to 76 times at 0.02 to 0.17 %, nothing from
 /// 1 % on (docs/hard-light.md).
 const SMALL: f64 = 1.0 / 200.0;
+/// Of so many mirrors, the largest, those that are flat show others.
+const MOST_IN_ROW: usize = 8;
 /// So many cones a point has: the first pairs that show an image there.
 const MOST_CONES: usize = 4;
 /// What is wider than this, in 1 − cos of the half-angle, the surface's own sampling finds
@@ -62,6 +63,8 @@ pub(crate) struct MirroredLights {
 /// A mirror and a lamp.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
+    /// The flat mirror in which the other one is seen; `None` if it is seen itself.
+    seen_in: Option<Mirror>,
     mirror: Mirror,
     lamp: LightBall,
     /// About how much of the lamp's power falls on the mirror, over that of the greatest pair.
@@ -94,14 +97,12 @@ impl MirroredLights {
         let lights_are_small = lights_are_small(surfaces, lights);
         let mirrors = mirrors(surfaces, materials);
         let lamps = lamps(lights);
-        let pair = |mirror: &Mirror, lamp: &LightBall| {
-            let power = lamp.power * mirror.part_of_sky(lamp.centre);
-            mirror.may_show(lamp).then_some(Pair { mirror: *mirror, lamp: *lamp, power })
-        };
         let mut pairs: Vec<Pair> = mirrors
             .iter()
-            .flat_map(|mirror| lamps.iter().filter_map(move |lamp| pair(mirror, lamp)))
+            .flat_map(|mirror| lamps.iter().filter_map(move |lamp| Pair::new(mirror, lamp)))
             .collect();
+        let rows = in_rows(&pairs, &mirrors[..mirrors.len().min(MOST_IN_ROW)]);
+        pairs.extend(rows);
         keep_greatest(&mut pairs, MOST_PAIRS, |pair| pair.power);
         // In units of the greatest, so that no sum of them leaves the range of numbers.
         let greatest = pairs.first().map_or(1.0, |pair| pair.power);
@@ -123,10 +124,10 @@ impl MirroredLights {
         let mut images = ImageDirections { count: 0, part: 0.0, cones };
         let (mut narrow, mut shown) = (0.0, 0.0);
         let (from, normal) = (point.site.position, point.normal);
-        for Pair { mirror, lamp, power } in &self.pairs {
+        for pair @ Pair { power, .. } in &self.pairs {
             if images.count < MOST_CONES
-                && mirror.rises_above(from, normal)
-                && let Some(cone) = mirror.image(lamp, from)
+                && pair.rises_above(from, normal)
+                && let Some(cone) = pair.image(from)
                 && cone.rises_above(normal)
             {
                 shown += power;
@@ -142,7 +143,43 @@ impl MirroredLights {
     }
 }
 
-/// Tells whether the lamps are small beside all that there is.
+/// Images of images: the pairs of these mirrors as the other ones show them, as far as they may.
+fn in_rows(pairs: &[Pair], mirrors: &[Mirror]) -> Vec<Pair> {
+    let of_these = pairs.iter().filter(|pair| mirrors.contains(&pair.mirror));
+    of_these.flat_map(|pair| mirrors.iter().filter_map(|mirror| pair.seen_in(mirror))).collect()
+}
+
+impl Pair {
+    /// `None` where nobody sees this lamp in this mirror.
+    fn new(mirror: &Mirror, lamp: &LightBall) -> Option<Self> {
+        let power = lamp.power * mirror.part_of_sky(lamp.centre);
+        let pair = Self { seen_in: None, mirror: *mirror, lamp: *lamp, power };
+        mirror.may_show(lamp).then_some(pair)
+    }
+
+    /// The same as another mirror shows it, if that is flat and may.
+    fn seen_in(&self, other: &Mirror) -> Option<Self> {
+        let power = self.power * other.part_of_sky(self.mirror.middle());
+        let pair = Self { seen_in: Some(*other), power, ..*self };
+        other.may_show_mirror(&self.mirror).then_some(pair)
+    }
+
+    /// Whether a surface with this normal may see any of it; what is flat does not say no.
+    #[inline]
+    fn rises_above(&self, from: Vec3, normal: Vec3) -> bool {
+        self.seen_in.is_some() || self.mirror.rises_above(from, normal)
+    }
+
+    /// Where a point sees the image, if it does.
+    fn image(&self, from: Vec3) -> Option<ImageCone> {
+        match &self.seen_in {
+            None => self.mirror.image(&self.lamp, from),
+            Some(other) => other.image_of_image(&self.mirror, &self.lamp, from),
+        }
+    }
+}
+
+/// Whether the lamps are small beside all that there is.
 fn lights_are_small(surfaces: &Surfaces, lights: &[Light]) -> bool {
     let area = |primitive: Primitive| f64::from(primitive.area());
     let shining: f64 = lights
@@ -224,14 +261,28 @@ impl ImageCone {
         Self { axis, one_minus_cos: one_minus_cos.clamp(NARROWEST, 1.0) }
     }
 
-    /// Tells whether it is a cone at all, where lengths leave the range of numbers, and any of it
-    /// is above the surface with this normal.
+    /// The same, wider by an angle.
+    fn widened(self, angle: f32) -> Self {
+        if angle == 0.0 {
+            return self;
+        }
+        Self::around(self.axis, 0.5 * (self.half_angle() + angle).powi(2))
+    }
+
+    /// Whether it is a cone at all, where lengths leave the range of numbers, and any of it is
+    /// above the surface with this normal.
     fn rises_above(&self, normal: Vec3) -> bool {
         if !self.axis.is_normalized() {
             return false;
         }
         let sine = (self.one_minus_cos * (2.0 - self.one_minus_cos)).sqrt();
         normal.dot(self.axis) > -sine
+    }
+
+    /// About its half-angle, no less.
+    fn half_angle(&self) -> f32 {
+        // 1 − cos h ≥ h²/2·(1 − h²/12).
+        (2.0 * self.one_minus_cos * (1.0 + 0.2 * self.one_minus_cos)).sqrt()
     }
 
     fn pdf(&self, direction: Vec3) -> f32 {

@@ -1,30 +1,44 @@
 //! Point lights as surfaces see them in ideal mirrors.
 
-use crate::images::{NumberedMirror, Reflection};
+use crate::images::{MirrorWay, NumberedMirror};
 use crate::{LightId, LightPoint, Scene, SurfacePoint};
 use traylib_geometry::{Hit, Ray, SurfaceSite};
 use traylib_math::{Rgb, Vec2, Vec3};
 
-/// A point light as a surface sees it in an ideal mirror.
+/// A point light as a surface sees it in an ideal mirror, or in one that a flat one shows.
 ///
 /// Light from there arrives by one direction alone, so that there is no density to divide by:
-/// the path from the light by way of the mirror is found for certain.
+/// the path from the light by way of the mirrors is found for certain.
 #[derive(Clone, Copy, Debug)]
 pub struct PointImage {
     /// Unit direction from the surface to where it sees the image.
     pub wi: Vec3,
     /// That place on the mirror.
     pub seen_at: SurfaceSite,
+    /// The place on the mirror that is seen there, if not the light itself.
+    pub shown_at: Option<SurfaceSite>,
     /// The light.
     pub x0: LightPoint,
     /// Which light that is.
     pub light: LightId,
     /// What arrives, unless something stands in the way, on a surface that faces the image, in
-    /// W/m²; the mirror's reflectance and opacity are in it, and the chance to have looked for
+    /// W/m²; reflectance and opacity of mirrors are in it, and the chance to have looked for
     /// this image.
     pub irradiance: Rgb,
     /// What walks from the light make of the same way: see [`Scene::mirrored_walk_spread`].
     pub walk_spread: f64,
+}
+
+impl PointImage {
+    /// How many mirrors there are between the surface and the light.
+    pub fn mirrors(&self) -> u32 {
+        1 + u32::from(self.shown_at.is_some())
+    }
+
+    /// Where the light falls on a mirror.
+    pub fn lit_at(&self) -> &SurfaceSite {
+        self.shown_at.as_ref().unwrap_or(&self.seen_at)
+    }
 }
 
 impl Scene {
@@ -35,82 +49,139 @@ impl Scene {
     }
 
     /// The images of point lights that a surface at this point sees in ideal mirrors: flat ones
-    /// and balls from outside, by one reflection. Of very many one is looked for at random, by
-    /// `u`, uniform on [0, 1), so that the mean over `u` is right.
+    /// and balls from outside, by one reflection, and what of these flat ones show, where there
+    /// are few of them. Of very many one is looked for at random, by `u`, uniform on [0, 1), so
+    /// that the mean over `u` is right.
     ///
     /// What stands between is left out: the segments from the surface to the mirror and from
-    /// there to the light have to be asked for.
+    /// there on to the light have to be asked for.
     pub fn point_images<'a>(
         &'a self,
         point: &'a SurfacePoint,
         u: [f64; 2],
     ) -> impl Iterator<Item = PointImage> + 'a {
         self.stage.mirrored_lights.points.iter().flat_map(move |points| {
-            (0..points.tries()).filter_map(move |number| {
-                let (mirror, light, chance) = points.pair(number, u);
-                self.point_image(point, mirror, light, chance)
+            (0..points.tries()).filter_map(move |look| {
+                let (way, light, chance) = points.image(look, u);
+                self.point_image(point, &way, light, chance)
             })
         })
     }
 
-    /// A walk from the point light `x0` met `x1`, was reflected ideally there, and came to `x2`:
-    /// the density of its first direction times this is that of its coming to `x2` that way, per
-    /// area that faces the image, over the chance with which [`point_images`](Self::point_images)
-    /// looks for that image; in sr/m². `None` where it does not look for it.
+    /// A walk from the point light `x0` met these mirrors, was reflected ideally by each, and came
+    /// to a place: the density of its first direction times this is that of its coming there that
+    /// way, per area that faces the image, over the chance with which
+    /// [`point_images`](Self::point_images) looks for that image; in sr/m². `None` where it does
+    /// not look for it.
     ///
-    /// So the weights of both know one another: the walk comes to x₂ with the density
-    /// p(w)·c·dw/dA, c the mirror's chance to reflect.
+    /// So the weights of both know one another: the walk comes there with the density
+    /// p(w)·c·dw/dA, c the chance of the mirrors to reflect.
     pub fn mirrored_walk_spread(
         &self,
         light: LightId,
         x0: &LightPoint,
-        x1: &SurfacePoint,
-        x2: Vec3,
+        mirrors: &[&SurfacePoint],
+        to: Vec3,
     ) -> Option<f64> {
         let points = self.stage.mirrored_lights.points.as_ref()?;
-        let (mirror, look_chance) = points.pair_of(x1.surface, light)?;
-        let reflection = mirror.reflection(x2, x0.site.position)?;
-        walk_spread(&reflection, x1, look_chance)
+        let (way, look_chance) = match *mirrors {
+            [x1] => points.way_of(&[x1.surface], light),
+            [x1, x2] => points.way_of(&[x1.surface, x2.surface], light),
+            _ => None,
+        }?;
+        let reflection = way.reflection(to, x0.site.position)?;
+        let chances = mirrors.iter().map(|mirror| mirror.model.mirror_chance().map(f64::from));
+        let reflected = chances.product::<Option<f64>>()?;
+        Some(reflected * reflection.spread / f64::from(look_chance))
     }
 
     #[inline(never)]
     fn point_image(
         &self,
         point: &SurfacePoint,
-        NumberedMirror { mirror, surface }: NumberedMirror,
+        way: &MirrorWay,
         light: LightId,
         chance: f32,
     ) -> Option<PointImage> {
         // Where the image is seen.
-        let from = point.site.position;
-        let (x0, _) = self.sample_light(light, from, Vec2::ZERO);
-        let reflection = mirror.reflection(from, x0.site.position)?;
+        let from = &point.site;
+        let (x0, _) = self.sample_light(light, from.position, Vec2::ZERO);
+        let light_at = x0.site.position;
+        let reflection = way.reflection(from.position, light_at)?;
         let wi = reflection.toward.normalize_or_zero().as_vec3();
         if !point.may_scatter_to(wi) {
             return None;
         }
-        // If the mirror reaches there, what it is like.
-        let ray = Ray::new(point.site.ray_origin(wi), wi);
+        // If the mirrors reach there, what they are like.
+        let seen = self.met(&way.seen, from, wi)?;
+        let mut mirrored = MirroredLight::by(&seen)?;
+        let mut shown_at = None;
+        if let Some(shown) = &way.shown {
+            let on = shown.mirror.reflection(seen.site.position, light_at)?;
+            let toward = on.toward.normalize_or_zero().as_vec3();
+            // Light is reflected to the side from which it comes.
+            if seen.normal.dot(toward) <= 0.0 {
+                return None;
+            }
+            let shown = self.met(shown, &seen.site, toward)?;
+            mirrored = mirrored.and(&MirroredLight::by(&shown)?);
+            shown_at = Some(shown.site);
+        }
+        // What the light sends there.
+        let spread = reflection.spread / f64::from(chance);
+        let walk_spread = f64::from(mirrored.chance) * spread;
+        let mut image = PointImage {
+            wi,
+            seen_at: seen.site,
+            shown_at,
+            x0,
+            light,
+            irradiance: Rgb::BLACK,
+            walk_spread,
+        };
+        let falloff = x0.falloff((image.lit_at().position - light_at).try_normalize()?);
+        image.irradiance = x0.emitted * mirrored.reflectance * (falloff * spread as f32);
+        (!image.irradiance.is_black()).then_some(image)
+    }
+
+    /// A mirror where it is met in this direction, if it reaches there.
+    fn met(
+        &self,
+        &NumberedMirror { surface, .. }: &NumberedMirror,
+        from: &SurfaceSite,
+        direction: Vec3,
+    ) -> Option<SurfacePoint> {
+        let ray = Ray::new(from.ray_origin(direction), direction);
         let shape = self.surface_of(surface);
         let hit = shape.primitive()?.intersect(&ray, shape.sides())?;
         let hit = Hit { t: hit.t, u: hit.u, v: hit.v, primitive: surface };
-        let seen = self.surface_point(&ray, hit)?;
-        let reflectance = seen.model.mirror_reflectance()? * seen.opacity;
-        // What the light sends there.
-        let falloff = x0.falloff((seen.site.position - x0.site.position).try_normalize()?);
-        let spread = (reflection.spread / f64::from(chance)) as f32;
-        let irradiance = x0.emitted * reflectance * (falloff * spread);
-        let walk_spread = walk_spread(&reflection, &seen, chance)?;
-        let seen_at = seen.site;
-        let image = PointImage { wi, seen_at, x0, light, irradiance, walk_spread };
-        (!irradiance.is_black()).then_some(image)
+        self.surface_point(&ray, hit)
     }
 }
 
-/// See [`Scene::mirrored_walk_spread`]; the mirror as it is where light meets it.
-fn walk_spread(reflection: &Reflection, mirror: &SurfacePoint, look_chance: f32) -> Option<f64> {
-    let reflected = f64::from(mirror.model.mirror_chance()?);
-    Some(reflected * reflection.spread / f64::from(look_chance))
+/// What mirrors make of light, where they reflect ideally.
+struct MirroredLight {
+    reflectance: Rgb,
+    /// The chance with which a walk is reflected so.
+    chance: f32,
+}
+
+impl MirroredLight {
+    fn by(mirror: &SurfacePoint) -> Option<Self> {
+        let SurfacePoint { model, opacity, .. } = mirror;
+        Some(Self {
+            reflectance: model.mirror_reflectance()? * *opacity,
+            chance: model.mirror_chance()?,
+        })
+    }
+
+    /// By one after the other.
+    fn and(&self, other: &Self) -> Self {
+        Self {
+            reflectance: self.reflectance * other.reflectance,
+            chance: self.chance * other.chance,
+        }
+    }
 }
 
 #[cfg(test)]

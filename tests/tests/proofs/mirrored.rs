@@ -7,7 +7,9 @@ use std::time::Instant;
 use traylib_integrators::{BlindSpot, Method, SceneFacts, Statistics};
 use traylib_known::mirrored::{
     NARROW_MIRROR, Picture, WIDE_MIRROR, mirrored_in, mirrored_light, mirrored_light_in_a_mirror,
-    mirrored_point, mirrored_point_in_a_mirror, point_below_ball, point_below_faded_mirror,
+    mirrored_light_in_a_mirror_with_a_hole, mirrored_point, mirrored_point_in_a_mirror, periscope,
+    periscope_in_a_mirror, point_below_ball, point_below_faded_mirror, point_in_bare_periscope,
+    point_in_periscope,
 };
 use traylib_known::stage::phong;
 use traylib_known::{Case, each_pass, pass_means, samples_in_a_pass, settings_by_pass};
@@ -161,6 +163,13 @@ fn c2_seen_in_a_mirror() {
     settle(&findings);
 }
 
+/// Walks that aim at the image come to the mirror or through a hole in it.
+#[test]
+fn c2_with_a_hole() {
+    let case = mirrored_light_in_a_mirror_with_a_hole();
+    settle(&from_point(&case, &[(BDPT, 100), (COMBINED, 100)], 214, 0.03));
+}
+
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn c2_by_all_methods() {
@@ -184,7 +193,7 @@ fn dark(case: &Case, method: Method) -> Finding {
     }
 }
 
-/// Light of a point by way of mirrors.
+/// Mean radiance by these methods, with so many passes each.
 fn from_point(case: &Case, methods: &[(Method, u32)], seed: u64, equivalence: f64) -> Vec<Finding> {
     let compare = |&(method, passes): &(Method, u32)| {
         let claim = format!("{}, {method}: mean radiance", case.name);
@@ -250,6 +259,28 @@ fn c2_and_c3_together() {
     let case = mirrored_point_in_a_mirror();
     let mut findings = from_point(&case, &JOINING, 223, EQUIVALENCE);
     findings.extend([PURE_MC, PARTICLE].map(|method| dark(&case, method)));
+    settle(&findings);
+}
+
+/// The image of an image: walks from the camera aim at it. By chance they would find a lamp of this
+/// size once in 200,000 times, so that the passes here would see it three times.
+#[test]
+fn c6_through_a_periscope() {
+    let aiming = [(COMBINED, 60), (DIRECT_LIGHT, 60), (BDPT, 60)];
+    let mut findings = from_point(&periscope_in_a_mirror(), &aiming, 241, 0.03);
+    // Light paths see the floor's point as seldom as the camera's pixels are small.
+    findings.extend(from_point(&periscope(), &aiming[..2], 242, 0.03));
+    settle(&findings);
+}
+
+/// A point by way of two mirrors: joined for certain, but for the place in the pixel.
+#[test]
+fn c6_by_a_point() {
+    let case = point_in_periscope();
+    let mut findings = from_point(&case, &[(DIRECT_LIGHT, 8), (BDPT, 8)], 243, 2e-3);
+    findings.push(dark(&case, PARTICLE));
+    let bare = point_in_bare_periscope();
+    findings.extend(from_point(&bare, &[(DIRECT_LIGHT, 8), (BDPT, 8)], 244, 2e-3));
     settle(&findings);
 }
 

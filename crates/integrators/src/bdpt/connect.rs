@@ -4,13 +4,13 @@
 //! and only then whether anything stands between.
 
 use super::connection_roulette::ConnectionRoulette;
-use super::direct_sum::{JoinedPath, Joint};
+use super::direct_sum::{JoinedPath, Joint, Mirrors};
 use super::subpath::Subpath;
 use super::vertex::{End, Vertex};
 use super::walk::LightStart;
 use super::{Bdpt, FoundPath, LightPath, Report, Weighting, weight};
 use crate::direct::sample_light;
-use crate::mirrored_point::{MIRRORED_EDGES, mirrored_lights, walked_by_mirror};
+use crate::mirrored_point::{mirrored_lights, walked_by_mirror};
 use crate::path_scattering::PathScattering;
 use crate::splat::aim_at_camera;
 use crate::toward_light::{TowardLight, images_for};
@@ -80,9 +80,7 @@ impl<'a> Joiner<'a> {
                 found +=
                     self.light_sample(tracer, pixel, camera, toward_light, out).unwrap_or_default();
             }
-            if self.limits().allow(last as u32 + 1 + MIRRORED_EDGES) {
-                found += self.mirror_connections(tracer, pixel, camera, out);
-            }
+            found += self.mirror_connections(tracer, pixel, camera, out);
         }
         let Some(light) = light.filter(|_| self.bdpt.techniques.connections) else { return };
         // Pair by pair; of very many only some, which count for the rest.
@@ -178,7 +176,7 @@ impl<'a> Joiner<'a> {
         Some(self.add(pixel, &Found { path, value, weight }, out))
     }
 
-    /// s = 2 by way of a mirror: point lights that the camera path's last vertex sees in one.
+    /// s = 2 or 3 by way of mirrors: point lights that the camera path's last vertex sees in them.
     fn mirror_connections(
         &self,
         tracer: &mut Tracer<'_>,
@@ -187,24 +185,26 @@ impl<'a> Joiner<'a> {
         out: &mut ChunkOutput,
     ) -> Rgb {
         let mut found = Rgb::BLACK;
-        let Some(x2) = camera.last().filter(|_| self.bdpt.techniques.mirror_connections) else {
+        let Some(last) = camera.last().filter(|_| self.bdpt.techniques.mirror_connections) else {
             return found;
         };
         let scene = tracer.scene;
-        for light in mirrored_lights(scene, &x2.point, x2.wo, &x2.numbers) {
+        let room = (camera.len() as u32, self.limits());
+        for light in mirrored_lights(scene, &last.point, last.wo, &last.numbers, room) {
             // With what weight?
-            let PointImage { wi, seen_at, x0, light: id, walk_spread, .. } = light.image;
-            let at = seen_at.position;
-            let direction = (at - x0.site.position).normalize();
-            let densities = scene.light_densities(id, &x0, at, direction);
-            let walked = walked_by_mirror(&densities, walk_spread, &x2.point, wi);
+            let PointImage { wi, x0, light: id, walk_spread, .. } = light.image;
+            let x1 = light.image.lit_at().position;
+            let direction = (x1 - x0.site.position).normalize();
+            let densities = scene.light_densities(id, &x0, x1, direction);
+            let walked = walked_by_mirror(&densities, walk_spread, &last.point, wi);
             let pdf_back = light.scattering.toward_camera;
-            let weight = weight::mirror_connection(x2, walked, pdf_back, self.bdpt.heuristic);
+            let weight = weight::mirror_connection(last, walked, pdf_back, self.bdpt.heuristic);
             // Does anything stand between?
-            let Some(transmittance) = light.visible(tracer, &x2.point) else { continue };
-            let joint = Joint::Mirror { at, walked, pdf_back };
+            let Some(transmittance) = light.visible(tracer, &last.point) else { continue };
+            let by = Mirrors::of(&light.image);
+            let joint = Joint::Mirror { by, walked, pdf_back };
             let path = JoinedPath { light: &[], camera, densities, is_point: true, joint };
-            let value = x2.throughput * light.radiance * transmittance;
+            let value = last.throughput * light.radiance * transmittance;
             found += self.add(pixel, &Found { path, value, weight }, out);
         }
         found

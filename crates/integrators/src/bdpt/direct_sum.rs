@@ -7,7 +7,7 @@
 use super::Techniques;
 use super::vertex::{End, Vertex};
 use traylib_math::{Heuristic, SolidAnglePdf, Vec3};
-use traylib_scene::LightDensities;
+use traylib_scene::{LightDensities, PointImage};
 
 /// Two subpaths and how they were joined.
 #[derive(Clone, Copy, Debug)]
@@ -32,13 +32,29 @@ pub(crate) enum Joint {
     LightSample { end: End, hit_pdf: f32 },
     /// From the last light vertex to the last camera vertex.
     Connection { light: End, camera: End },
-    /// s = 2: from the last camera vertex x₂ to a point light by way of a mirror, seen `at` there;
-    /// light walks would have come that way with the density `walked` for each time that this is
-    /// tried, and gone back to the camera with `pdf_back`.
-    Mirror { at: Vec3, walked: f64, pdf_back: SolidAnglePdf },
+    /// s = 2 or 3: from the last camera vertex to a point light by way of one mirror or two; light
+    /// walks would have come that way with the density `walked` for each time that this is tried,
+    /// and gone back to the camera with `pdf_back`.
+    Mirror { by: Mirrors, walked: f64, pdf_back: SolidAnglePdf },
     /// t = 1: from the last light vertex to the camera, which would have found
     /// it with density `camera_pdf`.
     Splat { pdf_back: SolidAnglePdf, camera_pdf: f32 },
+}
+
+/// Where a point light is reflected ideally on its way: x₁, and x₂ if there are two mirrors.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mirrors {
+    x1: Vec3,
+    x2: Option<Vec3>,
+}
+
+/// The vertex that may be joined with a point light by way of mirrors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BehindMirrors {
+    /// The number of that technique, and of that vertex, which mirrors alone come before.
+    pub(crate) s: usize,
+    /// The density with which light walks come there, for each time that this is tried.
+    pub(crate) walked: f64,
 }
 
 /// F_i, B_i and whether x_i reflected ideally, for all vertices of a path.
@@ -49,9 +65,20 @@ pub(crate) struct PathDensities {
     pub(crate) is_delta: Vec<bool>,
     pub(crate) toward: f64,
     pub(crate) is_point: bool,
-    /// Where x₂ may be joined with a point light by way of the mirror x₁, which takes the place of
-    /// s = 2: the density with which light walks come to x₂, for each time that this is tried.
-    pub(crate) walked_by_mirror: Option<f64>,
+    /// Where mirrors are the first vertices behind a point light.
+    pub(crate) behind_mirrors: Option<BehindMirrors>,
+}
+
+impl Mirrors {
+    pub(crate) fn of(image: &PointImage) -> Self {
+        let seen_at = image.seen_at.position;
+        Self { x1: image.lit_at().position, x2: image.shown_at.map(|_| seen_at) }
+    }
+
+    /// From the light on.
+    pub(crate) fn places(&self) -> impl Iterator<Item = Vec3> {
+        [Some(self.x1), self.x2].into_iter().flatten()
+    }
 }
 
 impl JoinedPath<'_> {
@@ -59,7 +86,7 @@ impl JoinedPath<'_> {
     pub(crate) fn technique(&self) -> (usize, usize) {
         let s = match self.joint {
             Joint::Hit => 0,
-            Joint::Mirror { .. } => 2,
+            Joint::Mirror { by, .. } => 1 + by.places().count(),
             Joint::LightSample { .. } | Joint::Connection { .. } | Joint::Splat { .. } => {
                 self.light.len() + 1
             }
@@ -74,33 +101,34 @@ impl JoinedPath<'_> {
 
     /// Whether technique (s, t) takes part in finding this path.
     pub(crate) fn allows(&self, techniques: Techniques, s: usize, t: usize) -> bool {
-        if s == 2 && self.has_mirror_joint() {
+        if self.mirror_joint() == Some(s) {
             techniques.mirror_connections
         } else {
             techniques.allow(s, t, self.is_point)
         }
     }
 
-    /// Whether s = 2 stands for joining a point light by way of a mirror.
-    pub(crate) fn has_mirror_joint(&self) -> bool {
-        self.walked_by_mirror().is_some()
+    /// The technique that stands for joining a point light by way of mirrors, if one does.
+    pub(crate) fn mirror_joint(&self) -> Option<usize> {
+        self.behind_mirrors().map(|vertex| vertex.s)
     }
 
-    /// See [`PathDensities::walked_by_mirror`].
-    fn walked_by_mirror(&self) -> Option<f64> {
-        match (self.joint, self.light) {
-            (Joint::Mirror { walked, .. }, _) => Some(walked),
-            // M of x₂ stands for nothing else, and is zero where nothing is joined so.
-            (_, [_, x2, ..]) if self.is_point && x2.after_delta => {
-                Some(1.0 / x2.d_vcm).filter(|walked| walked.is_finite())
+    /// See [`PathDensities::behind_mirrors`].
+    fn behind_mirrors(&self) -> Option<BehindMirrors> {
+        match self.joint {
+            Joint::Mirror { walked, .. } => Some(BehindMirrors { s: self.technique().0, walked }),
+            Joint::Hit
+            | Joint::LightSample { .. }
+            | Joint::Connection { .. }
+            | Joint::Splat { .. } => {
+                let mirrors = self.light.iter().skip(1).take_while(|next| next.after_delta).count();
+                let s = mirrors + 1;
+                // M of that vertex stands for nothing else, and is zero where nothing is joined so.
+                let walked = |vertex: &Vertex| 1.0 / vertex.d_vcm;
+                (self.is_point && mirrors > 0)
+                    .then(|| BehindMirrors { s, walked: walked(&self.light[mirrors]) })
+                    .filter(|vertex| vertex.walked.is_finite())
             }
-            (
-                Joint::Hit
-                | Joint::LightSample { .. }
-                | Joint::Connection { .. }
-                | Joint::Splat { .. },
-                _,
-            ) => None,
         }
     }
 
@@ -114,7 +142,7 @@ impl JoinedPath<'_> {
             is_delta: vec![false; k + 1],
             toward: f64::from(self.densities.toward),
             is_point: self.is_point,
-            walked_by_mirror: self.walked_by_mirror(),
+            behind_mirrors: self.behind_mirrors(),
         };
         // x_k is the pinhole, which is there for certain.
         path.backward[k] = 1.0;
@@ -160,8 +188,8 @@ impl JoinedPath<'_> {
             |pdf: SolidAnglePdf, conversion: f32| f64::from(pdf.0) * f64::from(conversion);
         match self.joint {
             Joint::Hit => {}
-            // That of x₀ to x₂ is known as a whole.
-            Joint::Mirror { .. } => path.is_delta[1] = true,
+            // That of x₀ to the vertex behind the mirrors is known as a whole.
+            Joint::Mirror { .. } => path.is_delta[1..s].fill(true),
             Joint::LightSample { end, hit_pdf } => {
                 path.backward[0] = f64::from(hit_pdf);
                 path.forward[1] = product(self.densities.direction, end.conversion);
@@ -223,7 +251,7 @@ impl PathDensities {
         let k = self.forward.len() - 1;
         // A light path does not hit a pinhole, nor see it from the lamp itself.
         let exists = s < k || (s == k && k > 1);
-        let by_mirror = s == 2 && self.walked_by_mirror.is_some();
+        let by_mirror = self.behind_mirrors.is_some_and(|vertex| vertex.s == s);
         let joins_delta = s > 0 && (self.is_delta[s - 1] && !by_mirror || self.is_delta[s]);
         exists && !joins_delta
     }
@@ -233,12 +261,13 @@ impl PathDensities {
         // x₀ … x_{s−1} walked from the light, the others from the camera; any of so many
         // light paths could have been splatted.
         let start = if s == 1 { self.toward } else { self.forward[0] };
-        let forward: f64 = match self.walked_by_mirror {
+        let forward: f64 = match self.behind_mirrors {
             None => (0..s).map(|i| if i == 0 { start } else { self.forward[i] }).map(f64::ln).sum(),
-            // All that begin at the light come by way of x₁ to x₂, one of them for certain.
-            Some(_) if s <= 2 => 0.0,
-            Some(walked) => {
-                walked.ln() + self.forward[3..s].iter().map(|pdf| pdf.ln()).sum::<f64>()
+            // All that begin at the light come by way of the mirrors, one of them for certain.
+            Some(behind) if s <= behind.s => 0.0,
+            Some(behind) => {
+                let on = &self.forward[behind.s + 1..s];
+                behind.walked.ln() + on.iter().map(|pdf| pdf.ln()).sum::<f64>()
             }
         };
         let backward: f64 = self.backward[s..].iter().map(|pdf| pdf.ln()).sum();

@@ -19,8 +19,8 @@ pub struct FoundPath {
     pub is_splat: bool,
     /// Whether it begins at a point light.
     pub is_point: bool,
-    /// Whether s = 2 stands for joining a point light by way of a mirror.
-    pub has_mirror_joint: bool,
+    /// The s that stands for joining a point light by way of mirrors, if one does.
+    pub mirror_joint: Option<usize>,
     /// Of s = 0 … k, how many times more often technique s finds the path than the one that
     /// did, in numbers of samples a pixel; zero where it cannot.
     pub ratios: Box<[f64]>,
@@ -38,7 +38,7 @@ impl FoundPath {
             s,
             is_splat: t == 1,
             is_point: path.is_point,
-            has_mirror_joint: path.has_mirror_joint(),
+            mirror_joint: path.mirror_joint(),
             ratios: logs.iter().map(ratio).collect(),
         }
     }

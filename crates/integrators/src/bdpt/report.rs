@@ -26,8 +26,8 @@ pub struct Technique {
     pub s: u8,
     /// Vertices from the camera.
     pub t: u8,
-    /// Whether the last vertex from the camera is joined with a point light by way of a mirror:
-    /// s = 2 then stands for the light and the mirror.
+    /// Whether the last vertex from the camera is joined with a point light by way of mirrors:
+    /// s then stands for the light and one or two of them.
     pub by_mirror: bool,
     /// Whether its paths carry their weights, so that all pictures add up to the
     /// whole, or stand for themselves.
@@ -103,8 +103,8 @@ fn describe(path: &JoinedPath<'_>, value: Rgb, weight: f64, all_weights: &[f64])
     // x₀ is a vertex of its own unless the camera path hit it.
     let first_surface = usize::from(s > 0);
     let mut positions = vec![String::from("on the lamp"); first_surface];
-    if let Joint::Mirror { at, .. } = path.joint {
-        positions.push(at.to_string());
+    if let Joint::Mirror { by, .. } = path.joint {
+        positions.extend(by.places().map(|place| place.to_string()));
     }
     positions.extend(surfaces.map(|vertex| vertex.point.site.position.to_string()));
     positions.push(String::from("camera"));

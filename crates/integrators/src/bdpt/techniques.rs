@@ -24,7 +24,7 @@ pub struct Techniques {
     pub connections: bool,
     /// t = 1: a vertex of the light path is joined to the camera.
     pub splats: bool,
-    /// s = 2, t ≥ 2: point lights are joined by way of a mirror.
+    /// s = 2 or 3, t ≥ 2: point lights are joined by way of one mirror or two.
     pub mirror_connections: bool,
 }
 

@@ -142,7 +142,8 @@ fn mirror_connections_share_their_paths() {
         let bdpt = Bdpt { heuristic, ..Bdpt::default() };
         let splats = 777.0;
         let walker = Walker::new(&bdpt, splats);
-        let (mut alone, mut shared) = (0, 0);
+        // By way of one mirror and of two.
+        let (mut alone, mut shared) = ([0, 0], [0, 0]);
         for index in 0..4000 {
             let Some((_, _, camera)) = random_walks(&scene, &walker, index) else { continue };
             for t in 1..=camera.len() {
@@ -155,18 +156,21 @@ fn mirror_connections_share_their_paths() {
                     if f.max_band() < 1e-6 || edge < 1e-2 {
                         continue;
                     }
-                    let path = FullPath::by_way_of_mirror(&scene, &image, camera);
+                    let path = FullPath::by_way_of_mirrors(&scene, &image, camera);
                     let Some(path) = path else { continue };
                     let weights = path.weights(&scene, &walker, &bdpt, splats);
                     let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
                     assert!((sum - 1.0).abs() < 1e-4, "{heuristic:?}: {sum} {weights:?}: {path:?}");
-                    let own = weights.iter().find(|(s, _)| *s == 2).map_or(0.0, |(_, w)| *w);
-                    alone += usize::from(own == 1.0);
-                    shared += usize::from((0.01..0.99).contains(&own));
+                    let mirrors = image.mirrors() as usize;
+                    let own = weights.iter().find(|(s, _)| *s == 1 + mirrors);
+                    let own = own.map_or(0.0, |(_, weight)| *weight);
+                    alone[mirrors - 1] += usize::from(own == 1.0);
+                    shared[mirrors - 1] += usize::from((0.01..0.99).contains(&own));
                 }
             }
         }
-        assert!(alone > 50 && shared > 250, "{alone} {shared}");
+        assert!(alone[0] > 50 && shared[0] > 250, "{alone:?} {shared:?}");
+        assert!(alone[1] > 10 && shared[1] > 50, "{alone:?} {shared:?}");
     }
 }
 

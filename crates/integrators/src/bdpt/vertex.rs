@@ -8,8 +8,8 @@
 //! Of the other techniques that could have found a path, those that connect
 //! inside this subpath are summed up in
 //!
-//! - `d_vcm` = 1/F_i, which stands for connecting x_{i−1} to x_i (M in comments), or, where x₁
-//!   is a mirror by way of which x₂ may be joined with a point light x₀, for that,
+//! - `d_vcm` = 1/F_i, which stands for connecting x_{i−1} to x_i (M in comments), or, where all
+//!   between are mirrors by way of which x_i may be joined with a point light x₀, for that,
 //! - `d_vc` = Σ over the connections further back, per P(pdf of going back) (C).
 //!
 //! They are Georgiev's dVCM and dVC before the heuristic raises the first: here it does

@@ -147,8 +147,10 @@ impl Walker {
             let throughput = throughput * hit.transmittance;
             let aims = self.aims_at_images && walk == Walk::FromCamera && last.is_sharp;
             let mut next = state.extend_to(hit.point, wo, throughput, numbers, self.heuristic);
-            if let (Some(start), 2) = (from_light, edge) {
-                self.note_mirror(tracer.scene, start, &last.point, &mut next);
+            if let Some(start) = from_light {
+                // The vertices of this path, which the list may hold others before.
+                let own = path.vertices.len() + 1 - edge as usize;
+                self.note_mirrors(tracer.scene, start, &path.vertices[own..], &mut next);
             }
             path.vertices.push(next);
             // What the camera sees by way of something sharp aims at images.
@@ -158,23 +160,30 @@ impl Walker {
         }
     }
 
-    /// Where x₁ reflected a point light's path ideally to x₂: the edge between them cannot be
-    /// connected, but x₂ may be joined with the light by way of that mirror, and M stands for
-    /// that.
-    pub(crate) fn note_mirror(
+    /// Where `between`, x₁ or x₁ and x₂, reflected a point light's path ideally to `next`: the
+    /// edge to it cannot be connected, but it may be joined with the light by way of those mirrors,
+    /// and M stands for that.
+    pub(crate) fn note_mirrors(
         &self,
         scene: &Scene,
         start: &LightStart,
-        x1: &SurfacePoint,
-        x2: &mut Vertex,
+        between: &[Vertex],
+        next: &mut Vertex,
     ) {
         let LightStart { light, x0, densities } = start;
-        if !(self.techniques.mirror_connections && x0.is_point && x2.after_delta) {
+        if !(self.techniques.mirror_connections && x0.is_point && next.after_delta) {
             return;
         }
-        let spread = scene.mirrored_walk_spread(*light, x0, x1, x2.point.site.position);
+        let to = next.point.site.position;
+        let spread = match between {
+            [x1] => scene.mirrored_walk_spread(*light, x0, &[&x1.point], to),
+            [x1, x2] if x2.after_delta => {
+                scene.mirrored_walk_spread(*light, x0, &[&x1.point, &x2.point], to)
+            }
+            _ => None,
+        };
         if let Some(spread) = spread {
-            x2.d_vcm = 1.0 / walked_by_mirror(densities, spread, &x2.point, x2.wo);
+            next.d_vcm = 1.0 / walked_by_mirror(densities, spread, &next.point, next.wo);
         }
     }
 

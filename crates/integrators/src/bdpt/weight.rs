@@ -67,19 +67,19 @@ pub(crate) fn connection(
     1.0 / (1.0 + light_side + camera_side)
 }
 
-/// A point light was joined with `x2` by way of a mirror, where light walks would have come over
-/// that mirror with the density `walked` for each time that it is joined so.
+/// A point light was joined with `last` by way of mirrors, where light walks would have come over
+/// them with the density `walked` for each time that it is joined so.
 ///
-/// No other technique joins anything up to x₂: a point is not hit, and what reflects ideally is
-/// joined with nothing. So only those compete that walk from the light over x₂, as at s = 1 those
-/// do that walk over x₁.
+/// No other technique joins anything up to that vertex: a point is not hit, and what reflects
+/// ideally is joined with nothing. So only those compete that walk from the light over it, as at
+/// s = 1 those do that walk over x₁.
 pub(crate) fn mirror_connection(
-    x2: &Vertex,
+    last: &Vertex,
     walked: f64,
     pdf_back: SolidAnglePdf,
     heuristic: Heuristic,
 ) -> f64 {
-    1.0 / (1.0 + x2.competition(walked, pdf_back, heuristic))
+    1.0 / (1.0 + last.competition(walked, pdf_back, heuristic))
 }
 
 /// How many light paths count in the weights as having been able to find a vertex that the

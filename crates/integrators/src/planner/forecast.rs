@@ -44,7 +44,7 @@ pub enum Kind {
     Connections,
     /// t = 1: walks from lamps are joined to the camera.
     Splats,
-    /// s = 2 by way of a mirror: point lights are joined with what they are seen from in it.
+    /// Point lights are joined by way of mirrors with what sees them there.
     MirrorJoints,
 }
 
@@ -68,9 +68,9 @@ impl Kind {
     fn of(path: &FoundPath, s: usize) -> Self {
         match s {
             _ if s == path.edges() && s > 1 => Self::Splats,
+            _ if path.mirror_joint == Some(s) => Self::MirrorJoints,
             0 => Self::Hits,
             1 => Self::LightSamples,
-            2 if path.has_mirror_joint => Self::MirrorJoints,
             _ => Self::Connections,
         }
     }
@@ -169,7 +169,7 @@ impl Use {
     fn count(&self, path: &FoundPath, s: usize) -> f64 {
         let t = path.edges() + 1 - s;
         let takes_part = match s {
-            2 if path.has_mirror_joint => self.techniques.mirror_connections,
+            _ if path.mirror_joint == Some(s) => self.techniques.mirror_connections,
             0 if self.is_strict && t > 2 => path.ratios[1] == 0.0,
             _ => self.techniques.allow(s, t, path.is_point),
         };

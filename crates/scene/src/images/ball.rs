@@ -26,7 +26,11 @@ impl BallMirror {
         self.centre
     }
 
-    /// Tells whether a lamp's light may fall on it.
+    pub(super) fn radius(&self) -> f32 {
+        self.radius
+    }
+
+    /// Whether a lamp's light may fall on it.
     pub(super) fn may_show(&self, lamp: &LightBall) -> bool {
         lamp.may_light(self.centre, self.radius)
     }
@@ -64,7 +68,8 @@ impl BallMirror {
     ///
     /// In the plane of both and the centre, a from the centre at angle 0 and b at φ,
     /// the normal at angle θ has equal angles to both where
-    /// ab·sin(2θ−φ) = r·(a·sin θ − b·sin(φ−θ)): two steps of Newton's method.
+    /// ab·sin(2θ−φ) = r·(a·sin θ − b·sin(φ−θ)): three steps of Newton's method. It has other roots,
+    /// where one of both is behind the surface: so they start where both see it.
     fn mirroring_normal(&self, one: Vec3, other: Vec3) -> Option<Vec3> {
         let r = self.radius;
         let (to_one, to_other) = (one - self.centre, other - self.centre);
@@ -79,8 +84,9 @@ impl BallMirror {
         let y = side.try_normalize().unwrap_or_else(|| x.any_orthonormal_vector());
         // The bisector leans to whoever is nearer.
         let (near, far) = (a - r, b - r);
-        let mut m = Vec2::new(far + near * cos_phi, near * sin_phi).try_normalize()?;
-        for _ in 0..2 {
+        let guess = Vec2::new(far + near * cos_phi, near * sin_phi).try_normalize()?;
+        let mut m = nearest_seen(guess, [a / r, b / r], Vec2::new(cos_phi, sin_phi))?;
+        for _ in 0..3 {
             m = newton(m, [a, b], r, [sin_phi, cos_phi])?;
         }
         Some(m.x * x + m.y * y)
@@ -163,6 +169,30 @@ fn reflecting_normal(one: DVec3, other: DVec3) -> Option<DVec3> {
 
 /// Five or six are usual; halving alone needs 52 for all bits.
 const MOST_STEPS: usize = 60;
+
+/// Of the points of a unit circle that are seen from both the distance a in the direction (1, 0)
+/// and b in the direction `toward`, the one that is nearest to `guess`; where nothing is, one
+/// between what either sees.
+fn nearest_seen(guess: Vec2, [a, b]: [f32; 2], toward: Vec2) -> Option<Vec2> {
+    // Where tangents touch it: at acos(1/a) from the one, acos(1/b) from the other.
+    let touched = |distance: f32| {
+        let cos = 1.0 / distance;
+        Vec2::new(cos, (1.0 - cos * cos).max(0.0).sqrt())
+    };
+    let last = touched(a);
+    let from_other = touched(b);
+    let first = Vec2::new(from_other.x, -from_other.y).rotate(toward);
+    if first.perp_dot(last) <= 0.0 {
+        return (first + last).try_normalize();
+    }
+    Some(if guess.perp_dot(last) < 0.0 {
+        last
+    } else if first.perp_dot(guess) < 0.0 {
+        first
+    } else {
+        guess
+    })
+}
 
 /// The next guess after the unit vector (cos θ, sin θ).
 fn newton(m: Vec2, [a, b]: [f32; 2], r: f32, [sin_phi, cos_phi]: [f32; 2]) -> Option<Vec2> {

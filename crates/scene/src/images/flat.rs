@@ -5,6 +5,10 @@ use super::light_ball::LightBall;
 use super::reflection::Reflection;
 use traylib_geometry::{Disk, Quad, Sides, Triangle};
 use traylib_math::Vec3;
+use traylib_math::glam::DVec3;
+
+/// What is no higher over a plane than this, over its size, lies in it but for rounding.
+const IN_PLANE: f32 = 1e-5;
 
 /// A flat piece that mirrors.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,18 +66,67 @@ impl FlatMirror {
         }
     }
 
-    /// Tells whether a lamp's light may fall on a side that mirrors.
+    /// Whether a lamp's light may fall on a side that mirrors.
     pub(super) fn may_show(&self, lamp: &LightBall) -> bool {
-        let height = self.normal.dot(lamp.centre - self.anchor);
+        let height = self.height(lamp.centre);
         (!self.front_only || height > -lamp.radius)
             && lamp.may_light(self.middle(), self.outline.reach())
+    }
+
+    /// Whether any of a ball is before a side that mirrors.
+    pub(super) fn faces_ball(&self, centre: Vec3, radius: f32) -> bool {
+        !self.front_only || self.height(centre) > -radius
+    }
+
+    /// Whether any of another piece is before a side that mirrors, and not in the same plane.
+    pub(super) fn faces(&self, other: &Self) -> bool {
+        let (height, rise) =
+            (self.height(other.anchor), other.outline.rise(self.normal, other.normal));
+        let highest = height + rise[1];
+        let lowest = if self.front_only { 0.0 } else { height + rise[0] };
+        highest.max(-lowest) > IN_PLANE * other.outline.reach()
+    }
+
+    /// Whether two points are before the same side.
+    pub(super) fn are_on_one_side(&self, one: Vec3, other: Vec3) -> bool {
+        self.height(one) * self.height(other) > 0.0
+    }
+
+    /// Where a point stands in the mirror, if that shows it.
+    pub(super) fn behind(&self, from: Vec3) -> Option<Vec3> {
+        let height = self.height(from);
+        let shows = height > 0.0 || (height < 0.0 && !self.front_only);
+        shows.then(|| from - 2.0 * height * self.normal)
+    }
+
+    /// A direction as it looks in the mirror.
+    pub(super) fn mirrored(&self, direction: DVec3) -> DVec3 {
+        let normal = self.normal.as_dvec3();
+        direction - 2.0 * normal.dot(direction) * normal
+    }
+
+    /// A cone of directions from behind the mirror, which end before it, as `from` sees it, and
+    /// where in the mirror that is; `None` if the mirror does not reach there.
+    pub(super) fn turned(&self, cone: ImageCone, from: Vec3) -> Option<(ImageCone, Vec3)> {
+        let (height, climb) = (self.height(from), self.normal.dot(cone.axis));
+        if height * climb <= 0.0 {
+            return None;
+        }
+        let distance = height / climb;
+        let axis = cone.axis - 2.0 * climb * self.normal;
+        let seen_at = from + distance * axis;
+        let reaches = self.outline.reaches(seen_at - self.anchor, distance * cone.half_angle());
+        reaches.then_some((ImageCone { axis, ..cone }, seen_at))
+    }
+
+    fn height(&self, at: Vec3) -> f32 {
+        self.normal.dot(at - self.anchor)
     }
 
     /// The cone around a lamp's image as `from` sees it, if any of it may show.
     pub(super) fn image(&self, lamp: &LightBall, blur: f32, from: Vec3) -> Option<ImageCone> {
         // Both before the mirror, on one side of it.
-        let height = self.normal.dot(from - self.anchor);
-        let lamp_height = self.normal.dot(lamp.centre - self.anchor);
+        let (height, lamp_height) = (self.height(from), self.height(lamp.centre));
         if height * lamp_height <= 0.0 || (self.front_only && height < 0.0) {
             return None;
         }
@@ -122,7 +175,21 @@ impl Outline {
         }
     }
 
-    /// Tells whether an offset from the anchor, in the plane, is inside or at most this far out.
+    /// How far below and above its anchor it reaches along a unit direction; `normal` is its own.
+    fn rise(&self, up: Vec3, normal: Vec3) -> [f32; 2] {
+        let corners = match *self {
+            Self::Quad { edges: [u, v], .. } => [u, v, u + v],
+            Self::Triangle { edges: [u, v], .. } => [u, v, Vec3::ZERO],
+            Self::Disk { radius } => {
+                let climb = radius * up.cross(normal).length();
+                return [-climb, climb];
+            }
+        };
+        let rises = corners.map(|corner| up.dot(corner));
+        [rises.iter().copied().fold(0.0, f32::min), rises.iter().copied().fold(0.0, f32::max)]
+    }
+
+    /// Whether an offset from the anchor, in the plane, is inside or at most this far out.
     fn reaches(&self, offset: Vec3, margin: f32) -> bool {
         let inside = |to: Vec3, over: f32| {
             let (at, slack) = (offset.dot(to), margin * to.length());

@@ -47,12 +47,48 @@ impl Mirror {
 
     /// About which part of what a lamp here sends arrives at the mirror.
     pub(super) fn part_of_sky(&self, from: Vec3) -> f32 {
-        let middle = match &self.form {
+        let distance_squared = (from - self.middle()).length_squared();
+        self.area / (self.area + distance_squared)
+    }
+
+    /// A point in its middle, or that of the ball.
+    pub(super) fn middle(&self) -> Vec3 {
+        match &self.form {
             Form::Ball(ball) => ball.centre(),
             Form::Flat(flat) => flat.middle(),
-        };
-        let distance_squared = (from - middle).length_squared();
-        self.area / (self.area + distance_squared)
+        }
+    }
+
+    /// Whether it is flat and some point may see any of another mirror in it.
+    pub(super) fn may_show_mirror(&self, other: &Self) -> bool {
+        match (&self.form, &other.form) {
+            (Form::Ball(_), Form::Ball(_) | Form::Flat(_)) => false,
+            (Form::Flat(flat), Form::Ball(ball)) => flat.faces_ball(ball.centre(), ball.radius()),
+            (Form::Flat(flat), Form::Flat(other)) => flat.faces(other) && other.faces(flat),
+        }
+    }
+
+    /// Where a point sees the image of a lamp in another mirror in this one, if it does and this
+    /// is flat.
+    pub(super) fn image_of_image(
+        &self,
+        other: &Self,
+        lamp: &LightBall,
+        from: Vec3,
+    ) -> Option<ImageCone> {
+        let Form::Flat(flat) = &self.form else { return None };
+        // As from behind this mirror.
+        let image = other.image(lamp, flat.behind(from)?)?.widened(self.blur);
+        let (cone, seen_at) = flat.turned(image, from)?;
+        other.reflects_to(seen_at, lamp).then_some(cone)
+    }
+
+    /// Whether a point is on the side of it on which the lamp is.
+    fn reflects_to(&self, at: Vec3, lamp: &LightBall) -> bool {
+        match &self.form {
+            Form::Ball(_) => true,
+            Form::Flat(flat) => flat.are_on_one_side(at, lamp.centre),
+        }
     }
 
     /// Tells whether some point may see this lamp in it.
@@ -86,6 +122,18 @@ impl Mirror {
     /// Tells whether it shows a point as a point.
     pub(super) fn is_ideal(&self) -> bool {
         self.blur == 0.0
+    }
+
+    /// The same by way of another mirror and then of this one, if this is flat.
+    pub(super) fn reflection_of_reflection(
+        &self,
+        other: &Self,
+        from: Vec3,
+        light: Vec3,
+    ) -> Option<Reflection> {
+        let Form::Flat(flat) = &self.form else { return None };
+        let behind = other.reflection(flat.behind(from)?, light)?;
+        Some(Reflection { toward: flat.mirrored(behind.toward), ..behind })
     }
 
     /// How light of a point arrives at another by way of it, wherever it ends.

@@ -2,10 +2,11 @@
 //! with a surface all the same.
 
 use super::mirror::Mirror;
+use super::reflection::Reflection;
 use crate::surfaces::{Surface, Surfaces};
 use crate::{Light, LightId};
 use traylib_materials::Material;
-use traylib_math::DiscreteDistribution;
+use traylib_math::{DiscreteDistribution, Vec3};
 
 /// Of so many pairs of mirror and light or fewer all are looked at from a point, of more only
 /// one that is drawn.
@@ -19,8 +20,19 @@ const RAREST: f64 = 1.0 / 16.0;
 pub(crate) struct MirroredPoints {
     mirrors: Vec<NumberedMirror>,
     mirror_by_area: DiscreteDistribution,
+    /// Each seen in a flat one; none where [`MOST_PAIRS`] would not hold them all.
+    rows: Vec<MirrorWay>,
     lights: Vec<LightId>,
     light_by_power: DiscreteDistribution,
+}
+
+/// One mirror, or two of which one is seen in the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MirrorWay {
+    /// What the surface sees.
+    pub(crate) seen: NumberedMirror,
+    /// What that shows, if not the light itself.
+    pub(crate) shown: Option<NumberedMirror>,
 }
 
 /// A mirror, and which of the scene's surfaces it is.
@@ -51,11 +63,17 @@ impl MirroredPoints {
         let mirrors: Vec<NumberedMirror> = (0..).zip(surfaces.all()).filter_map(numbered).collect();
         let areas: Vec<f32> = mirrors.iter().map(|numbered| numbered.mirror.area).collect();
         let mirror_by_area = DiscreteDistribution::with_floor(&areas, RAREST)?;
-        Some(Self { mirrors, mirror_by_area, lights, light_by_power })
+        let rows = rows(&mirrors, MOST_PAIRS / lights.len());
+        Some(Self { mirrors, mirror_by_area, rows, lights, light_by_power })
     }
 
-    /// How many pairs are looked at.
+    /// How many images are looked at.
     pub(crate) fn tries(&self) -> usize {
+        self.pairs_tried() + self.rows.len() * self.lights.len()
+    }
+
+    /// Of those how many are in one mirror.
+    fn pairs_tried(&self) -> usize {
         if self.tries_all() { self.mirrors.len() * self.lights.len() } else { 1 }
     }
 
@@ -63,8 +81,17 @@ impl MirroredPoints {
         self.mirrors.len() * self.lights.len() <= MOST_PAIRS
     }
 
-    /// A pair to look at, and the chance to do so; `u` is uniform.
-    pub(crate) fn pair(&self, look: usize, u: [f64; 2]) -> (NumberedMirror, LightId, f32) {
+    /// An image to look at, and the chance to do so; `u` is uniform.
+    pub(crate) fn image(&self, look: usize, u: [f64; 2]) -> (MirrorWay, LightId, f32) {
+        let count = self.lights.len();
+        if let Some(look) = look.checked_sub(self.pairs_tried()) {
+            return (self.rows[look / count], self.lights[look % count], 1.0);
+        }
+        let (mirror, light, chance) = self.pair(look, u);
+        (MirrorWay { seen: mirror, shown: None }, light, chance)
+    }
+
+    fn pair(&self, look: usize, u: [f64; 2]) -> (NumberedMirror, LightId, f32) {
         let count = self.lights.len();
         if self.tries_all() {
             return (self.mirrors[look / count], self.lights[look % count], 1.0);
@@ -75,9 +102,22 @@ impl MirroredPoints {
         (self.mirrors[mirror], self.lights[light], of_mirrors * of_lights)
     }
 
-    /// The mirror that is this surface, and the chance to look at its pair with this light;
-    /// `None` of what is none, or no such light.
-    pub(crate) fn pair_of(&self, surface: u32, light: LightId) -> Option<(Mirror, f32)> {
+    /// The way by these surfaces, from the light on, and the chance to look for this light in
+    /// it; `None` of what is none, or no such light.
+    pub(crate) fn way_of(&self, surfaces: &[u32], light: LightId) -> Option<(MirrorWay, f32)> {
+        match *surfaces {
+            [only] => self.pair_of(only, light),
+            [shown, seen] => {
+                let is_there = |way: &&MirrorWay| {
+                    way.seen.surface == seen && way.shown.is_some_and(|it| it.surface == shown)
+                };
+                self.rows.iter().find(is_there).map(|way| (*way, 1.0))
+            }
+            _ => None,
+        }
+    }
+
+    fn pair_of(&self, surface: u32, light: LightId) -> Option<(MirrorWay, f32)> {
         // Both lists are in order.
         let mirror = self.mirrors.binary_search_by_key(&surface, |it| it.surface).ok()?;
         let light = self.lights.binary_search_by_key(&light.0, |it| it.0).ok()?;
@@ -86,7 +126,31 @@ impl MirroredPoints {
         } else {
             self.mirror_by_area.probability(mirror) * self.light_by_power.probability(light)
         };
-        Some((self.mirrors[mirror].mirror, chance))
+        Some((MirrorWay { seen: self.mirrors[mirror], shown: None }, chance))
+    }
+}
+
+/// All mirrors as flat ones show them, if there are no more than this.
+fn rows(mirrors: &[NumberedMirror], most: usize) -> Vec<MirrorWay> {
+    // Of very many mirrors nobody needs all pairs.
+    if mirrors.len() > MOST_PAIRS {
+        return Vec::new();
+    }
+    let shown_in = |seen: NumberedMirror| {
+        let others = mirrors.iter().filter(move |other| seen.mirror.may_show_mirror(&other.mirror));
+        others.map(move |&other| MirrorWay { seen, shown: Some(other) })
+    };
+    let rows: Vec<MirrorWay> = mirrors.iter().copied().flat_map(shown_in).collect();
+    if rows.len() <= most { rows } else { Vec::new() }
+}
+
+impl MirrorWay {
+    /// How light of a point arrives at another by this way, wherever mirrors end.
+    pub(crate) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
+        match &self.shown {
+            None => self.seen.mirror.reflection(from, light),
+            Some(shown) => self.seen.mirror.reflection_of_reflection(&shown.mirror, from, light),
+        }
     }
 }
 

@@ -90,6 +90,67 @@ fn cones_hold_the_image_and_not_much_else() {
     }
 }
 
+/// The mirror y = 3, in which [`EYES`] see [`mirrors`].
+fn ceiling() -> Primitive {
+    quad([-4.0, 3.0, -4.0], [0.0, 0.0, 8.0], [8.0, 0.0, 0.0])
+}
+
+/// The same of the image in another mirror.
+#[test]
+fn cones_hold_images_of_images() {
+    let mut sampler = Sampler::numbered(3, 0);
+    let seen_in = Mirror::new(&ceiling(), Sides::Both, f32::INFINITY).unwrap();
+    for mirror in mirrors() {
+        for lamp in lamps() {
+            for eye in EYES {
+                let pair = {
+                    let mirror = Mirror::new(&mirror, Sides::Both, f32::INFINITY).unwrap();
+                    Pair::new(&mirror, &LightBall::of(&area_light(lamp)).unwrap()).unwrap()
+                };
+                let case = format!("{mirror:?} {lamp:?} {eye}");
+                let cone = pair.seen_in(&seen_in).unwrap().image(eye).expect(&case);
+                let (mut shown, mut outside, mut inside) = (0, 0, 0);
+                for _ in 0..20_000 {
+                    let wide = (4.0 * cone.one_minus_cos).min(2.0);
+                    let w = warp::uniform_cone(cone.axis, wide, sampler.next_2d());
+                    let in_cone = cone.pdf(w) > 0.0;
+                    inside += u32::from(in_cone);
+                    let ray = reflected(&ceiling(), &Ray::new(eye, w));
+                    let ray = ray.and_then(|ray| reflected(&mirror, &ray));
+                    let Some(ray) = ray else { continue };
+                    if lamp.intersect(&ray, Sides::Front).is_some() {
+                        shown += 1;
+                        outside += u32::from(!in_cone);
+                    }
+                }
+                assert!(outside * 100 <= shown, "{case}: {shown} {outside} {inside}");
+                assert!(shown * 8 >= inside, "{case}: {shown} {outside} {inside}");
+            }
+        }
+    }
+}
+
+/// Pieces of one plane show nothing of one another, nor do mirrors that turn their backs.
+#[test]
+fn mirrors_show_those_before_them() {
+    let mirror = |shape: &Primitive, sides| Mirror::new(shape, sides, f32::INFINITY).unwrap();
+    let [floor, triangle, disk, globe] = mirrors();
+    for sides in [Sides::Both, Sides::Front] {
+        // The front of both is toward y.
+        let [floor, ceiling] = [floor, ceiling()].map(|shape| mirror(&shape, sides));
+        let are_shown = sides == Sides::Both;
+        assert_eq!(floor.may_show_mirror(&ceiling), are_shown);
+        assert_eq!(ceiling.may_show_mirror(&floor), are_shown);
+        for flat in [&triangle, &disk] {
+            assert!(!floor.may_show_mirror(&mirror(flat, sides)));
+        }
+        // Balls show mirrors nowhere in particular.
+        assert!(!mirror(&globe, sides).may_show_mirror(&floor));
+    }
+
+    assert!(mirror(&ceiling(), Sides::Both).may_show_mirror(&mirror(&globe, Sides::Front)));
+}
+
 #[test]
 fn nothing_is_aimed_at_that_cannot_show() {
     let [square, ..] = lamps();

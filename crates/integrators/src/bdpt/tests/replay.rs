@@ -68,27 +68,37 @@ impl FullPath {
         Some(Self { id, x0: start.x0, surfaces, is_delta, lamp: None })
     }
 
-    /// The path of a camera subpath whose last vertex is joined with a point light by way of a
-    /// mirror.
-    pub(super) fn by_way_of_mirror(
+    /// The path of a camera subpath whose last vertex is joined with a point light by way of
+    /// mirrors.
+    pub(super) fn by_way_of_mirrors(
         scene: &Scene,
         image: &PointImage,
         camera: &[Vertex],
     ) -> Option<Self> {
-        let PointImage { seen_at, x0, .. } = *image;
-        // The mirror as the light sees it, if it does.
+        let PointImage { seen_at, shown_at, x0, .. } = *image;
         let id = scene.light_ids().find(|&id| owns(scene, id, &x0))?;
-        let offset = seen_at.position - x0.site.position;
-        let mirror = scene.intersect(&Ray::new(x0.site.position, offset.normalize()))?;
-        if (mirror.site.position - seen_at.position).length() > 1e-4 {
-            return None;
+        // The mirrors as the light comes to them, if it does.
+        let places = shown_at.into_iter().chain([seen_at]).map(|site| site.position);
+        let (mut surfaces, mut from) = (Vec::new(), x0.site.position);
+        for place in places {
+            let offset = (place - from).normalize();
+            let origin = match surfaces.last() {
+                None => from,
+                Some(SurfacePoint { site, .. }) => site.ray_origin(offset),
+            };
+            let mirror = scene.intersect(&Ray::new(origin, offset))?;
+            if (mirror.site.position - place).length() > 1e-4 {
+                return None;
+            }
+            from = mirror.site.position;
+            surfaces.push(mirror);
         }
-        let mut surfaces = vec![mirror];
+        let mut events = vec![true; surfaces.len()];
         surfaces.extend(camera.iter().rev().map(|vertex| vertex.point));
         let mut camera_events = delta_events(camera);
         camera_events.reverse();
-        let is_delta = [vec![true], camera_events].concat();
-        Some(Self { id, x0, surfaces, is_delta, lamp: None })
+        events.extend(camera_events);
+        Some(Self { id, x0, surfaces, is_delta: events, lamp: None })
     }
 
     pub(super) fn has_mirror(&self) -> bool {
@@ -120,9 +130,7 @@ impl FullPath {
         if free(0) {
             weights.push((1, self.light_sample(scene, &camera[n - 1], bdpt)));
         }
-        if let Some(weight) = self.mirror_connection(scene, &camera, bdpt) {
-            weights.push((2, weight));
-        }
+        weights.extend(self.mirror_connection(scene, &camera, bdpt));
         for s in 1..n {
             // Connects surfaces s − 1 and s.
             if free(s - 1) && free(s) {
@@ -148,25 +156,35 @@ impl FullPath {
         weights
     }
 
-    /// The weight of joining x₂ with the light by way of the mirror x₁, if that is possible.
-    fn mirror_connection(&self, scene: &Scene, camera: &[Vertex], bdpt: &Bdpt) -> Option<f64> {
-        let x2 = &camera[camera.len().checked_sub(2)?];
-        if !(self.x0.is_point && self.is_delta[0] && !self.is_delta[1]) {
+    /// The weight of joining the first vertex behind mirrors with the light by way of them, if that
+    /// is possible, with its s.
+    fn mirror_connection(
+        &self,
+        scene: &Scene,
+        camera: &[Vertex],
+        bdpt: &Bdpt,
+    ) -> Option<(usize, f64)> {
+        let mirrors = self.is_delta.iter().take_while(|is_delta| **is_delta).count();
+        if !self.x0.is_point || !(1..=2).contains(&mirrors) {
             return None;
         }
-        let image = self.image(scene, &x2.point)?;
+        let joined = &camera[camera.len().checked_sub(1 + mirrors)?];
+        let image = self.image(scene, &joined.point, mirrors)?;
         let walked =
-            walked_by_mirror(&self.densities(scene), image.walk_spread, &x2.point, image.wi);
-        let back = x2.scattering(Walk::FromCamera, image.wi, None).toward_camera;
-        Some(weight::mirror_connection(x2, walked, back, bdpt.heuristic))
+            walked_by_mirror(&self.densities(scene), image.walk_spread, &joined.point, image.wi);
+        let back = joined.scattering(Walk::FromCamera, image.wi, None).toward_camera;
+        Some((1 + mirrors, weight::mirror_connection(joined, walked, back, bdpt.heuristic)))
     }
 
-    /// The image of x₀ that is seen at x₁.
-    fn image(&self, scene: &Scene, x2: &SurfacePoint) -> Option<PointImage> {
-        let x1 = self.surfaces[0].site.position;
-        scene
-            .point_images(x2, [0.5; 2])
-            .find(|image| image.light == self.id && (image.seen_at.position - x1).length() < 1e-4)
+    /// The image of x₀ that is seen by way of so many mirrors.
+    fn image(&self, scene: &Scene, from: &SurfacePoint, mirrors: usize) -> Option<PointImage> {
+        let [x1, last] = [0, mirrors - 1].map(|i| self.surfaces[i].site.position);
+        scene.point_images(from, [0.5; 2]).find(|image| {
+            image.light == self.id
+                && image.mirrors() as usize == mirrors
+                && (image.lit_at().position - x1).length() < 1e-4
+                && (image.seen_at.position - last).length() < 1e-4
+        })
     }
 
     fn first_direction(&self) -> Vec3 {
@@ -197,7 +215,9 @@ impl FullPath {
             densities,
         };
         let state = walker.light_state(&emitted);
-        let note = |x1: &SurfacePoint, x2: &mut Vertex| walker.note_mirror(scene, &start, x1, x2);
+        let note = |between: &[Vertex], next: &mut Vertex| {
+            walker.note_mirrors(scene, &start, between, next);
+        };
         walk(Walk::FromLight, state, direction, &self.events(scene), bdpt, note)
     }
 
@@ -351,7 +371,7 @@ fn walk(
     first_direction: Vec3,
     events: &[Event],
     bdpt: &Bdpt,
-    note_second: impl Fn(&SurfacePoint, &mut Vertex),
+    note: impl Fn(&[Vertex], &mut Vertex),
 ) -> Vec<Vertex> {
     let mut direction = first_direction;
     let mut vertices: Vec<Vertex> = Vec::new();
@@ -363,9 +383,7 @@ fn walk(
             numbers(),
             bdpt.heuristic,
         );
-        if let (1, [x1]) = (i, &vertices[..]) {
-            note_second(&x1.point, &mut vertex);
-        }
+        note(&vertices, &mut vertex);
         if let Some(next) = events.get(i + 1) {
             direction = (next.point.site.position - event.point.site.position).normalize();
             state = vertex.go_on(walk, direction, event, bdpt);

@@ -68,6 +68,29 @@ fn a_ball_spreads_light_as_its_rays_do() {
     assert!(checked > 400, "{checked}");
 }
 
+/// Cones are aimed at the place that mirrors, and at no other where one of both points is behind
+/// the surface.
+#[test]
+fn cones_are_aimed_at_the_place_that_mirrors() {
+    let globe = ball(Vec3::ZERO, 1.0);
+    let (mut checked, mut worst) = (0, 0.0_f64);
+    for [one, other] in pairs() {
+        let Some(found) = globe.reflection(one, other) else { continue };
+        let near = one.length().min(other.length());
+        let at = one.as_dvec3() + found.toward;
+        let cosine = -at.dot(found.toward) / found.toward.length();
+        if near < 1.05 || cosine < 0.1 {
+            continue;
+        }
+        let normal = globe.mirroring_normal(one, other).unwrap();
+        worst = worst.max((normal.as_dvec3() - at).length());
+        checked += 1;
+    }
+    assert!(checked > 300, "{checked}");
+    // Three steps are good to a degree at worst, two to three degrees.
+    assert!(worst < 0.02, "{worst}");
+}
+
 /// Points that see a common part of the ball see one another in it, and no others do.
 #[test]
 fn a_ball_shows_a_point_wherever_it_can() {
