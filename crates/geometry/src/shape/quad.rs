@@ -15,6 +15,8 @@ pub struct Quad {
     edge_v: Vec3,
     /// `edge_u` × `edge_v`.
     across: DVec3,
+    /// The lengths of the edges if they are at right angles.
+    lengths: Option<[f64; 2]>,
     /// By how much of its edges it counts as larger than it is; see [`margin`].
     margin: Vec2,
     area: f32,
@@ -34,7 +36,8 @@ impl Quad {
         let normal = unit(across).ok_or(Error::NoArea)?;
         let reach = corner.abs().max(opposite.abs()).max_element();
         let margin = Vec2::new(margin(reach, edge_u), margin(reach, edge_v));
-        Ok(Self { corner, normal, edge_u, edge_v, across, margin, area })
+        let lengths = is_square(u, v).then(|| [u.length(), v.length()]);
+        Ok(Self { corner, normal, edge_u, edge_v, across, lengths, margin, area })
     }
 
     /// The corner where u and v are zero.
@@ -64,6 +67,11 @@ impl Quad {
     /// The cross product of its edges.
     pub(crate) fn across(&self) -> DVec3 {
         self.across
+    }
+
+    /// The lengths of the edges of a rectangle; `None` of another parallelogram.
+    pub(crate) fn rectangle_lengths(&self) -> Option<[f64; 2]> {
+        self.lengths
     }
 
     /// By how much of each edge it counts as longer at either end.
@@ -108,6 +116,13 @@ impl Quad {
     pub(crate) fn sample_area(&self, u: Vec2) -> SurfaceSite {
         self.site(u.x, u.y)
     }
+}
+
+/// Whether two edges are at right angles, up to a few roundings of their coordinates.
+fn is_square(along: DVec3, aside: DVec3) -> bool {
+    const SLANT: f64 = 4.0 * f32::EPSILON as f64;
+    let lengths = along.length_squared() * aside.length_squared();
+    along.dot(aside).powi(2) <= SLANT * SLANT * lengths
 }
 
 /// By how much of itself an edge counts as longer at each end, so that light does not
