@@ -132,6 +132,11 @@ impl Mesh {
         SidedTriangle { corners: self.corner_positions(index), sides }
     }
 
+    /// The area of triangle `index`, which must exist, in square metres.
+    pub fn triangle_area(&self, index: usize) -> f32 {
+        Triangle::area_of(self.corner_positions(index))
+    }
+
     /// The point of triangle `index`, which must exist, at barycentric coordinates `u`,
     /// `v`; as [`Primitive::site`](crate::Primitive::site) has it. `None` without area.
     #[inline]

@@ -85,6 +85,7 @@ impl SurfaceSite {
     ///
     /// The far end is also lifted by the rounding error of the segment's own
     /// direction, which grows with its length.
+    #[inline]
     pub fn segment_to(&self, other: &Self) -> Ray {
         let between = other.position - self.position;
         let reach = between.abs() * (8.0 * ROUNDOFF);

@@ -5,7 +5,7 @@ use crate::path_scattering::PathScattering;
 use crate::toward_light::TowardLight;
 use crate::tracer::Tracer;
 use traylib_math::{Rgb, Vec2, Vec3, solid_angle_per_area};
-use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
+use traylib_scene::{LightChoice, LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
 /// A way from a lamp to a vertex that carries light, if nothing stands in it.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +13,7 @@ pub struct LightSample {
     /// Which lamp.
     pub id: LightId,
     /// The density with which this point of this lamp was drawn for the vertex.
-    toward: f32,
+    pub toward: f32,
     /// The point on it.
     pub x0: LightPoint,
     /// Unit direction from the vertex to the lamp.
@@ -28,6 +28,11 @@ pub struct LightSample {
 
 /// Draws a lamp and a point on it for a vertex seen from the unit direction `wo`, with the
 /// vertex's own numbers. `None` where no light can come that way.
+#[expect(
+    clippy::inline_always,
+    reason = "its result is large: in place it is not written to memory"
+)]
+#[inline(always)]
 pub fn sample_light(
     scene: &Scene,
     point: &SurfacePoint,
@@ -39,13 +44,48 @@ pub fn sample_light(
     }
     // A lamp by what it may give this vertex.
     let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
+    sample_chosen_light(scene, point, wo, choice, numbers.light_point)
+}
+
+/// The same where only point lights count: `None` if another lamp is drawn.
+pub(crate) fn sample_point_light(
+    scene: &Scene,
+    point: &SurfacePoint,
+    wo: Vec3,
+    numbers: &VertexNumbers,
+) -> Option<LightSample> {
+    if !point.model.has_smooth_part() {
+        return None;
+    }
+    let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
+    // What is not wanted is not sampled.
+    if choice.light.is_point() {
+        sample_chosen_light(scene, point, wo, choice, numbers.light_point)
+    } else {
+        None
+    }
+}
+
+/// Draws a point on a lamp that was drawn for a vertex.
+#[expect(
+    clippy::inline_always,
+    reason = "its result is large: in place it is not written to memory"
+)]
+#[inline(always)]
+fn sample_chosen_light(
+    scene: &Scene,
+    point: &SurfacePoint,
+    wo: Vec3,
+    choice: LightChoice<'_>,
+    light_point: Vec2,
+) -> Option<LightSample> {
     // Rounding decides from which side a point of a convex lamp sees the rest of it.
     let is_own = point.light == Some(choice.id);
     if is_own && !choice.light.lights_itself() {
         return None;
     }
     // A point on it.
-    let (x0, pdf) = scene.sample_light(choice.id, point.site.position, numbers.light_point);
+    let (x0, pdf) = scene.sample_light(choice.id, point.site.position, light_point);
     // At the rim of a sphere rounding can turn the point away from here.
     if pdf.0 <= 0.0 {
         return None;
@@ -71,7 +111,11 @@ pub fn sample_point_lights<'a>(
 
 /// The light that a given point of a lamp sends by way of the vertex, per area
 /// of the lamp: f·cos_s·Le·cos₀/d².
-#[inline]
+#[expect(
+    clippy::inline_always,
+    reason = "its result is large: in place it is not written to memory"
+)]
+#[inline(always)]
 fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<LightSample> {
     // The geometry term, as far as the lamp's side of it.
     let offset = x0.site.position - point.site.position;

@@ -101,7 +101,7 @@ impl DirectLight {
                 && let Some(transmittance) = light.visible(tracer, point)
             {
                 light.mix(toward_light, point);
-                let weight = self.light_weight(scene, &light);
+                let weight = self.light_weight(&light);
                 let value = throughput * light.radiance * transmittance;
                 radiance += value * weight;
                 if let Some(notes) = notes.as_deref_mut() {
@@ -152,7 +152,7 @@ impl DirectLight {
                 // Both densities per area of the lamp, at the point that was hit.
                 let distance_squared = (x0.site.position - from).length_squared();
                 let conversion = solid_angle_per_area(x0.cosine(wo), distance_squared);
-                let toward = scene.light_densities(id, &x0, from, wo).toward;
+                let toward = scene.toward_density(id, &x0, from);
                 heuristic.weight(pdf.to_area(conversion).0, toward)
             }
         };
@@ -160,11 +160,10 @@ impl DirectLight {
     }
 
     /// The weight of a light sample against hitting the same point.
-    fn light_weight(&self, scene: &Scene, light: &LightSample) -> f32 {
+    fn light_weight(&self, light: &LightSample) -> f32 {
         self.combine.map_or(1.0, |heuristic| {
             // The same two densities, of a point that was aimed at.
-            let toward = light.densities(scene).toward;
-            heuristic.weight(toward, light.hit_pdf())
+            heuristic.weight(light.toward, light.hit_pdf())
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Pure Monte Carlo path tracing (section 2.1 of the paper).
 
-use crate::direct::sample_light;
+use crate::direct::sample_point_light;
 use crate::numbers::PathSampler;
 use crate::step::next_step;
 use crate::tracer::{SurfaceHit, Tracer};
@@ -41,6 +41,7 @@ impl PureMc {
         let scene = tracer.scene;
         let mut radiance = Rgb::BLACK;
         let mut throughput = Rgb::WHITE;
+        let has_points = scene.has_point_lights();
         for edges in 1.. {
             // The next vertex, and what the edge to it lets through.
             let numbers = sampler.vertex();
@@ -54,8 +55,8 @@ impl PureMc {
                 break;
             }
             // Point lights alone: lamps with an area are hit.
-            if let Some(light) = sample_light(scene, point, wo, &numbers)
-                && light.x0.is_point
+            if has_points
+                && let Some(light) = sample_point_light(scene, point, wo, &numbers)
                 && let Some(transmittance) = light.visible(tracer, point)
             {
                 radiance += throughput * light.radiance * transmittance;

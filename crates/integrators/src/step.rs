@@ -35,8 +35,13 @@ pub fn next_step(
     next_step_toward_light(walk, by_surface, point, wo, numbers, roulette, edge)
 }
 
-/// Takes the next step of a walk that may look for light in its own way; one from a light goes on
-/// by the surface alone.
+/// The same for a walk that may look for light in its own way; one from a light goes on by
+/// the surface alone.
+#[expect(
+    clippy::inline_always,
+    reason = "its result is large: in place it is not written to memory"
+)]
+#[inline(always)]
 pub fn next_step_toward_light(
     walk: Walk,
     toward_light: TowardLight<'_>,
@@ -53,8 +58,12 @@ pub fn next_step_toward_light(
     // mixture's it would end just those walks that were sent toward an image.
     let chance = roulette.survive(edge, own_weight, numbers.roulette)?;
     // The same light by the density of the mixture.
-    let pdf = if own.is_delta { own.pdf } else { toward_light.pdf(point, own.pdf, own.wi) };
-    let weight = own_weight * (own.pdf.0 / pdf.0);
+    let (pdf, weight) = if own.is_delta || !toward_light.is_mixture() {
+        (own.pdf, own_weight)
+    } else {
+        let pdf = toward_light.pdf(point, own.pdf, own.wi);
+        (pdf, own_weight * (own.pdf.0 / pdf.0))
+    };
     // Radiance is compressed by refraction, power is not; roulette is for power.
     let eta_scale = if walk == Walk::FromCamera { own.eta_scale } else { 1.0 };
     let ray = Ray::new(point.site.ray_origin(own.wi), own.wi);

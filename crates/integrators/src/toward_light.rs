@@ -37,6 +37,12 @@ impl<'a> TowardLight<'a> {
         Self { images }
     }
 
+    /// Whether anything but the surface has a say.
+    #[inline]
+    pub(crate) fn is_mixture(self) -> bool {
+        self.images.is_some()
+    }
+
     /// The density of a unit direction that the surface draws with density `own`.
     #[inline]
     pub(crate) fn pdf(self, point: &SurfacePoint, own: SolidAnglePdf, wi: Vec3) -> SolidAnglePdf {

@@ -5,7 +5,7 @@ use crate::direct::sample_point_lights;
 use crate::tracer::Tracer;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts};
 use traylib_geometry::Ray;
-use traylib_math::{Rgb, Vec2};
+use traylib_math::{Rgb, Vec2, Vec3};
 use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
 
 /// Emission seen directly, and one shadow ray to each point light; no other
@@ -67,12 +67,10 @@ fn follow(tracer: &mut Tracer<'_>, mut paths: Vec<PixelPath>) -> Vec<PixelPath> 
     for _ in 0..MOST_PASSAGES {
         // What stands next in each path, and what point lights give it.
         let rays: Vec<Ray> = going.iter().map(|&index| paths[index].ray).collect();
-        let points = tracer.intersect_each(&rays);
-        let lit = lit_by_points(tracer, &rays, &points);
-        let mut found = points.into_iter().zip(lit);
+        let mut sights = look(tracer, &rays).into_iter();
         going.retain(|&index| {
-            let Some((Some(point), lit)) = found.next() else { return false };
-            paths[index].pass(tracer.scene, &point, lit)
+            let Some(Some(sight)) = sights.next() else { return false };
+            paths[index].pass(&sight)
         });
         if going.is_empty() {
             break;
@@ -81,37 +79,56 @@ fn follow(tracer: &mut Tracer<'_>, mut paths: Vec<PixelPath>) -> Vec<PixelPath> 
     paths
 }
 
-/// The radiance of each point toward its ray from all point lights, whose shadow rays are
-/// asked together.
-fn lit_by_points(
-    tracer: &mut Tracer<'_>,
-    rays: &[Ray],
-    points: &[Option<SurfacePoint>],
-) -> Vec<Rgb> {
+/// What a ray has met: as much of a surface as is needed later. A list of whole surfaces would
+/// not fit into the nearest cache.
+struct Sight {
+    emitted: Rgb,
+    /// What point lights give, reflected.
+    lit: Rgb,
+    opacity: f32,
+    through: Rgb,
+    /// Where the ray goes on.
+    origin: Vec3,
+}
+
+/// What each ray meets, lit by all point lights, whose shadow rays are asked together; nothing
+/// of rays beyond the end of the list.
+fn look(tracer: &mut Tracer<'_>, rays: &[Ray]) -> Vec<Option<Sight>> {
     let scene = tracer.scene;
     let (mut segments, mut samples) = (Vec::new(), Vec::new());
-    for (index, (ray, point)) in rays.iter().zip(points).enumerate() {
-        let Some(point) = point else { continue };
-        for sample in sample_point_lights(scene, point, -ray.direction) {
+    let mut see = |(index, (ray, point)): (usize, (&Ray, Option<SurfacePoint>))| {
+        let point = point?;
+        for sample in sample_point_lights(scene, &point, -ray.direction) {
             segments.push(sample.x0.segment_from(&point.site));
             samples.push((index, sample.radiance));
         }
-    }
-    let mut lit = vec![Rgb::BLACK; points.len()];
+        Some(Sight {
+            emitted: scene.emitted(&point),
+            lit: Rgb::BLACK,
+            opacity: point.opacity,
+            through: point.through,
+            origin: point.site.ray_origin(ray.direction),
+        })
+    };
+    let met = rays.iter().zip(tracer.intersect_each(rays)).enumerate();
+    let mut sights: Vec<Option<Sight>> = met.map(&mut see).collect();
     for ((index, radiance), transmittance) in samples.into_iter().zip(tracer.sees_each(&segments)) {
-        if !transmittance.is_black() {
-            lit[index] += radiance * transmittance;
+        if !transmittance.is_black()
+            && let Some(sight) = &mut sights[index]
+        {
+            sight.lit += radiance * transmittance;
         }
     }
-    lit
+    sights
 }
 
 impl PixelPath {
     /// Adds what the surface shows, and goes on behind it; whether there is anything left.
-    fn pass(&mut self, scene: &Scene, point: &SurfacePoint, lit: Rgb) -> bool {
-        self.radiance += self.transmittance * (scene.emitted(point) + lit) * point.opacity;
-        self.transmittance *= point.through;
-        self.ray.origin = point.site.ray_origin(self.ray.direction);
+    fn pass(&mut self, sight: &Sight) -> bool {
+        let light = sight.emitted + sight.lit;
+        self.radiance += self.transmittance * light * sight.opacity;
+        self.transmittance *= sight.through;
+        self.ray.origin = sight.origin;
         !self.transmittance.is_black()
     }
 }

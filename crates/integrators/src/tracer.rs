@@ -66,32 +66,36 @@ impl<'scene> Tracer<'scene> {
 
     /// The first edge of a walk from the camera; `pass_through` as for
     /// [`bounce_ray`](Self::bounce_ray).
+    #[inline]
     pub fn camera_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
-        self.statistics.camera_paths += 1;
-        self.meet(ray, pass_through, |statistics| statistics.camera_rays += 1)
+        self.edge_from_camera(1, ray, pass_through)
     }
 
     /// The edge with number `edge` of a walk from the camera, counted from 1.
+    #[inline]
     pub fn edge_from_camera(
         &mut self,
         edge: u32,
         ray: &Ray,
         pass_through: f32,
     ) -> Option<SurfaceHit> {
-        if edge == 1 {
-            self.camera_ray(ray, pass_through)
-        } else {
-            self.bounce_ray(ray, pass_through)
-        }
+        let is_first = edge == 1;
+        self.statistics.camera_paths += u64::from(is_first);
+        self.meet(ray, pass_through, is_first)
     }
 
-    /// What stands first in each of some rays from the camera, be it see-through or not.
-    pub fn intersect_each(&mut self, rays: &[Ray]) -> Vec<Option<SurfacePoint>> {
-        if self.is_cancelled() {
-            return vec![None; rays.len()];
-        }
+    /// What stands first in each of some rays from the camera, be it see-through or not; of no
+    /// ray once it is cancelled.
+    pub fn intersect_each<'a>(
+        &mut self,
+        rays: &'a [Ray],
+    ) -> impl Iterator<Item = Option<SurfacePoint>> + use<'a, 'scene>
+    where
+        'scene: 'a,
+    {
+        let rays = if self.is_cancelled() { &[] } else { rays };
         self.statistics.camera_rays += rays.len() as u64;
-        self.scene.intersect_each(rays).collect()
+        self.scene.intersect_each(rays)
     }
 
     /// [`sees`](Self::sees) for each segment of a list; black where nothing comes through.
@@ -105,27 +109,35 @@ impl<'scene> Tracer<'scene> {
 
     /// Any later edge of a walk. The number `pass_through` decides where it ends if
     /// light can pass straight through surfaces on its way.
+    #[inline]
     pub fn bounce_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
-        self.meet(ray, pass_through, |statistics| statistics.bounce_rays += 1)
+        self.meet(ray, pass_through, false)
     }
 
     /// The surface that a walk goes on from. What lets light straight through is
     /// passed with the chance of the band that it weakens least. A pass-through is no
     /// vertex: its chance scales the estimator alone, as roulette does, and is in
     /// no density and no weight.
+    #[expect(
+        clippy::inline_always,
+        reason = "its result is large: in place it is not written to memory"
+    )]
+    #[inline(always)]
     fn meet(
         &mut self,
         ray: &Ray,
         mut pass_through: f32,
-        count: impl Fn(&mut Statistics),
+        is_from_camera: bool,
     ) -> Option<SurfaceHit> {
         if self.is_cancelled() {
             return None;
         }
+        let Statistics { camera_rays, bounce_rays, .. } = &mut self.statistics;
+        let rays = if is_from_camera { camera_rays } else { bounce_rays };
         // From surface to surface, for as long as chance says straight on.
         let (mut transmittance, mut rest) = (Rgb::WHITE, *ray);
         for _ in 0..MOST_PASSAGES {
-            count(&mut self.statistics);
+            *rays += 1;
             // In the place from where it is returned: a point is large.
             let met = self.scene.intersect(&rest);
             let mut hit = met.map(|point| SurfaceHit { point, transmittance });

@@ -159,6 +159,7 @@ impl SceneBuilder {
             tree,
             materials: self.materials,
             see_through,
+            has_points: lights.iter().any(Light::is_point),
             lights,
             seats,
             lifted_lights,

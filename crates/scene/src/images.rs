@@ -25,7 +25,6 @@ use light_ball::LightBall;
 use mirror::Mirror;
 use points::MirroredPoints;
 use std::f32::consts::TAU;
-use traylib_geometry::Primitive;
 use traylib_materials::{Material, SurfaceModel};
 use traylib_math::{SolidAnglePdf, Vec2, Vec3, warp};
 
@@ -181,16 +180,20 @@ impl Pair {
 
 /// Whether the lamps are small beside all that there is.
 fn lights_are_small(surfaces: &Surfaces, lights: &[Light]) -> bool {
-    let area = |primitive: Primitive| f64::from(primitive.area());
     let shining: f64 = lights
         .iter()
         .map(|light| match light {
-            Light::Area { primitive, .. } => area(*primitive),
+            Light::Area { primitive, .. } => f64::from(primitive.area()),
             Light::Point(_) => 0.0,
         })
         .sum();
-    let all: f64 = surfaces.all().filter_map(|surface| surface.primitive()).map(area).sum();
-    shining <= SMALL * all
+    // The sum of areas grows: most scenes have enough of them long before its end.
+    let mut all = 0.0;
+    let is_enough = |surface: Surface<'_>| {
+        all += f64::from(surface.area());
+        shining <= SMALL * all
+    };
+    shining == 0.0 || surfaces.all().any(is_enough)
 }
 
 /// A surface as a mirror whose images can be found. Smooth normals bend a mirror that is flat, so

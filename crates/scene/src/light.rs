@@ -61,6 +61,7 @@ pub struct Emission {
 
 impl LightPoint {
     /// A point of a surface that emits this radiance.
+    #[inline]
     pub(crate) fn on_surface(site: SurfaceSite, radiance: Rgb) -> Self {
         Self { site, emitted: radiance, is_point: false, cone: None }
     }
@@ -74,6 +75,7 @@ impl LightPoint {
 
     /// What [`emitted`](Self::emitted) is multiplied with toward the unit
     /// `direction`: the cosine to the front normal, a spot light's falloff, or one.
+    #[inline]
     pub fn falloff(&self, direction: Vec3) -> f32 {
         self.cone.map_or_else(|| self.cosine(direction), |cone| cone.falloff(direction))
     }
@@ -88,6 +90,7 @@ impl LightPoint {
     }
 
     /// The segment to this point from one on a surface.
+    #[inline]
     pub fn segment_from(&self, site: &SurfaceSite) -> Ray {
         site.segment_to(&self.site)
     }
@@ -156,6 +159,7 @@ impl Light {
 
     /// A point of the lamp to light `from` with, and its density; one for a
     /// point.
+    #[inline]
     pub fn sample_toward(&self, from: Vec3, u: Vec2) -> (LightPoint, AreaPdf) {
         match self {
             Self::Area { primitive, radiance } => {

@@ -20,7 +20,7 @@ mod shares;
 use crate::Light;
 use cluster::Cluster;
 use node::{Link, Node, WIDTH};
-use shares::Shares;
+use shares::{Rest, Shares};
 use traylib_math::Vec3;
 
 /// The lamps of a scene by place, direction and strength.
@@ -55,10 +55,12 @@ impl LightTree {
     /// The lamp that `u`, uniform on [0, 1), chooses for a point, and its
     /// probability. One number decides every turn: what is left of it after one is
     /// stretched for the next. With `u` in steps of 2⁻³², so are the chances.
-    pub(crate) fn choose(&self, x1: Vec3, mut u: f64) -> (u32, f32) {
+    #[inline]
+    pub(crate) fn choose(&self, x1: Vec3, u: f64) -> (u32, f32) {
+        let mut rest = Rest::of(u);
         self.descend(x1, |_, shares| {
-            let turn = shares.turn(u);
-            u = turn.rest;
+            let turn = shares.turn(rest.stretched());
+            rest = turn.rest;
             turn.child
         })
     }

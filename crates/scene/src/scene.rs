@@ -32,6 +32,8 @@ pub(crate) struct Stage {
     /// Whether light passes straight through any of them.
     pub(crate) see_through: bool,
     pub(crate) lights: Vec<Light>,
+    /// Whether any of them is a point.
+    pub(crate) has_points: bool,
     /// What each lamp lies on; none where that matters for no lamp.
     pub(crate) seats: Vec<Seat>,
     pub(crate) lifted_lights: usize,
@@ -111,6 +113,12 @@ impl Scene {
         &self.stage.lights
     }
 
+    /// Whether any lamp is a point.
+    #[inline]
+    pub fn has_point_lights(&self) -> bool {
+        self.stage.has_points
+    }
+
     /// All materials.
     pub fn materials(&self) -> &[Material] {
         &self.stage.materials
@@ -133,6 +141,11 @@ impl Scene {
 
     /// The first surface that a ray or a segment meets, be it one that light passes
     /// straight through or not.
+    #[expect(
+        clippy::inline_always,
+        reason = "its result is large: in place it is not written to memory"
+    )]
+    #[inline(always)]
     pub fn intersect(&self, ray: &Ray) -> Option<SurfacePoint> {
         let hit = self.stage.tree.nearest(ray)?;
         self.surface_point(ray, hit)
@@ -150,7 +163,11 @@ impl Scene {
     }
 
     /// The surface where a ray has hit it.
-    #[inline]
+    #[expect(
+        clippy::inline_always,
+        reason = "its result is large: in place it is not written to memory"
+    )]
+    #[inline(always)]
     pub(crate) fn surface_point(&self, ray: &Ray, mut hit: Hit) -> Option<SurfacePoint> {
         let mut surface = self.surface(&hit);
         let mut site = surface.site(ray, &hit)?;
@@ -316,14 +333,20 @@ impl Scene {
         x1: Vec3,
         direction: Vec3,
     ) -> LightDensities {
-        let chosen_for_x1 = self.stage.light_tree.probability(id.0, x1);
-        let toward = chosen_for_x1 * self.light(id).toward_pdf(x1, x0).0;
+        let toward = self.toward_density(id, x0, x1);
         self.sampled_light_densities(id, toward, x0, direction)
     }
 
-    /// Returns the densities of a point that light sampling has drawn, with this density: the
-    /// chance with which [`choose_light_for`](Self::choose_light_for) chose the lamp times the
-    /// density that came from [`sample_light`](Self::sample_light).
+    /// The density per m², or of a point light the chance, with which light sampling for `x1`
+    /// chooses this point of a lamp: [`LightDensities::toward`] alone.
+    pub fn toward_density(&self, id: LightId, x0: &LightPoint, x1: Vec3) -> f32 {
+        let chosen_for_x1 = self.stage.light_tree.probability(id.0, x1);
+        chosen_for_x1 * self.light(id).toward_pdf(x1, x0).0
+    }
+
+    /// The same of a point that light sampling has drawn, with this density: the chance with
+    /// which [`choose_light_for`](Self::choose_light_for) chose the lamp times the density
+    /// that came from [`sample_light`](Self::sample_light).
     pub fn sampled_light_densities(
         &self,
         id: LightId,

@@ -13,9 +13,15 @@ use traylib_math::warp;
 #[derive(Debug, Default)]
 pub(crate) struct Surfaces {
     parts: Vec<Part>,
-    /// For each number, where it is in the list of parts.
+    /// Of each stretch of 2^`stretch_bits` numbers the part that its first belongs to.
     part_of: Vec<u32>,
+    stretch_bits: u32,
+    count: u32,
 }
+
+/// So many entries the list of stretches has at most, or every hit of a large mesh would wait
+/// for memory once more.
+const MOST_STRETCHES: usize = 1 << 16;
 
 /// One shape, or a mesh, and what all of it has in common.
 #[derive(Debug)]
@@ -56,30 +62,52 @@ impl Surfaces {
         material: u32,
         first_light: Option<LightId>,
     ) {
-        let (part, first) = (self.parts.len() as u32, self.part_of.len() as u32);
+        let (part, first) = (self.parts.len() as u32, self.count);
         let count = match &form {
             Form::Primitive(_) => 1,
             Form::Mesh(mesh) => mesh.triangle_count(),
         };
-        self.part_of.extend(std::iter::repeat_n(part, count));
+        self.count += count as u32;
+        let stretches = |bits: u32| self.count.div_ceil(1 << bits) as usize;
+        while stretches(self.stretch_bits) > MOST_STRETCHES {
+            self.stretch_bits += 1;
+            self.part_of = self.part_of.iter().copied().step_by(2).collect();
+        }
+        self.part_of.resize(stretches(self.stretch_bits), part);
         self.parts.push(Part { form, sides, material, first_light, first });
     }
 
     /// The shape of this number.
     #[inline]
     pub(crate) fn get(&self, number: u32) -> Surface<'_> {
-        let part = &self.parts[self.part_of[number as usize] as usize];
+        let part = &self.parts[self.part_at(number)];
         Surface { part, index: (number - part.first) as usize }
+    }
+
+    /// The part that a shape belongs to.
+    #[inline]
+    fn part_at(&self, number: u32) -> usize {
+        let stretch = (number >> self.stretch_bits) as usize;
+        let first = self.part_of[stretch] as usize;
+        if self.stretch_bits == 0 {
+            return first;
+        }
+        // Most stretches are within one part.
+        let last =
+            self.part_of.get(stretch + 1).map_or(self.parts.len() - 1, |&next| next as usize);
+        let later = &self.parts[first + 1..=last];
+        first + later.partition_point(|part| part.first <= number)
     }
 
     /// All shapes in the order of their numbers.
     pub(crate) fn all(&self) -> impl Iterator<Item = Surface<'_>> {
-        (0..self.part_of.len() as u32).map(|number| self.get(number))
+        (0..self.count).map(|number| self.get(number))
     }
 
     /// Puts another in the place of a shape: of a triangle another triangle.
     pub(crate) fn replace(&mut self, number: u32, by: Primitive) {
-        let part = &mut self.parts[self.part_of[number as usize] as usize];
+        let part = self.part_at(number);
+        let part = &mut self.parts[part];
         match (&mut part.form, by) {
             (Form::Primitive(primitive), by) => *primitive = by,
             (Form::Mesh(mesh), by) => {
@@ -93,7 +121,7 @@ impl Surfaces {
 
 impl ShapeList for Surfaces {
     fn count(&self) -> usize {
-        self.part_of.len()
+        self.count as usize
     }
 
     fn bounds(&self, index: usize) -> Aabb {
@@ -106,7 +134,7 @@ impl ShapeList for Surfaces {
 
     #[inline]
     fn intersect(&self, index: usize, ray: &Ray) -> Option<ShapeHit> {
-        let part = &self.parts[self.part_of[index] as usize];
+        let part = &self.parts[self.part_at(index as u32)];
         match &part.form {
             Form::Primitive(primitive) => primitive.intersect(ray, part.sides),
             Form::Mesh(_) => None,
@@ -145,6 +173,14 @@ impl Surface<'_> {
         match &self.part.form {
             Form::Primitive(primitive) => Some(*primitive),
             Form::Mesh(mesh) => mesh.triangle(self.index).map(Primitive::Triangle),
+        }
+    }
+
+    /// Its area in square metres.
+    pub(crate) fn area(&self) -> f32 {
+        match &self.part.form {
+            Form::Primitive(primitive) => primitive.area(),
+            Form::Mesh(mesh) => mesh.triangle_area(self.index),
         }
     }
 
@@ -207,3 +243,6 @@ impl Surface<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

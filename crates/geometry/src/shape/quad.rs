@@ -15,7 +15,9 @@ pub struct Quad {
     edge_v: Vec3,
     /// `edge_u` × `edge_v`.
     across: DVec3,
-    /// The parts of its edges by which it counts as larger than it is; see [`margin`].
+    /// The lengths of the edges if they are at right angles.
+    lengths: Option<[f64; 2]>,
+    /// By how much of its edges it counts as larger than it is; see [`margin`].
     margin: Vec2,
     area: f32,
 }
@@ -34,7 +36,8 @@ impl Quad {
         let normal = unit(across).ok_or(Error::NoArea)?;
         let reach = corner.abs().max(opposite.abs()).max_element();
         let margin = Vec2::new(margin(reach, edge_u), margin(reach, edge_v));
-        Ok(Self { corner, normal, edge_u, edge_v, across, margin, area })
+        let lengths = is_square(u, v).then(|| [u.length(), v.length()]);
+        Ok(Self { corner, normal, edge_u, edge_v, across, lengths, margin, area })
     }
 
     /// The corner where u and v are zero.
@@ -66,7 +69,12 @@ impl Quad {
         self.across
     }
 
-    /// Returns the part of each edge by which it counts as longer at either end.
+    /// The lengths of the edges of a rectangle; `None` of another parallelogram.
+    pub(crate) fn rectangle_lengths(&self) -> Option<[f64; 2]> {
+        self.lengths
+    }
+
+    /// By how much of each edge it counts as longer at either end.
     pub(crate) fn margin(&self) -> Vec2 {
         self.margin
     }
@@ -110,7 +118,14 @@ impl Quad {
     }
 }
 
-/// Returns the part of itself by which an edge counts as longer at each end, so that light does not
+/// Whether two edges are at right angles, up to a few roundings of their coordinates.
+fn is_square(along: DVec3, aside: DVec3) -> bool {
+    const SLANT: f64 = 4.0 * f32::EPSILON as f64;
+    let lengths = along.length_squared() * aside.length_squared();
+    along.dot(aside).powi(2) <= SLANT * SLANT * lengths
+}
+
+/// By how much of itself an edge counts as longer at each end, so that light does not
 /// pass between shapes that meet.
 ///
 /// Corners round, of which some are decimal numbers and some sums: of two neighbours

@@ -54,7 +54,12 @@ impl Triangle {
 
     /// Area in square metres.
     pub fn area(&self) -> f32 {
-        (0.5 * watertight::normal(self.corners()).length()) as f32
+        Self::area_of(self.corners())
+    }
+
+    /// The area of a triangle with these corners.
+    pub(crate) fn area_of(corners: [Vec3; 3]) -> f32 {
+        (0.5 * watertight::normal(corners).length()) as f32
     }
 
     /// Where a ray meets it, with the barycentric coordinates of the second and

@@ -36,7 +36,11 @@ impl PathSampler {
     }
 
     /// The numbers of the next vertex.
-    #[inline]
+    #[expect(
+        clippy::inline_always,
+        reason = "its result is large: in place it is not written to memory"
+    )]
+    #[inline(always)]
     pub fn vertex(&mut self) -> VertexNumbers {
         let mut numbers = VertexNumbers::next(&mut self.free);
         if let Some(real) = &mut self.real {

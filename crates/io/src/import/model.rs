@@ -27,6 +27,7 @@ use crate::load_options::LoadOptions;
 use crate::source::{Location, why};
 use crate::{Error, Warning};
 use std::collections::HashMap;
+use std::path::Path;
 use std::rc::Rc;
 use traylib_geometry::{self as geometry, Aabb};
 use traylib_materials::Material;
@@ -56,15 +57,17 @@ impl ModelFile {
         options: LoadOptions<'_>,
     ) -> Result<(Self, Vec<Warning>), Error> {
         let mut counter = Counter::default();
-        let (file, mut warnings) = match location {
-            Location::Disk(path) => match Format::of(path).unwrap_or(Format::ThreeDs) {
-                Format::Mgf => mgf::read(path, options, &mut counter)?,
-                Format::ThreeDs => three_ds::read(location, options.limits, &mut counter)?,
-                Format::Gltf => gltf::read(location, options, &mut counter)?,
-                Format::Obj => obj::read(location, options, &mut counter)?,
-                Format::Ply => ply::read(location, options, &mut counter)?,
-            },
-            Location::BuiltIn(_) => three_ds::read(location, options.limits, &mut counter)?,
+        // Of those that are compiled in none is an MGF file, which names others by paths.
+        let path = match location {
+            Location::Disk(path) => path.as_path(),
+            Location::BuiltIn(name) => Path::new(name),
+        };
+        let (file, mut warnings) = match Format::of(path).unwrap_or(Format::ThreeDs) {
+            Format::Mgf => mgf::read(path, options, &mut counter)?,
+            Format::ThreeDs => three_ds::read(location, options.limits, &mut counter)?,
+            Format::Gltf => gltf::read(location, options, &mut counter)?,
+            Format::Obj => obj::read(location, options, &mut counter)?,
+            Format::Ply => ply::read(location, options, &mut counter)?,
         };
         warnings.extend(counter.into_warnings(&location.to_string()));
         Ok((file, warnings))

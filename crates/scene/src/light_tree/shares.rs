@@ -23,8 +23,29 @@ pub(super) struct Shares {
 /// One turn of a choice.
 pub(super) struct Turn {
     pub(super) child: usize,
-    /// What is left of the number that decided it, stretched to [0, 1) again.
-    pub(super) rest: f64,
+    /// Of the number that decided it.
+    pub(super) rest: Rest,
+}
+
+/// A number that is uniform on an interval from zero.
+#[derive(Clone, Copy)]
+pub(super) struct Rest {
+    at: f64,
+    end: f64,
+}
+
+impl Rest {
+    /// One that is uniform on [0, 1).
+    #[inline]
+    pub(super) fn of(u: f64) -> Self {
+        Self { at: u, end: 1.0 }
+    }
+
+    /// Stretched to [0, 1). Not before it is needed: it never is of the last turn.
+    #[inline]
+    pub(super) fn stretched(self) -> f64 {
+        (self.at / self.end).min(BELOW_ONE)
+    }
 }
 
 impl Shares {
@@ -55,15 +76,15 @@ impl Shares {
     #[inline]
     pub(super) fn turn(&self, u: f64) -> Turn {
         let at = u * self.sum;
-        let (mut child, mut start, mut end) = (0, 0.0, 0.0);
-        for (other, &share) in self.each.iter().enumerate() {
+        let [a, b, c, _] = self.each;
+        let starts = [0.0, a, a + b, a + b + c];
+        let mut child = 0;
+        for (other, (&share, start)) in self.each.iter().zip(starts).enumerate() {
             // The last that has any share is taken at the latest: what is above all ends
-            // is rounding.
-            if share > 0.0 && at >= end {
-                (child, start) = (other, end);
-            }
-            end += share;
+            // is rounding. Without a branch: chance decides, which no processor foresees.
+            let is_reached = (share > 0.0) & (at >= start);
+            child = if is_reached { other } else { child };
         }
-        Turn { child, rest: ((at - start) / self.each[child]).min(BELOW_ONE) }
+        Turn { child, rest: Rest { at: at - starts[child], end: self.each[child] } }
     }
 }

@@ -9,7 +9,11 @@ use traylib_math::{AreaPdf, Vec2, Vec3};
 impl Scene {
     /// A point of a lamp to light `from` with, and its density; one for a point
     /// light. It emits what the lamp's opacity leaves of it there.
-    #[inline]
+    #[expect(
+        clippy::inline_always,
+        reason = "its result is large: in place it is not written to memory"
+    )]
+    #[inline(always)]
     pub fn sample_light(&self, id: LightId, from: Vec3, u: Vec2) -> (LightPoint, AreaPdf) {
         let (mut point, pdf) = self.light(id).sample_toward(from, u);
         self.seat(id, &mut point, |_| self.light(id).coordinates_toward(from, u));

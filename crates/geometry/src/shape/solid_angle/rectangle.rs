@@ -1,7 +1,7 @@
 //! Rectangles.
 
 use super::{LEAST, is_far};
-use crate::precise::{DVec3, difference};
+use crate::precise::difference;
 use crate::shape::even_pdf;
 use crate::{Quad, SurfaceSite, Vec2, Vec3};
 use std::f64::consts::TAU;
@@ -50,10 +50,10 @@ impl SphericalRectangle {
         let corner = difference(quad.corner(), from);
         let [along, aside] = quad.edges().map(Vec3::as_dvec3);
         let height = -corner.dot(quad.across());
-        if height <= 0.0 || !is_square(along, aside) {
+        if height <= 0.0 {
             return None;
         }
-        let (length, breadth) = (along.length(), aside.length());
+        let [length, breadth] = quad.rectangle_lengths()?;
         let (x, y) = (corner.dot(along) / length, corner.dot(aside) / breadth);
         Self::new([x, x + length], [y, y + breadth], height / (length * breadth))
     }
@@ -122,11 +122,4 @@ impl SphericalRectangle {
         let at = sine * (square / (1.0 - sine * sine).max(0.0)).sqrt();
         at.max(start).min(end)
     }
-}
-
-/// Whether two edges are at right angles, up to a few roundings of their coordinates.
-fn is_square(along: DVec3, aside: DVec3) -> bool {
-    const SLANT: f64 = 4.0 * f32::EPSILON as f64;
-    let lengths = along.length_squared() * aside.length_squared();
-    along.dot(aside).powi(2) <= SLANT * SLANT * lengths
 }
