@@ -54,9 +54,9 @@ fn a_pilot_picks_the_optimum_under_a_disk() {
     }
 }
 
-/// The forecast is the variance itself, over the square of the mean and a hundredth of it:
-/// over 8192 samples it is within six of its standard errors of some 2 %, at 24
-/// places.
+/// The forecast is the variance itself, over the square of the mean and a hundredth of it. It is
+/// a moment less a square, each of which 8192 samples tell to a thousandth or better: here to
+/// less than six of these standard errors, beside 12 % of the variance, at 24 places.
 #[test]
 fn forecasts_are_variances() {
     for (number, radius) in RADII.into_iter().enumerate() {
@@ -65,9 +65,11 @@ fn forecasts_are_variances() {
         for (estimator, foreseen) in Estimator::ALL.into_iter().zip(foreseen) {
             // Less than a thousandth of the second moment is not told from nothing.
             let (square, variance) = (mean(radius).powi(2), estimator.theory(radius));
-            let theory = variance.max(1e-3 * (variance + square)) / (1.01 * square);
-            let ratio = foreseen / theory;
-            assert!((0.88..1.12).contains(&ratio), "{radius} {estimator:?}: {foreseen} {theory}");
+            let moment = (variance + square) / (1.01 * square);
+            let theory = (variance / (1.01 * square)).max(1e-3 * moment);
+            let slack = 0.12 * theory + 4e-3 * moment;
+            let is_close = (foreseen - theory).abs() < slack;
+            assert!(is_close, "{radius} {estimator:?}: {foreseen} {theory} {slack}");
         }
     }
 }

@@ -7,9 +7,13 @@ use traylib_math::Rgb;
 /// Tiles along the longer side of a film.
 const ALONG: u32 = 12;
 
+/// A probe whose square is so many times that of its tile is bright by itself, not by chance.
+const BRIGHT: f64 = 4.0;
+
 /// Errors are relative to the light around them, as in relMSE: squares are divided by the
 /// square of the light of the place plus a hundredth of that of the picture. The light of a
-/// place is the mean of its tile, or of the probe that stands for it, where that is brighter.
+/// place is the mean of its tile, or of the probe that stands for it, where that is far
+/// brighter.
 pub(super) struct Tiles {
     /// One over that, for each probe.
     weights: Vec<f64>,
@@ -71,7 +75,8 @@ impl Tiles {
         let weight = |(&pixel, [a, b]): (&u32, &[f64; 2])| {
             let tile = tile(pixel);
             let around = (light[tile] / samples[tile]).powi(2);
-            1.0 / (around.max(a * b) + 0.01 * mean * mean)
+            let bright = (a * b > BRIGHT * around).then_some(a * b);
+            1.0 / (bright.unwrap_or(around) + 0.01 * mean * mean)
         };
         let weights = probes.pixels.iter().zip(&halves).map(weight).collect();
         Self { weights, grid }

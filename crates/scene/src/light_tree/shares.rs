@@ -74,6 +74,7 @@ impl Shares {
     /// The child to which a number from [0, 1) falls. Of shares in single precision, sums in
     /// double precision are exact, so each falls as often as its chance says.
     #[inline]
+    #[expect(clippy::needless_bitwise_bool, reason = "a lazy `and` would be a branch")]
     pub(super) fn turn(&self, u: f64) -> Turn {
         let at = u * self.sum;
         let [a, b, c, _] = self.each;
