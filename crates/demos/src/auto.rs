@@ -1,23 +1,15 @@
 //! The method that a plan chooses, and what it says of its choice.
 
-mod explain;
+mod tables;
 
+use crate::explain::Explain;
 use crate::job::Job;
 use crate::outcome::Failure;
 use crate::say::{say, tell, tell_json};
-use explain::{as_json, as_text};
+use tables::{as_json, as_text};
 use traylib_integrators::planner::{Choice, Plan, Request, plan};
 use traylib_integrators::{Auto, Control, Method};
 use traylib_io::Loaded;
-
-/// How a plan is explained.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Explain {
-    /// As tables, for people.
-    Text,
-    /// As JSON, for programs.
-    Json,
-}
 
 /// The job with the method that is to render it, if that was left to a plan.
 ///

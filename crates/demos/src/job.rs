@@ -1,7 +1,7 @@
 //! What a program was asked to do.
 
-use crate::auto::Explain;
 use crate::command_line::CommandLine;
+use crate::explain::Explain;
 use crate::options::RenderOptions;
 use std::path::Path;
 use traylib_integrators::{Integrator, Limits, Method, Report};

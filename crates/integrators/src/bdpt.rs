@@ -13,7 +13,6 @@ mod auto;
 mod connect;
 mod connection_roulette;
 mod direct_sum;
-mod found_path;
 mod paths_per_pixel;
 mod report;
 mod settings;
@@ -25,7 +24,6 @@ mod walk;
 mod weight;
 
 pub use auto::{Auto, MayLose};
-pub use found_path::FoundPath;
 pub use paths_per_pixel::PathsPerPixel;
 pub use report::{Report, Technique};
 pub use settings::BdptSettings;

@@ -1,7 +1,7 @@
 //! A part of a pass, and what came of it.
 
 use crate::Control;
-use crate::bdpt::FoundPath;
+use crate::FoundPath;
 use crate::numbers::{Dimensions, PathSampler, PointSet, Purpose, RealNumbers, rotation};
 use crate::tracer::{Statistics, Tracer};
 use std::ops::Range;

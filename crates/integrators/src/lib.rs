@@ -70,6 +70,7 @@ mod control;
 mod direct;
 mod directlight;
 mod emission;
+mod found_path;
 mod limits;
 mod method;
 mod mirrored_point;
@@ -87,13 +88,14 @@ mod trace;
 mod tracer;
 
 pub use bdpt::{
-    Auto, Bdpt, BdptSettings, FoundPath, LightSampling, MayLose, PathsPerPixel, Report, Technique,
+    Auto, Bdpt, BdptSettings, LightSampling, MayLose, PathsPerPixel, Report, Technique,
     TechniqueSet, Techniques, Weighting,
 };
 pub use blind::{BlindSpot, SceneFacts};
 pub use chunk::{Chunk, ChunkOutput};
 pub use control::Control;
 pub use directlight::DirectLight;
+pub use found_path::FoundPath;
 pub use limits::{Limits, Roulette};
 pub use method::{Method, MethodError, MethodOption, MethodSetting, OptionValues};
 pub use numbers::{Dimensions, PathSampler, PointSet};

@@ -302,7 +302,7 @@ impl Method {
     pub fn with(self, given: &[MethodSetting]) -> Result<Self, MethodError> {
         let has = |setting| given.contains(&setting);
         let limits = limits(given, self.default_limits())?;
-        let (heuristic, auto) = (option::heuristic(given), option::auto(given)?);
+        let (heuristic, auto) = (option::heuristic(given), auto(given)?);
         Ok(match self {
             Self::Trace(_) => Self::Trace(Trace { jitter: has(MethodSetting::Jitter) }),
             Self::PureMc(_) => Self::PureMc(PureMc { limits }),
@@ -351,4 +351,35 @@ fn limits(given: &[MethodSetting], mut limits: Limits) -> Result<Limits, MethodE
         return Err(MethodError::Endless);
     }
     Ok(limits)
+}
+
+/// What a plan may do, if settings ask for one.
+///
+/// # Errors
+/// A setting is for the plan to choose, or wants a plan that there is none.
+fn auto(given: &[MethodSetting]) -> Result<Option<Auto>, MethodError> {
+    let may_lose = given.iter().find_map(|setting| match *setting {
+        MethodSetting::MayLose(part) => Some(part),
+        MethodSetting::Jitter
+        | MethodSetting::MaxDepth(_)
+        | MethodSetting::Roulette(_)
+        | MethodSetting::Combine
+        | MethodSetting::Heuristic(_)
+        | MethodSetting::DirectSum
+        | MethodSetting::NoConnections
+        | MethodSetting::NoSplats
+        | MethodSetting::LightPaths(_)
+        | MethodSetting::NoImages
+        | MethodSetting::Auto => None,
+    });
+    if !given.contains(&MethodSetting::Auto) {
+        return if may_lose.is_some() { Err(MethodError::NothingPlanned) } else { Ok(None) };
+    }
+    // All but the length of paths is the plan's own.
+    let own =
+        |option: &MethodOption| !matches!(option, MethodOption::MaxDepth | MethodOption::Auto);
+    match given.iter().map(|setting| setting.option()).find(own) {
+        Some(option) => Err(MethodError::Planned(option)),
+        None => Ok(Some(Auto { may_lose: may_lose.unwrap_or_default() })),
+    }
 }

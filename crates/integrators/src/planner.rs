@@ -19,10 +19,13 @@
 //! multiple importance sampling for bidirectional rendering algorithms*, 2022, with variances
 //! in place of second moments.
 
+mod bands;
 mod candidates;
 mod cost;
 mod evidence;
 mod forecast;
+mod found;
+mod grid;
 mod length;
 mod means;
 mod pilot;

@@ -8,7 +8,7 @@ use super::direct_sum::{JoinedPath, Joint, Mirrors};
 use super::subpath::Subpath;
 use super::vertex::{End, Vertex};
 use super::walk::LightStart;
-use super::{Bdpt, FoundPath, LightPath, Report, Weighting, weight};
+use super::{Bdpt, LightPath, Report, Weighting, weight};
 use crate::direct::sample_light;
 use crate::mirrored_point::{mirrored_lights, walked_by_mirror};
 use crate::path_scattering::PathScattering;
@@ -311,7 +311,7 @@ impl<'a> Joiner<'a> {
         out.add(pixel, *value * weight as f32);
         if report == Report::Paths {
             let logs = path.path_densities().log_densities(splats, takes_part);
-            out.paths.push(FoundPath::of(pixel, path, *value, &logs));
+            out.paths.push(path.found_on(pixel, *value, &logs));
         }
         report.record(out, pixel, path, *value, weight, all_weights);
         alone

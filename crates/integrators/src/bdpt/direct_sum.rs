@@ -6,7 +6,8 @@
 
 use super::Techniques;
 use super::vertex::{End, Vertex};
-use traylib_math::{Heuristic, SolidAnglePdf, Vec3};
+use crate::FoundPath;
+use traylib_math::{Heuristic, Rgb, SolidAnglePdf, Vec3};
 use traylib_scene::{LightDensities, PointImage};
 
 /// Two subpaths and how they were joined.
@@ -97,6 +98,21 @@ impl JoinedPath<'_> {
     /// Whether the camera path was joined with a point light by way of a mirror.
     pub(crate) fn is_joined_by_mirror(&self) -> bool {
         matches!(self.joint, Joint::Mirror { .. })
+    }
+
+    /// The path as it was found, adding `value` to this pixel; `logs` are the logarithms of the
+    /// densities of all techniques.
+    pub(crate) fn found_on(&self, pixel: u32, value: Rgb, logs: &[f64]) -> FoundPath {
+        let (s, t) = self.technique();
+        FoundPath {
+            pixel,
+            value,
+            s,
+            is_splat: t == 1,
+            is_point: self.is_point,
+            mirror_joint: self.mirror_joint(),
+            ratios: logs.iter().map(|log| (log - logs[s]).exp()).collect(),
+        }
     }
 
     /// Whether technique (s, t) takes part in finding this path.

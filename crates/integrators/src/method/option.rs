@@ -1,8 +1,7 @@
 //! The options of methods: how they are spelled, and how their values are read.
 
 use super::Method;
-use super::MethodError;
-use crate::{Auto, MayLose, PathsPerPixel, Roulette};
+use crate::{MayLose, PathsPerPixel, Roulette};
 use std::fmt;
 use traylib_math::Heuristic;
 
@@ -302,35 +301,4 @@ pub(super) fn light_paths(given: &[MethodSetting]) -> Option<PathsPerPixel> {
         | MethodSetting::NoImages
         | MethodSetting::Auto => None,
     })
-}
-
-/// What a plan may do, if settings ask for one.
-///
-/// # Errors
-/// A setting is for the plan to choose, or wants a plan that there is none.
-pub(super) fn auto(given: &[MethodSetting]) -> Result<Option<Auto>, MethodError> {
-    let may_lose = given.iter().find_map(|setting| match *setting {
-        MethodSetting::MayLose(part) => Some(part),
-        MethodSetting::Jitter
-        | MethodSetting::MaxDepth(_)
-        | MethodSetting::Roulette(_)
-        | MethodSetting::Combine
-        | MethodSetting::Heuristic(_)
-        | MethodSetting::DirectSum
-        | MethodSetting::NoConnections
-        | MethodSetting::NoSplats
-        | MethodSetting::LightPaths(_)
-        | MethodSetting::NoImages
-        | MethodSetting::Auto => None,
-    });
-    if !given.contains(&MethodSetting::Auto) {
-        return if may_lose.is_some() { Err(MethodError::NothingPlanned) } else { Ok(None) };
-    }
-    // All but the length of paths is the plan's own.
-    let own =
-        |option: &MethodOption| !matches!(option, MethodOption::MaxDepth | MethodOption::Auto);
-    match given.iter().map(|setting| setting.option()).find(own) {
-        Some(option) => Err(MethodError::Planned(option)),
-        None => Ok(Some(Auto { may_lose: may_lose.unwrap_or_default() })),
-    }
 }

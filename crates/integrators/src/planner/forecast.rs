@@ -6,9 +6,10 @@
 //! E_t = ∫ f·w_t. Both integrals are means over the pilot's paths, each of which counts for
 //! one over the sum of the densities of all techniques. (Veach 1997, section 9.2.)
 
-use super::pilot::{Found, LONGEST, Pilot};
-use super::tiles::{bands, grey, product};
-use crate::bdpt::FoundPath;
+use super::bands::{bands, grey, product};
+use super::found::Found;
+use super::pilot::{LONGEST, Pilot};
+use crate::FoundPath;
 use crate::{BdptSettings, DirectLight, Method, Techniques};
 use traylib_math::Heuristic;
 

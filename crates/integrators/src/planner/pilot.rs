@@ -1,10 +1,10 @@
 //! A few passes by all techniques, path by path.
 
+use super::bands::grey;
+use super::found::Found;
 use super::probes::Probes;
-use super::tiles::{Tiles, grey};
-use crate::bdpt::{Bdpt, BdptSettings, FoundPath, Report};
-use crate::{Limits, PointSet};
-use traylib_math::Rgb;
+use super::tiles::Tiles;
+use crate::{Bdpt, BdptSettings, Limits, PointSet, Report};
 
 /// Longer paths are left out of the pilot: they hold little light, and the number of ways to
 /// find one grows with its length. Trials have them.
@@ -21,13 +21,6 @@ pub(super) struct Pilot {
     pub(super) passes: u32,
     /// What errors are relative to.
     pub(super) tiles: Tiles,
-}
-
-/// A path and who found it when.
-pub(super) struct Found {
-    pub(super) path: FoundPath,
-    pub(super) probe: usize,
-    pub(super) pass: u32,
 }
 
 impl Pilot {
@@ -52,26 +45,5 @@ impl Pilot {
     /// Samples in all.
     pub(super) fn samples(&self) -> f64 {
         self.pixels.len() as f64 * f64::from(self.passes)
-    }
-}
-
-impl FoundPath {
-    /// Its light by the balance heuristic over all techniques, of which each path is an
-    /// unbiased sample.
-    pub(super) fn balanced(&self) -> Rgb {
-        self.value * (1.0 / self.ratios.iter().sum::<f64>()) as f32
-    }
-
-    /// The same over those that begin at the camera, if it was found by one of them: light of
-    /// its own pixel.
-    pub(super) fn own_light(&self) -> Option<Rgb> {
-        (!self.is_splat).then(|| self.value * (1.0 / self.found_from_camera()) as f32)
-    }
-
-    /// How much more often techniques from the camera find it, all together, than the one that
-    /// did.
-    pub(super) fn found_from_camera(&self) -> f64 {
-        // The last, t = 1, begins at no camera.
-        self.ratios[..self.edges()].iter().sum()
     }
 }

@@ -1,7 +1,7 @@
 //! The pixels that stand for all.
 
-use super::tiles::Grid;
-use crate::bdpt::FoundPath;
+use super::grid::Grid;
+use crate::FoundPath;
 use crate::{Chunk, ChunkOutput, Control, Dimensions, Integrator, PointSet, Statistics};
 use rayon::prelude::*;
 use traylib_math::{Rgb, Sampler};

@@ -1,8 +1,9 @@
 //! How much an error weighs where.
 
-use super::pilot::Found;
+use super::bands::grey;
+use super::found::Found;
+use super::grid::Grid;
 use super::probes::Probes;
-use traylib_math::Rgb;
 
 /// Tiles along the longer side of a film.
 const ALONG: u32 = 12;
@@ -18,34 +19,6 @@ pub(super) struct Tiles {
     /// One over that, for each probe.
     weights: Vec<f64>,
     grid: Grid,
-}
-
-/// Cells of a film, one for each probe.
-#[derive(Clone, Copy)]
-pub(super) struct Grid {
-    pub(super) columns: u32,
-    pub(super) rows: u32,
-    pub(super) width: u32,
-    pub(super) height: u32,
-}
-
-impl Grid {
-    /// The first pixel of a part of `0..whole`, of which there are `parts`.
-    pub(super) fn edge(part: u32, parts: u32, whole: u32) -> u32 {
-        (u64::from(part) * u64::from(whole) / u64::from(parts)) as u32
-    }
-
-    /// The part that a place lies in.
-    fn part(place: u32, parts: u32, whole: u32) -> u32 {
-        (((u64::from(place) + 1) * u64::from(parts) - 1) / u64::from(whole)) as u32
-    }
-
-    /// The number of the cell that a row-major pixel lies in.
-    fn cell(self, pixel: u32) -> usize {
-        let Self { columns, rows, width, height } = self;
-        let column = Self::part(pixel % width, columns, width);
-        (Self::part(pixel / width, rows, height) * columns + column) as usize
-    }
 }
 
 impl Tiles {
@@ -85,36 +58,5 @@ impl Tiles {
     /// What the square of an error at this pixel is multiplied with.
     pub(super) fn weight(&self, pixel: u32) -> f64 {
         self.weights[self.grid.cell(pixel)]
-    }
-}
-
-/// The mean of the bands.
-pub(super) fn grey(light: Rgb) -> f64 {
-    f64::from(light.r + light.g + light.b) / 3.0
-}
-
-/// The mean of the products of the bands.
-pub(super) fn product(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / 3.0
-}
-
-/// The bands in double precision.
-pub(super) fn bands(light: Rgb) -> [f64; 3] {
-    light.to_array().map(f64::from)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_place_lies_between_the_edges_of_its_part() {
-        for (whole, parts) in [(10, 3), (7, 7), (640, 37), (5, 1)] {
-            for place in 0..whole {
-                let part = Grid::part(place, parts, whole);
-                let edges = [part, part + 1].map(|part| Grid::edge(part, parts, whole));
-                assert!((edges[0]..edges[1]).contains(&place), "{place} of {whole} in {parts}");
-            }
-        }
     }
 }

@@ -1,8 +1,9 @@
 //! The noise of a method as it is, by the numbers that a picture would have.
 
+use super::bands::{bands, product};
 use super::means::Passes;
 use super::probes::{Probed, Probes};
-use super::tiles::{Tiles, bands, product};
+use super::tiles::Tiles;
 use crate::{BdptSettings, Method};
 
 /// Variance of one sample a pixel, relative as relMSE is, as means of many have it; but for

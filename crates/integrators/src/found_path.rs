@@ -1,6 +1,5 @@
 //! What a path that was found tells of the techniques that did not find it.
 
-use super::direct_sum::JoinedPath;
 use traylib_math::Rgb;
 
 /// A path with what every technique would have had to do with it.
@@ -27,22 +26,6 @@ pub struct FoundPath {
 }
 
 impl FoundPath {
-    /// The path that was found in this way; `logs` are the logarithms of the densities of
-    /// all techniques.
-    pub(super) fn of(pixel: u32, path: &JoinedPath<'_>, value: Rgb, logs: &[f64]) -> Self {
-        let (s, t) = path.technique();
-        let ratio = |log: &f64| (log - logs[s]).exp();
-        Self {
-            pixel,
-            value,
-            s,
-            is_splat: t == 1,
-            is_point: path.is_point,
-            mirror_joint: path.mirror_joint(),
-            ratios: logs.iter().map(ratio).collect(),
-        }
-    }
-
     /// Its edges.
     pub fn edges(&self) -> usize {
         self.ratios.len() - 1

@@ -1,0 +1,10 @@
+//! How a plan is explained.
+
+/// How a plan is explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Explain {
+    /// As tables, for people.
+    Text,
+    /// As JSON, for programs.
+    Json,
+}
