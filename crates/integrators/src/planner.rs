@@ -212,7 +212,9 @@ impl Planner<'_> {
         for choice in &mut tried {
             choice.tried = Some(self.try_out(choice.method));
         }
-        tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()));
+        // Without any noise the cheapest.
+        let by_cost = |a: &Choice, b: &Choice| a.cost.total_cmp(&b.cost);
+        tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()).then(by_cost(a, b)));
         let method = tried.first().map_or(whole, |best| best.method);
         // Why: all choices, what the techniques of the best hold, and how long its paths are.
         let spent = self.samples(tried.len()) / samples;
