@@ -21,6 +21,7 @@
 
 mod bands;
 mod candidates;
+mod choose;
 mod cost;
 mod evidence;
 mod forecast;
@@ -29,52 +30,27 @@ mod grid;
 mod length;
 mod means;
 mod pilot;
+mod plan;
 mod probes;
 mod tiles;
 mod trial;
 mod work;
 
-pub use cost::{Price, growth, price};
+pub use cost::growth;
 pub use evidence::{Choice, Evidence, TechniqueShare};
 pub use forecast::Kind;
+pub use plan::{Plan, Request};
 pub use work::Work;
 
 use crate::{Control, Method, PointSet, SceneFacts, ThreadError};
-use candidates::{Candidates, candidates, without_images};
-use forecast::{Forecast, RARE, forecast};
+use choose::{Planner, TRIED};
+use forecast::forecast;
 use means::Passes;
 use pilot::Pilot;
 use probes::Probes;
 use traylib_scene::Scene;
-use trial::{edges_of_lights, trial};
+use trial::edges_of_lights;
 use work::Counted;
-
-/// What is to be planned.
-#[derive(Clone, Copy, Debug)]
-pub struct Request {
-    /// The longest path, for the methods that are chosen from.
-    pub max_depth: Option<u32>,
-    /// The part of all light that longer paths may hold and lose: where it is above zero, a
-    /// longest path is chosen, too.
-    pub may_lose: f64,
-    /// Samples a pixel of the picture, to spend a small part of them on the plan.
-    pub spp: u32,
-    /// Seed of the picture.
-    pub seed: u64,
-    /// Where the picture's numbers will come from.
-    pub points: PointSet,
-    /// Threads; 0 for one a processor. Does not change the plan.
-    pub threads: usize,
-}
-
-/// What was chosen, and why.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
-    /// The method to render by.
-    pub method: Method,
-    /// What it was chosen for; `None` if the picture is too small to spend anything on it.
-    pub evidence: Option<Evidence>,
-}
 
 /// The part of the picture's samples that pilot and trials may take together.
 const BUDGET: f64 = 0.035;
@@ -91,14 +67,8 @@ const PILOT_PASSES: u32 = 2;
 /// Passes of a trial: eight in each of four sequences.
 const TRIAL_PASSES: u32 = 32;
 
-/// One of so many probes is tried.
+/// One of so many probes is tried, and counted.
 const TRIED_PROBES: usize = 4;
-
-/// One of so many is counted.
-const COUNTED_PROBES: usize = 4;
-
-/// Methods that are tried; with the safe one and those without images there may be more.
-const TRIED: usize = 3;
 
 /// Chooses the method that reaches a given error soonest.
 ///
@@ -124,8 +94,7 @@ pub fn plan(
         let edges = edges_of_lights(&probes, &pilot.tiles, passes);
         let planner = Planner {
             probes: &probes,
-            quarter: probes.one_of(TRIED_PROBES),
-            few: probes.one_of(COUNTED_PROBES),
+            some: probes.one_of(TRIED_PROBES),
             counted: Counted::default(),
             pilot,
             facts: SceneFacts::of(scene),
@@ -180,100 +149,4 @@ fn affordable(samples: f64) -> Option<u32> {
     let passes = PILOT_PASSES + tried;
     let probes = (BUDGET * samples / f64::from(passes)) as u32;
     (probes >= LEAST_PROBES).then_some(probes.min(MOST_PROBES))
-}
-
-/// What a choice is made from.
-struct Planner<'a> {
-    probes: &'a Probes<'a>,
-    /// Some of the probes, on which methods are tried.
-    quarter: Probes<'a>,
-    /// Fewer, on which work is counted.
-    few: Probes<'a>,
-    counted: Counted,
-    pilot: Pilot,
-    facts: SceneFacts,
-    passes: Passes,
-    /// The noise of lights that the camera sees, which all methods share.
-    edges: f64,
-}
-
-impl Planner<'_> {
-    /// The plan of paths that are not longer than this, for a picture of so many samples.
-    fn choose(mut self, max_depth: Option<u32>, samples: f64) -> Plan {
-        let whole = Method::BDPT.up_to(max_depth);
-        // All that may pay, the most promising first.
-        let Candidates { methods, blind } = candidates(self.facts);
-        let methods = methods.into_iter().map(|method| method.up_to(max_depth));
-        let mut choices: Vec<Choice> = methods.map(|method| self.forecast(method)).collect();
-        choices.retain(|choice| choice.forecast.is_finite());
-        choices.sort_by(|a, b| a.expected().total_cmp(&b.expected()));
-        // The first of them, and what is always worth a look, as they will be.
-        let mut tried = self.worth_trying(&choices, whole);
-        for choice in &mut tried {
-            choice.tried = Some(self.try_out(choice.method));
-        }
-        // Without any noise the cheapest.
-        let by_cost = |a: &Choice, b: &Choice| a.cost.total_cmp(&b.cost);
-        tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()).then(by_cost(a, b)));
-        let method = tried.first().map_or(whole, |best| best.method);
-        // Why: all choices, what the techniques of the best hold, and how long its paths are.
-        let spent = self.samples(tried.len()) / samples;
-        choices.retain(|choice| tried.iter().all(|tried| tried.method != choice.method));
-        tried.append(&mut choices);
-        let techniques = TechniqueShare::list(forecast(&self.pilot, method).shares);
-        let beyond = length::lost_beyond(&length::light_by_edges(&self.pilot));
-        let evidence = Evidence { choices: tried, blind, techniques, beyond, spent };
-        Plan { method, evidence: Some(evidence) }
-    }
-
-    fn forecast(&mut self, method: Method) -> Choice {
-        let Forecast { variance, .. } = forecast(&self.pilot, method);
-        let work = self.counted.of(&self.few, method, self.passes.points);
-        let cost = price(method, &work, self.probes.scene);
-        Choice { method, forecast: variance + self.edges, tried: None, cost }
-    }
-
-    /// The noise of a method by trial, but for what is too rare to be tried.
-    fn try_out(&self, method: Method) -> f64 {
-        let tried =
-            |clip| trial(&self.quarter, &self.pilot.tiles, method, self.passes, clip) + self.edges;
-        // What directlight aims at in mirrors the pilot does not know of.
-        let is_known =
-            method.techniques().need_light_paths() || !self.probes.scene.lights_are_small();
-        if is_known {
-            tried(RARE) + forecast(&self.pilot, method).rare
-        } else {
-            tried(f64::INFINITY)
-        }
-    }
-
-    /// The best by forecast, the best that has no light paths and the best that has, the whole
-    /// of bidirectional tracing; and where mirrors show lamps the first of them without
-    /// looking for those images.
-    fn worth_trying(&mut self, choices: &[Choice], whole: Method) -> Vec<Choice> {
-        let walks = |choice: &&Choice| choice.method.techniques().need_light_paths();
-        let of_kind = [
-            choices.iter().find(walks),
-            choices.iter().find(|choice| !walks(choice)),
-            choices.iter().find(|choice| choice.method == whole),
-        ];
-        let mut tried: Vec<Choice> = Vec::new();
-        for choice in of_kind.into_iter().flatten().chain(choices.iter().take(TRIED)) {
-            if tried.iter().all(|other| other.method != choice.method) {
-                tried.push(*choice);
-            }
-        }
-        if self.probes.scene.lights_are_small() {
-            let first = choices.first().and_then(|c| without_images(c.method, self.facts));
-            tried.extend(first.map(|method| self.forecast(method)));
-        }
-        tried
-    }
-
-    /// Samples that all this took: of the pilot, of what was counted, and of so many trials.
-    fn samples(&self, trials: usize) -> f64 {
-        let pilot = self.probes.pixels.len() * PILOT_PASSES as usize;
-        let trials = self.quarter.pixels.len() * TRIAL_PASSES as usize * trials;
-        (pilot + trials + self.few.pixels.len() * self.counted.methods()) as f64
-    }
 }

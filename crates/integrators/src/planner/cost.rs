@@ -3,25 +3,25 @@
 //! The table was made by `cargo xtask costs`, which times every method on scenes of all sizes
 //! and fits these numbers; only their ratios matter. A plan never looks at a clock.
 
-use super::Work;
+use super::work::Work;
 use crate::Method;
 use traylib_scene::Scene;
 
 /// Nanoseconds of what a method does for a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Price {
+struct Price {
     /// The sample itself, with its first ray.
-    pub sample: f64,
+    sample: f64,
     /// A further ray from the camera's side.
-    pub camera_bounce: f64,
+    camera_bounce: f64,
     /// A shadow ray of a camera path.
-    pub camera_shadow: f64,
+    camera_shadow: f64,
     /// A light path.
-    pub light_path: f64,
+    light_path: f64,
     /// Each of its rays.
-    pub light_bounce: f64,
+    light_bounce: f64,
     /// Each of its shadow rays.
-    pub light_shadow: f64,
+    light_shadow: f64,
 }
 
 /// Shapes of the scenes that the table is for.
@@ -74,7 +74,7 @@ impl Price {
 }
 
 /// What a sample costs, in nanoseconds of the machine that the table was made on.
-pub fn price(method: Method, work: &Work, scene: &Scene) -> f64 {
+pub(super) fn price(method: Method, work: &Work, scene: &Scene) -> f64 {
     growth(scene.primitive_count()) * Price::of(method).of_work(work)
 }
 

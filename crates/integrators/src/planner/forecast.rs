@@ -90,7 +90,9 @@ pub(super) fn forecast(pilot: &Pilot, method: Method) -> Forecast {
     let mut sums = [Share::default(); Kind::ALL.len()];
     let mut means = Means::of(pilot);
     let (mut all, mut lost, mut rare) = (0.0, 0.0, 0.0);
-    for Found { path, probe, pass } in &pilot.found {
+    let longest = method.limits().and_then(|limits| limits.max_depth);
+    let is_wanted = |found: &&Found| longest.is_none_or(|most| found.path.edges() as u32 <= most);
+    for Found { path, probe, pass } in pilot.found.iter().filter(is_wanted) {
         let value = bands(path.value);
         let balance = 1.0 / path.ratios.iter().sum::<f64>();
         all += balance * grey(path.value);

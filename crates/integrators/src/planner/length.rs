@@ -1,8 +1,8 @@
 //! How long paths need to be.
 
-use super::Request;
 use super::bands::grey;
 use super::pilot::{LONGEST, Pilot};
+use super::plan::Request;
 
 /// The longest path that the methods shall follow: that of the request, or the shortest that
 /// loses no more than it may.

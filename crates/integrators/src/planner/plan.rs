@@ -1,0 +1,31 @@
+//! What is asked of a plan, and what it is.
+
+use super::evidence::Evidence;
+use crate::{Method, PointSet};
+
+/// What is to be planned.
+#[derive(Clone, Copy, Debug)]
+pub struct Request {
+    /// The longest path, for the methods that are chosen from.
+    pub max_depth: Option<u32>,
+    /// The part of all light that longer paths may hold and lose: where it is above zero, a
+    /// longest path is chosen, too.
+    pub may_lose: f64,
+    /// Samples a pixel of the picture, to spend a small part of them on the plan.
+    pub spp: u32,
+    /// Seed of the picture.
+    pub seed: u64,
+    /// Where the picture's numbers will come from.
+    pub points: PointSet,
+    /// Threads; 0 for one a processor. Does not change the plan.
+    pub threads: usize,
+}
+
+/// What was chosen, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// The method to render by.
+    pub method: Method,
+    /// What it was chosen for; `None` if the picture is too small to spend anything on it.
+    pub evidence: Option<Evidence>,
+}
