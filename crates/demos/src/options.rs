@@ -53,7 +53,7 @@ pub struct RenderOptions {
     #[arg(short, long, value_name = "N", default_value_t = 0, value_parser = parse_threads)]
     pub threads: usize,
 
-    /// End at this time, as 90s, 5m or 1.5h, with the passes that are done
+    /// End at this time, as 90s, 1m30s or 1.5h, with the passes that are done
     /// [default: none]
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
     pub time_limit: Option<Duration>,
