@@ -7,7 +7,7 @@
 //! 1. *Facts* of the scene leave out what can find nothing there
 //!    (`candidates`).
 //! 2. A *pilot* by all techniques of bidirectional tracing notes every path with the
-//!    densities of all techniques ([`FoundPath`]). They tell the noise of every other set of
+//!    densities of all techniques ([`FoundPath`](crate::FoundPath)). They tell the noise of every other set of
 //!    techniques without rendering by it (`forecast`).
 //! 3. What a sample costs is *counted*, never timed, and priced by a table (`cost`): the same
 //!    command chooses the same method on every machine.
