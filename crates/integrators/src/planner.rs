@@ -32,6 +32,7 @@ mod means;
 mod pilot;
 mod plan;
 mod probes;
+mod seen;
 mod tiles;
 mod trial;
 mod work;
@@ -48,8 +49,8 @@ use forecast::forecast;
 use means::Passes;
 use pilot::Pilot;
 use probes::Probes;
+use seen::LightsSeen;
 use traylib_scene::Scene;
-use trial::edges_of_lights;
 use work::Counted;
 
 /// The part of the picture's samples that pilot and trials may take together.
@@ -88,10 +89,11 @@ pub fn plan(
     let pool = crate::render::pool(request.threads)?;
     Ok(pool.install(|| {
         let probes = Probes::spread(scene, probes, request.seed, control);
-        let pilot = Pilot::run(&probes, request.max_depth, PILOT_PASSES);
-        let max_depth = length::longest(&pilot, request);
         let passes = Passes { points: request.points, count: TRIAL_PASSES, spp: request.spp };
-        let edges = edges_of_lights(&probes, &pilot.tiles, passes);
+        let seen = LightsSeen::by(&probes, passes);
+        let pilot = Pilot::run(&probes, request.max_depth, PILOT_PASSES, &seen);
+        let max_depth = length::longest(&pilot, request);
+        let edges = seen.noise(pilot.tiles.weights());
         let planner = Planner {
             probes: &probes,
             some: probes.one_of(TRIED_PROBES),
@@ -120,7 +122,10 @@ pub fn forecasts(
     let control = Control::default();
     let pool = crate::render::pool(0)?;
     Ok(pool.install(|| {
-        let pilot = Pilot::run(&Probes::spread(scene, probes, seed, &control), None, PILOT_PASSES);
+        let probes = Probes::spread(scene, probes, seed, &control);
+        let (points, count) = (PointSet::Independent, PILOT_PASSES);
+        let seen = LightsSeen::by(&probes, Passes { points, count, spp: count });
+        let pilot = Pilot::run(&probes, None, PILOT_PASSES, &seen);
         methods.iter().map(|&method| forecast(&pilot, method).variance).collect()
     }))
 }

@@ -9,7 +9,8 @@ use super::means::Passes;
 use super::pilot::Pilot;
 use super::plan::Plan;
 use super::probes::Probes;
-use super::trial::trial;
+use super::seen::LightsSeen;
+use super::trial::{Trial, weights};
 use super::work::Counted;
 use crate::{Method, SceneFacts};
 
@@ -42,9 +43,7 @@ impl Planner<'_> {
         choices.sort_by(|a, b| a.expected().total_cmp(&b.expected()));
         // The first of them, and what is always worth a look, as they will be.
         let mut tried = self.worth_trying(&choices, whole);
-        for choice in &mut tried {
-            choice.tried = Some(self.try_out(choice.method));
-        }
+        self.try_out(&mut tried);
         // Without any noise the cheapest.
         let by_cost = |a: &Choice, b: &Choice| a.cost.total_cmp(&b.cost);
         tried.sort_by(|a, b| a.measured().total_cmp(&b.measured()).then(by_cost(a, b)));
@@ -66,18 +65,26 @@ impl Planner<'_> {
         Choice { method, forecast: variance + self.edges, tried: None, cost }
     }
 
-    /// The noise of a method by trial, but for what is too rare to be tried.
-    fn try_out(&self, method: Method) -> f64 {
-        let tried =
-            |clip| trial(&self.some, &self.pilot.tiles, method, self.passes, clip) + self.edges;
-        // What directlight aims at in mirrors the pilot does not know of.
-        let is_known =
-            method.techniques().need_light_paths() || !self.probes.scene.lights_are_small();
-        if is_known {
-            tried(RARE) + forecast(&self.pilot, method).rare
-        } else {
-            tried(f64::INFINITY)
+    /// Finds the noise of these by trial, but for what is too rare to be tried.
+    fn try_out(&self, choices: &mut [Choice]) {
+        let (tiles, passes) = (&self.pilot.tiles, self.passes);
+        let seen = LightsSeen::by(&self.some, passes);
+        let trial = |choice: &Choice| {
+            let clip = if self.knows(choice.method) { RARE } else { f64::INFINITY };
+            Trial::run(&self.some, tiles, choice.method, &seen, clip)
+        };
+        let trials: Vec<Trial> = choices.iter().map(trial).collect();
+        let weights = weights(&trials, tiles, &seen);
+        for (choice, trial) in choices.iter_mut().zip(&trials) {
+            let method = choice.method;
+            let rare = if self.knows(method) { forecast(&self.pilot, method).rare } else { 0.0 };
+            choice.tried = Some(trial.variance(&weights, passes) + self.edges + rare);
         }
+    }
+
+    /// Whether the pilot knows all that a method does: not what directlight aims at in mirrors.
+    fn knows(&self, method: Method) -> bool {
+        method.techniques().need_light_paths() || !self.probes.scene.lights_are_small()
     }
 
     /// The best by forecast, the best that has no light paths and the best that has, the whole

@@ -1,8 +1,8 @@
 //! A few passes by all techniques, path by path.
 
-use super::bands::grey;
 use super::found::Found;
 use super::probes::Probes;
+use super::seen::LightsSeen;
 use super::tiles::Tiles;
 use crate::{Bdpt, BdptSettings, Limits, PointSet, Report};
 
@@ -24,8 +24,14 @@ pub(super) struct Pilot {
 }
 
 impl Pilot {
-    /// Independent points: what is told from them holds for each sample alone.
-    pub(super) fn run(probes: &Probes<'_>, max_depth: Option<u32>, passes: u32) -> Self {
+    /// Asks the probes by independent points: what is told from them holds for each sample
+    /// alone.
+    pub(super) fn run(
+        probes: &Probes<'_>,
+        max_depth: Option<u32>,
+        passes: u32,
+        seen: &LightsSeen,
+    ) -> Self {
         let longest = max_depth.map_or(LONGEST, |edges| edges.min(LONGEST));
         let limits = Limits { max_depth: Some(longest), ..Limits::NONE };
         let bdpt: Bdpt = BdptSettings { limits, ..BdptSettings::DEFAULT }.integrator(Report::Paths);
@@ -33,11 +39,9 @@ impl Pilot {
             let found = |path| Found { path, probe, pass };
             probed.paths.into_iter().map(found).collect::<Vec<_>>()
         });
-        // Lamps that the camera sees are the same to all methods, and far brighter than what
-        // they light.
-        let (seen, found): (Vec<Found>, Vec<Found>) =
-            found.into_iter().flatten().partition(|found| found.path.edges() == 1);
-        let seen = seen.iter().map(|found| grey(found.path.balanced())).sum();
+        // Lights that the camera sees are no matter of choice.
+        let found = found.into_iter().flatten().filter(|found| found.path.edges() > 1);
+        let found: Vec<Found> = found.collect();
         let tiles = Tiles::of(probes, passes, &found, seen);
         Self { found, pixels: probes.pixels.clone(), passes, tiles }
     }

@@ -4,6 +4,7 @@ use super::bands::grey;
 use super::found::Found;
 use super::grid::Grid;
 use super::probes::Probes;
+use super::seen::LightsSeen;
 
 /// Tiles along the longer side of a film.
 const ALONG: u32 = 12;
@@ -14,17 +15,19 @@ const BRIGHT: f64 = 4.0;
 /// Errors are relative to the light around them, as in relMSE: squares are divided by the
 /// square of the light of the place plus a hundredth of that of the picture. The light of a
 /// place is the mean of its tile, or of the probe that stands for it, where that is far
-/// brighter.
+/// brighter, and with it the lights that are seen there.
 pub(super) struct Tiles {
     /// One over that, for each probe.
     weights: Vec<f64>,
+    /// What is added to squares of light.
+    dark: f64,
     grid: Grid,
 }
 
 impl Tiles {
-    /// From what the pilot found in so many passes of all probes, beside `seen`, the light of
-    /// lamps that the camera sees.
-    pub(super) fn of(probes: &Probes<'_>, passes: u32, found: &[Found], seen: f64) -> Self {
+    /// From what the pilot found in so many passes of all probes, beside the lights that
+    /// the camera sees.
+    pub(super) fn of(probes: &Probes<'_>, passes: u32, found: &[Found], seen: &LightsSeen) -> Self {
         let grid = probes.grid;
         let Grid { width, height, .. } = grid;
         let side = width.max(height).div_ceil(ALONG);
@@ -44,15 +47,27 @@ impl Tiles {
             samples[tile(pixel)] += f64::from(passes);
         }
         let all = probes.pixels.len() as f64 * f64::from(passes);
-        let mean = (light.iter().sum::<f64>() + seen) / all;
-        let weight = |(&pixel, [a, b]): (&u32, &[f64; 2])| {
+        let mean = light.iter().sum::<f64>() / all + seen.mean();
+        let dark = 0.01 * mean * mean;
+        let weight = |(probe, (&pixel, [a, b])): (usize, (&u32, &[f64; 2]))| {
             let tile = tile(pixel);
             let around = (light[tile] / samples[tile]).powi(2);
             let bright = (a * b > BRIGHT * around).then_some(a * b);
-            1.0 / (bright.unwrap_or(around) + 0.01 * mean * mean)
+            let light = bright.unwrap_or(around).sqrt() + seen.mean_of(probe);
+            1.0 / (light * light + dark)
         };
-        let weights = probes.pixels.iter().zip(&halves).map(weight).collect();
-        Self { weights, grid }
+        let weights = probes.pixels.iter().zip(&halves).enumerate().map(weight).collect();
+        Self { weights, dark, grid }
+    }
+
+    /// A hundredth of the square of the picture's light: no place counts as darker.
+    pub(super) fn dark(&self) -> f64 {
+        self.dark
+    }
+
+    /// The weights of all probes.
+    pub(super) fn weights(&self) -> &[f64] {
+        &self.weights
     }
 
     /// What the square of an error at this pixel is multiplied with.
