@@ -143,6 +143,8 @@ impl MirroredLights {
 }
 
 /// Images of images: the pairs of these mirrors as the other ones show them, as far as they may.
+/// Not of mirrors that share a corner: those are sides of one body as a rule, which show one
+/// another only where nobody is; in a corner of a room both are found without aiming.
 fn in_rows(pairs: &[Pair], mirrors: &[Mirror]) -> Vec<Pair> {
     let of_these = pairs.iter().filter(|pair| mirrors.contains(&pair.mirror));
     of_these.flat_map(|pair| mirrors.iter().filter_map(|mirror| pair.seen_in(mirror))).collect()
@@ -160,7 +162,8 @@ impl Pair {
     fn seen_in(&self, other: &Mirror) -> Option<Self> {
         let power = self.power * other.part_of_sky(self.mirror.middle());
         let pair = Self { seen_in: Some(*other), power, ..*self };
-        other.may_show_mirror(&self.mirror).then_some(pair)
+        let may = other.may_show_mirror(&self.mirror) && !other.touches(&self.mirror);
+        may.then_some(pair)
     }
 
     /// Whether a surface with this normal may see any of it; what is flat does not say no.

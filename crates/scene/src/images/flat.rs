@@ -87,6 +87,24 @@ impl FlatMirror {
         highest.max(-lowest) > IN_PLANE * other.outline.reach()
     }
 
+    /// Whether it has a corner in common with another piece, but for rounding.
+    pub(super) fn touches(&self, other: &Self) -> bool {
+        let near = IN_PLANE * self.outline.reach();
+        let is_near = |one: Vec3, other: Vec3| one.distance_squared(other) <= near * near;
+        let others = other.corners();
+        self.corners().iter().any(|&one| others.iter().any(|&other| is_near(one, other)))
+    }
+
+    /// Its corners; a disk has none.
+    fn corners(&self) -> Vec<Vec3> {
+        let from_anchor = match self.outline {
+            Outline::Quad { edges: [u, v], .. } => vec![Vec3::ZERO, u, v, u + v],
+            Outline::Triangle { edges: [u, v], .. } => vec![Vec3::ZERO, u, v],
+            Outline::Disk { .. } => Vec::new(),
+        };
+        from_anchor.into_iter().map(|offset| self.anchor + offset).collect()
+    }
+
     /// Whether two points are before the same side.
     pub(super) fn are_on_one_side(&self, one: Vec3, other: Vec3) -> bool {
         self.height(one) * self.height(other) > 0.0

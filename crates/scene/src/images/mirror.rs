@@ -68,6 +68,16 @@ impl Mirror {
         }
     }
 
+    /// Whether both are flat and have a corner in common.
+    pub(super) fn touches(&self, other: &Self) -> bool {
+        match (&self.form, &other.form) {
+            (Form::Flat(flat), Form::Flat(other)) => flat.touches(other),
+            (Form::Ball(_), Form::Ball(_) | Form::Flat(_)) | (Form::Flat(_), Form::Ball(_)) => {
+                false
+            }
+        }
+    }
+
     /// Where a point sees the image of a lamp in another mirror in this one, if it does and this
     /// is flat.
     pub(super) fn image_of_image(

@@ -151,6 +151,26 @@ fn mirrors_show_those_before_them() {
     assert!(mirror(&ceiling(), Sides::Both).may_show_mirror(&mirror(&globe, Sides::Front)));
 }
 
+/// The sides of a pyramid may show one another from within alone, where nobody is: to look for
+/// that took half as long again as a whole picture by `directlight`.
+#[test]
+fn sides_of_one_body_are_no_row() {
+    let apex = Vec3::new(0.0, 0.7, -0.1);
+    let corners = [[0.5, 0.0, 0.0], [-0.1, 0.0, 0.4], [-0.5, 0.0, -0.2]].map(Vec3::from);
+    let side = |a: Vec3, b: Vec3| {
+        let triangle = Triangle::new(a, b, apex).unwrap();
+        Mirror::new(&Primitive::Triangle(triangle), Sides::Both, f32::INFINITY).unwrap()
+    };
+    let sides = [side(corners[1], corners[0]), side(corners[2], corners[1])];
+    assert!(sides[0].may_show_mirror(&sides[1]) && sides[0].touches(&sides[1]));
+    let lamp = LightBall::of(&area_light(lamps()[0])).unwrap();
+    let pairs: Vec<Pair> = sides.iter().filter_map(|side| Pair::new(side, &lamp)).collect();
+    assert!(in_rows(&pairs, &sides).is_empty());
+    // Others far from them are.
+    let ceiling = Mirror::new(&ceiling(), Sides::Both, f32::INFINITY).unwrap();
+    assert!(!sides[0].touches(&ceiling));
+}
+
 #[test]
 fn nothing_is_aimed_at_that_cannot_show() {
     let [square, ..] = lamps();
