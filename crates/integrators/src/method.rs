@@ -3,6 +3,7 @@
 //! A [`Method`] is data. Its spelling is a command line without a scene, as
 //! `directlight --combine`; [`Method::build`] makes the [`Integrator`].
 
+mod given;
 mod option;
 mod spelling;
 #[cfg(test)]
@@ -17,6 +18,7 @@ use crate::{
     Auto, DirectLight, Integrator, LightSampling, Limits, Particle, PureMc, Report, Roulette,
     Techniques, Trace,
 };
+use given::Given;
 use traylib_math::Heuristic;
 
 /// The choice of an integrator with its settings.
@@ -299,87 +301,55 @@ impl Method {
     /// # Errors
     /// What does not go together: roulette off without a longest path, or a heuristic where
     /// nothing is weighted.
-    pub fn with(self, given: &[MethodSetting]) -> Result<Self, MethodError> {
-        let has = |setting| given.contains(&setting);
+    pub fn with(self, settings: &[MethodSetting]) -> Result<Self, MethodError> {
+        let given = Given::of(settings);
         let limits = limits(given, self.default_limits())?;
-        let (heuristic, auto) = (option::heuristic(given), auto(given)?);
+        let auto = auto(given)?;
+        let Given { heuristic, no_images, no_connections, no_splats, direct_sum, .. } = given;
         Ok(match self {
-            Self::Trace(_) => Self::Trace(Trace { jitter: has(MethodSetting::Jitter) }),
+            Self::Trace(_) => Self::Trace(Trace { jitter: given.jitter }),
             Self::PureMc(_) => Self::PureMc(PureMc { limits }),
             Self::DirectLight(_) => {
-                let combine = has(MethodSetting::Combine).then(|| heuristic.unwrap_or_default());
+                let combine = given.combine.then(|| heuristic.unwrap_or_default());
                 if combine.is_none() && heuristic.is_some() {
                     return Err(MethodError::NothingWeighted);
                 }
-                let no_images = has(MethodSetting::NoImages);
                 Self::DirectLight(DirectLight { limits, combine, no_images })
             }
             Self::Particle(_) => Self::Particle(Particle { limits }),
             Self::Bdpt(_) => Self::Bdpt(BdptSettings {
-                auto,
                 limits,
                 heuristic: heuristic.unwrap_or_default(),
-                direct_sum: has(MethodSetting::DirectSum),
-                no_connections: has(MethodSetting::NoConnections),
-                no_splats: has(MethodSetting::NoSplats),
-                light_paths: option::light_paths(given).unwrap_or(PathsPerPixel::ONE),
-                no_images: has(MethodSetting::NoImages),
+                direct_sum,
+                no_connections,
+                no_splats,
+                light_paths: given.light_paths.unwrap_or(PathsPerPixel::ONE),
+                no_images,
+                auto,
             }),
         })
     }
 }
 
-/// The limits among settings, these where there are none.
-fn limits(given: &[MethodSetting], mut limits: Limits) -> Result<Limits, MethodError> {
-    for setting in given {
-        match *setting {
-            MethodSetting::MaxDepth(edges) => limits.max_depth = Some(edges),
-            MethodSetting::Roulette(roulette) => limits.roulette = roulette,
-            MethodSetting::Jitter
-            | MethodSetting::MayLose(_)
-            | MethodSetting::Combine
-            | MethodSetting::Heuristic(_)
-            | MethodSetting::DirectSum
-            | MethodSetting::NoConnections
-            | MethodSetting::NoSplats
-            | MethodSetting::LightPaths(_)
-            | MethodSetting::NoImages
-            | MethodSetting::Auto => {}
-        }
-    }
-    if limits.roulette == Roulette::OFF && limits.max_depth.is_none() {
+/// The limits among what was given, these where there are none.
+fn limits(given: Given, default: Limits) -> Result<Limits, MethodError> {
+    let max_depth = given.max_depth.or(default.max_depth);
+    let roulette = given.roulette.unwrap_or(default.roulette);
+    if roulette == Roulette::OFF && max_depth.is_none() {
         return Err(MethodError::Endless);
     }
-    Ok(limits)
+    Ok(Limits { max_depth, roulette })
 }
 
-/// What a plan may do, if settings ask for one.
+/// What a plan may do, if one is asked for.
 ///
 /// # Errors
-/// A setting is for the plan to choose, or wants a plan that there is none.
-fn auto(given: &[MethodSetting]) -> Result<Option<Auto>, MethodError> {
-    let may_lose = given.iter().find_map(|setting| match *setting {
-        MethodSetting::MayLose(part) => Some(part),
-        MethodSetting::Jitter
-        | MethodSetting::MaxDepth(_)
-        | MethodSetting::Roulette(_)
-        | MethodSetting::Combine
-        | MethodSetting::Heuristic(_)
-        | MethodSetting::DirectSum
-        | MethodSetting::NoConnections
-        | MethodSetting::NoSplats
-        | MethodSetting::LightPaths(_)
-        | MethodSetting::NoImages
-        | MethodSetting::Auto => None,
-    });
-    if !given.contains(&MethodSetting::Auto) {
-        return if may_lose.is_some() { Err(MethodError::NothingPlanned) } else { Ok(None) };
-    }
-    // All but the length of paths is the plan's own.
-    let own =
-        |option: &MethodOption| !matches!(option, MethodOption::MaxDepth | MethodOption::Auto);
-    match given.iter().map(|setting| setting.option()).find(own) {
-        Some(option) => Err(MethodError::Planned(option)),
-        None => Ok(Some(Auto { may_lose: may_lose.unwrap_or_default() })),
+/// Something is given that is for the plan to choose, or wants a plan that there is none.
+fn auto(given: Given) -> Result<Option<Auto>, MethodError> {
+    match (given.auto, given.may_lose, given.planned) {
+        (false, None, _) => Ok(None),
+        (false, Some(_), _) => Err(MethodError::NothingPlanned),
+        (true, _, Some(option)) => Err(MethodError::Planned(option)),
+        (true, may_lose, None) => Ok(Some(Auto { may_lose: may_lose.unwrap_or_default() })),
     }
 }

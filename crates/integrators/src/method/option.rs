@@ -266,39 +266,3 @@ impl fmt::Display for MethodSetting {
         write!(f, "--{name}{blank}{value}")
     }
 }
-
-/// The heuristic among settings.
-pub(super) fn heuristic(given: &[MethodSetting]) -> Option<Heuristic> {
-    given.iter().find_map(|setting| match *setting {
-        MethodSetting::Heuristic(heuristic) => Some(heuristic),
-        MethodSetting::Jitter
-        | MethodSetting::MaxDepth(_)
-        | MethodSetting::MayLose(_)
-        | MethodSetting::Roulette(_)
-        | MethodSetting::Combine
-        | MethodSetting::DirectSum
-        | MethodSetting::NoConnections
-        | MethodSetting::NoSplats
-        | MethodSetting::LightPaths(_)
-        | MethodSetting::NoImages
-        | MethodSetting::Auto => None,
-    })
-}
-
-/// The number of light paths among settings.
-pub(super) fn light_paths(given: &[MethodSetting]) -> Option<PathsPerPixel> {
-    given.iter().find_map(|setting| match *setting {
-        MethodSetting::LightPaths(paths) => Some(paths),
-        MethodSetting::Jitter
-        | MethodSetting::MaxDepth(_)
-        | MethodSetting::MayLose(_)
-        | MethodSetting::Roulette(_)
-        | MethodSetting::Combine
-        | MethodSetting::Heuristic(_)
-        | MethodSetting::DirectSum
-        | MethodSetting::NoConnections
-        | MethodSetting::NoSplats
-        | MethodSetting::NoImages
-        | MethodSetting::Auto => None,
-    })
-}
