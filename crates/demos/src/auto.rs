@@ -49,12 +49,9 @@ fn in_a_line(plan: &Plan) -> String {
     };
     let whole = evidence.choices.iter().find(|choice| is_whole(choice.method));
     let best = evidence.choices.first().map_or(f64::INFINITY, Choice::measured);
-    match whole.map(|whole| whole.measured() / best) {
-        Some(sooner) if sooner > 1.0 => {
-            format!("{}, {sooner:.2} times sooner than bdpt by trial", plan.method)
-        }
-        _ => plan.method.to_string(),
-    }
+    let sooner = whole.map(|whole| whole.measured() / best).filter(|sooner| *sooner > 1.0);
+    let by = sooner.map(|sooner| format!(", {sooner:.2} times sooner than bdpt by trial"));
+    format!("{}{}", plan.method, by.unwrap_or_default())
 }
 
 /// Whether it is bidirectional tracing by all techniques, up to any length.

@@ -238,6 +238,14 @@ impl Method {
         }
     }
 
+    /// Light paths for each pixel of a pass, where it has any.
+    pub(crate) fn light_paths_per_pixel(self) -> f64 {
+        match self {
+            Self::Bdpt(BdptSettings { light_paths, .. }) => light_paths.ratio(),
+            Self::Trace(_) | Self::PureMc(_) | Self::DirectLight(_) | Self::Particle(_) => 1.0,
+        }
+    }
+
     /// The integrator.
     pub fn build(self) -> Box<dyn Integrator> {
         self.build_with(Report::None)

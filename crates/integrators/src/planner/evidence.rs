@@ -18,7 +18,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// The same as [`expected`](Self::expected) by its trial, if it had one.
+    /// The same as [`expected`](Self::expected) by its trial; infinite if it had none.
     pub fn measured(&self) -> f64 {
         self.tried.map_or(f64::INFINITY, |variance| variance * self.cost)
     }

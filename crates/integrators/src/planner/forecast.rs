@@ -154,17 +154,16 @@ struct Use {
 
 impl Use {
     fn by(method: Method) -> Self {
-        let (heuristic, light_paths, is_strict) = match method {
+        let (heuristic, is_strict) = match method {
             Method::Trace(_) | Method::PureMc(_) | Method::Particle(_) => {
-                (Heuristic::Balance, 1.0, false)
+                (Heuristic::Balance, false)
             }
             Method::DirectLight(DirectLight { combine, .. }) => {
-                (combine.unwrap_or(Heuristic::Balance), 1.0, combine.is_none())
+                (combine.unwrap_or(Heuristic::Balance), combine.is_none())
             }
-            Method::Bdpt(BdptSettings { heuristic, light_paths, .. }) => {
-                (heuristic, light_paths.ratio(), false)
-            }
+            Method::Bdpt(BdptSettings { heuristic, .. }) => (heuristic, false),
         };
+        let light_paths = method.light_paths_per_pixel();
         Self { techniques: method.techniques(), heuristic, light_paths, is_strict }
     }
 

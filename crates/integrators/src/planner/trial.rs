@@ -5,7 +5,7 @@ use super::means::Passes;
 use super::probes::{Probed, Probes};
 use super::seen::LightsSeen;
 use super::tiles::Tiles;
-use crate::{BdptSettings, Method};
+use crate::Method;
 
 /// What a method made of the probes.
 pub(super) struct Trial {
@@ -45,7 +45,8 @@ impl Trial {
         });
         let (own, splats): (Vec<[f64; 3]>, Vec<f64>) = answers.into_iter().unzip();
         // One light path was asked for each sample, whatever their number in a pass.
-        let splats = light_paths(method) * splats.iter().sum::<f64>() / splats.len() as f64;
+        let splats =
+            method.light_paths_per_pixel() * splats.iter().sum::<f64>() / splats.len() as f64;
         Self { own, splats }
     }
 
@@ -73,12 +74,4 @@ pub(super) fn weights(trials: &[Trial], tiles: &Tiles, seen: &LightsSeen) -> Vec
         1.0 / (light * light + tiles.dark())
     };
     (0..probes).map(weight).collect()
-}
-
-/// Light paths for each pixel of a pass.
-fn light_paths(method: Method) -> f64 {
-    match method {
-        Method::Bdpt(BdptSettings { light_paths, .. }) => light_paths.ratio(),
-        Method::Trace(_) | Method::PureMc(_) | Method::DirectLight(_) | Method::Particle(_) => 1.0,
-    }
 }

@@ -39,14 +39,14 @@ pub(super) struct Counted(Vec<(Method, Work)>);
 impl Counted {
     /// The work of a method over all probes, once.
     pub(super) fn of(&mut self, probes: &Probes<'_>, method: Method, points: PointSet) -> Work {
-        let (plain, ratio) = without_weights(method);
+        let plain = without_weights(method);
         let found = self.0.iter().find(|(other, _)| *other == plain).map(|(_, work)| *work);
         let work = found.unwrap_or_else(|| {
             let work = count(probes, plain, points);
             self.0.push((plain, work));
             work
         });
-        work.with_light_paths(ratio)
+        work.with_light_paths(method.light_paths_per_pixel())
     }
 
     /// How many methods were counted.
@@ -55,18 +55,17 @@ impl Counted {
     }
 }
 
-/// The method with one light path a pixel and the usual weights, and how many it has.
-fn without_weights(method: Method) -> (Method, f64) {
+/// The method with one light path a pixel and the usual weights.
+fn without_weights(method: Method) -> Method {
     match method {
-        Method::Trace(_) | Method::PureMc(_) | Method::Particle(_) => (method, 1.0),
+        Method::Trace(_) | Method::PureMc(_) | Method::Particle(_) => method,
         Method::DirectLight(own) => {
             let combine = own.combine.map(|_| Heuristic::Power);
-            (Method::DirectLight(DirectLight { combine, ..own }), 1.0)
+            Method::DirectLight(DirectLight { combine, ..own })
         }
         Method::Bdpt(own) => {
             let (heuristic, light_paths) = (Heuristic::Power, PathsPerPixel::ONE);
-            let plain = BdptSettings { heuristic, light_paths, ..own };
-            (Method::Bdpt(plain), own.light_paths.ratio())
+            Method::Bdpt(BdptSettings { heuristic, light_paths, ..own })
         }
     }
 }
