@@ -39,7 +39,11 @@ pub fn sample_light(
     wo: Vec3,
     numbers: &VertexNumbers,
 ) -> Option<LightSample> {
-    let choice = choose_light(scene, point, numbers)?;
+    if !point.model.has_smooth_part() {
+        return None;
+    }
+    // A lamp by what it may give this vertex.
+    let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
     sample_chosen_light(scene, point, wo, choice, numbers.light_point)
 }
 
@@ -50,20 +54,16 @@ pub(crate) fn sample_point_light(
     wo: Vec3,
     numbers: &VertexNumbers,
 ) -> Option<LightSample> {
+    if !point.model.has_smooth_part() {
+        return None;
+    }
+    let choice = scene.choose_light_for(point.site.position, numbers.light_pick);
     // What is not wanted is not sampled.
-    let choice = choose_light(scene, point, numbers).filter(|choice| choice.light.is_point())?;
-    sample_chosen_light(scene, point, wo, choice, numbers.light_point)
-}
-
-/// Draws a lamp by what it may give this vertex, if that scatters any light that it is given.
-#[inline]
-fn choose_light<'scene>(
-    scene: &'scene Scene,
-    point: &SurfacePoint,
-    numbers: &VertexNumbers,
-) -> Option<LightChoice<'scene>> {
-    let scatters = point.model.has_smooth_part();
-    scatters.then(|| scene.choose_light_for(point.site.position, numbers.light_pick))
+    if choice.light.is_point() {
+        sample_chosen_light(scene, point, wo, choice, numbers.light_point)
+    } else {
+        None
+    }
 }
 
 /// Draws a point on a lamp that was drawn for a vertex.
