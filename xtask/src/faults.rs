@@ -15,7 +15,7 @@ mod tests;
 
 pub(crate) use edit::{edit, save};
 
-use crate::proofs::{Extent, Outcome, Proofs};
+use crate::proofs::{Extent, Outcome, Proofs, Until};
 use crate::workspace::root;
 use anyhow::{Context, Result, ensure};
 use fault::Fault;
@@ -31,19 +31,20 @@ struct Catch<'a> {
 }
 
 /// Runs the tests against each fault, or those named, and writes
-/// `target/faults/table.md`; an error if one is not found.
-pub(crate) fn run(names: &[&str]) -> Result<()> {
+/// `target/faults/table.md`; an error if one is not found. `until` is how many test programs
+/// are asked about each.
+pub(crate) fn run(names: &[&str], until: Until) -> Result<()> {
     let faults = Fault::all()?;
     let chosen = chosen(&faults, names)?;
     let folder = root().join(copy::FOLDER);
     let proofs = build(&faults, &folder)?;
     let findings = folder.join("findings.jsonl");
-    let sound = proofs.run(Extent::Fast, &findings, |_| {})?;
+    let sound = proofs.run(Extent::Fast, Until::TheEnd, &findings, |_| {})?;
     ensure!(sound.failed.is_empty(), "without a fault {:?} fail", sound.failed);
     println!("{} tests pass without a fault", sound.passed.len());
     let mut catches = Vec::new();
     for fault in chosen {
-        let found = catch(&proofs, &fault.name, &findings)?;
+        let found = catch(&proofs, &fault.name, until, &findings)?;
         print!("{}", row(&found));
         catches.push(found);
     }
@@ -73,15 +74,15 @@ fn build(faults: &[Fault], folder: &Path) -> Result<Proofs> {
 }
 
 /// The fast tests first; those at length only if they must.
-fn catch<'a>(proofs: &Proofs, fault: &'a str, findings: &Path) -> Result<Catch<'a>> {
+fn catch<'a>(proofs: &Proofs, fault: &'a str, until: Until, findings: &Path) -> Result<Catch<'a>> {
     let awaken = |command: &mut Command| {
         command.env(support::VARIABLE, fault);
     };
-    let outcome = proofs.run(Extent::Fast, findings, awaken)?;
+    let outcome = proofs.run(Extent::Fast, until, findings, awaken)?;
     if !outcome.failed.is_empty() {
         return Ok(Catch { fault, extent: Extent::Fast, outcome });
     }
-    let outcome = proofs.run(Extent::Whole, findings, awaken)?;
+    let outcome = proofs.run(Extent::Whole, until, findings, awaken)?;
     Ok(Catch { fault, extent: Extent::Whole, outcome })
 }
 

@@ -16,6 +16,7 @@ mod relations;
 mod stability;
 mod workspace;
 
+use proofs::Until;
 use std::process::ExitCode;
 
 const HELP: &str = "\
@@ -31,6 +32,8 @@ Usage: cargo xtask TASK [ARGUMENTS]
   faults [--only FAULT…]
            fault injection: put mistakes into a copy of the sources, awaken one at
            a time, and name the tests that find each
+  faults --quick [FAULT…]
+           the same, but no test program is run after the first that finds a fault
   faults --edit FAULT
            a copy of the sources with this fault alone, as far as its patch applies,
            to mend it or to make a new one
@@ -76,8 +79,11 @@ fn main() -> ExitCode {
         ["engines"] => engines::run(),
         ["package"] => package::publish_dry(),
         ["prove"] => prove::run(),
-        ["faults"] => faults::run(&[]),
-        ["faults", "--only", ref names @ ..] if !names.is_empty() => faults::run(names),
+        ["faults"] => faults::run(&[], Until::TheEnd),
+        ["faults", "--only", ref names @ ..] if !names.is_empty() => {
+            faults::run(names, Until::TheEnd)
+        }
+        ["faults", "--quick", ref names @ ..] => faults::run(names, Until::OneFails),
         ["faults", "--edit", name] => faults::edit(name),
         ["faults", "--save", name] => faults::save(name, None),
         ["faults", "--save", name, wrong] => faults::save(name, Some(wrong)),

@@ -33,6 +33,15 @@ pub(crate) enum Extent {
     Whole,
 }
 
+/// How many of the test programs to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Until {
+    /// All of them.
+    TheEnd,
+    /// Those up to the first in which a test fails.
+    OneFails,
+}
+
 /// Test programs, ready to run.
 pub(crate) struct Proofs {
     programs: Vec<PathBuf>,
@@ -59,6 +68,7 @@ impl Proofs {
     pub(crate) fn run(
         &self,
         extent: Extent,
+        until: Until,
         findings: &Path,
         settings: impl Fn(&mut Command),
     ) -> Result<Outcome> {
@@ -76,6 +86,9 @@ impl Proofs {
             let output = command.stderr(Stdio::piped()).output();
             let output = output.with_context(|| format!("{} does not start", program.display()))?;
             outcome.add(program, &output);
+            if until == Until::OneFails && !outcome.failed.is_empty() {
+                break;
+            }
         }
         outcome.findings = Finding::read(findings)?;
         Ok(outcome)
