@@ -92,7 +92,7 @@ impl BallMirror {
         Some(m.x * x + m.y * y)
     }
 
-    /// How light of a point arrives at another by way of the ball.
+    /// Returns how light of a point arrives at another by way of the ball.
     ///
     /// A narrow bundle of rays that has come a metres from the light and is mirrored at the
     /// angle θ spreads as if it came from a and a + 2ab/(r·cosθ) in the plane of incidence, and
@@ -170,9 +170,9 @@ fn reflecting_normal(one: DVec3, other: DVec3) -> Option<DVec3> {
 /// Five or six are usual; halving alone needs 52 for all bits.
 const MOST_STEPS: usize = 60;
 
-/// Of the points of a unit circle that are seen from both the distance a in the direction (1, 0)
-/// and b in the direction `toward`, the one that is nearest to `guess`; where nothing is, one
-/// between what either sees.
+/// Finds, among the points of a unit circle that are seen from both the distance a in the direction
+/// (1, 0) and b in the direction `toward`, the one that is nearest to `guess`; where nothing is,
+/// one between what either sees.
 fn nearest_seen(guess: Vec2, [a, b]: [f32; 2], toward: Vec2) -> Option<Vec2> {
     // Where tangents touch it: at acos(1/a) from the one, acos(1/b) from the other.
     let touched = |distance: f32| {
