@@ -62,7 +62,7 @@ impl Bytes<'_> {
     }
 
     /// The ray and seven beside it, as a camera casts them.
-    fn fan(&mut self, first: Ray) -> [Ray; 8] {
+    fn packet(&mut self, first: Ray) -> [Ray; 8] {
         let apart = self.vector(0.01) * first.direction.abs().max_element();
         std::array::from_fn(|i| Ray { direction: first.direction + i as f32 * apart, ..first })
     }
@@ -126,7 +126,7 @@ fuzz_target!(|bytes: &[u8]| {
     let mut rays: Vec<Ray> = (0..bytes.below(13)).map(|_| bytes.ray(&mesh, step)).collect();
     for i in 0..bytes.below(3).min(rays.len()) {
         // Before the others, since they are taken by eight.
-        rays.splice(..0, bytes.fan(rays[i]));
+        rays.splice(..0, bytes.packet(rays[i]));
     }
     let triangles = triangles(&mesh);
     let expected: Vec<Bits> = rays.iter().map(|ray| asked_each(&triangles, ray)).collect();

@@ -66,7 +66,7 @@ pub fn random_subset(spectrum: &Spectrum, number: u64) -> Vec<Pair> {
     chosen
 }
 
-/// How much to render.
+/// The amount to render.
 #[derive(Clone, Copy, Debug)]
 pub struct Budget {
     /// Batches, at least two.

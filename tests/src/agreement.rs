@@ -33,13 +33,13 @@ const EQUIVALENCE_LEVEL: f64 = 1e-3;
 pub struct Other {
     /// Which.
     pub method: Method,
-    /// How many of its passes go with one of `bdpt`.
+    /// The number of its passes that go with one of `bdpt`.
     pub passes: u32,
-    /// How far the ratio of the means may be from one, and the interval of it.
+    /// The distance from one within which the ratio of the means and its interval must lie.
     pub promise: f64,
 }
 
-/// How much to render.
+/// The amount to render.
 #[derive(Clone, Debug)]
 pub struct Budget {
     /// Side of a tile in pixels.
@@ -51,13 +51,13 @@ pub struct Budget {
 /// A scene by name, already loaded.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
-    /// What it is called in a report.
+    /// The name of the scene in a report.
     pub name: &'a str,
     /// The scene.
     pub scene: &'a Scene,
 }
 
-/// What came of one scene.
+/// The outcome of one scene.
 #[derive(Debug, Default)]
 pub struct Agreement {
     /// The claims.

@@ -1,4 +1,4 @@
-//! What tests found, in a list that outlives them.
+//! Findings: what tests found, in a list that outlives them.
 //!
 //! A test that compares numbers states what it claims, by which statistic, how
 //! sure it is and on how many samples. `cargo xtask prove` and
@@ -15,12 +15,12 @@ pub const FILE: &str = "TRAYLIB_FINDINGS";
 /// One comparison and what came of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// What should be so: scene, method, quantity.
+    /// The claim that is tested: scene, method, quantity.
     pub claim: String,
-    /// What was measured, and what it was held against.
+    /// The statistic: what was measured, and what it was held against.
     pub statistic: String,
-    /// How often a correct program fails this comparison by chance; `None` where
-    /// chance has no part.
+    /// The chance with which a correct program fails this comparison; `None` where chance has no
+    /// part.
     pub level: Option<f64>,
     /// Random samples behind it; zero where nothing is random.
     pub samples: u64,
@@ -33,7 +33,7 @@ pub struct Finding {
 pub struct Entry {
     /// The test's path, as the test harness names it.
     pub test: String,
-    /// What it found.
+    /// The finding itself.
     #[serde(flatten)]
     pub finding: Finding,
 }

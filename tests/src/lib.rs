@@ -1,5 +1,5 @@
-//! What the tests of the whole share: scenes with known answers, and the
-//! statistics that compare pictures with them and with one another.
+//! The parts that tests of the whole share: scenes with known answers, and the statistics that
+//! compare pictures with them and with one another.
 
 pub mod ablation;
 pub mod agreement;

@@ -5,8 +5,8 @@ use traylib_integrators::{Method, PointSet, Settings, Statistics};
 use traylib_known::{Case, pass_means, samples_in_a_pass, settings_by_pass};
 use traylib_statistics::{Interval, mean_interval, sidak};
 
-/// How often the comparisons with known radiances, all of them together, raise
-/// a false alarm.
+/// The chance with which the comparisons with known radiances, all of them together, raise a false
+/// alarm.
 pub const FAMILY_LEVEL: f64 = 1e-3;
 
 /// At least as many as there are comparisons with known radiances in the whole
@@ -60,12 +60,12 @@ fn measure(case: &Case, method: Method, settings: &Settings) -> Measured {
     Measured { means, statistics, samples }
 }
 
-/// What came of a rendering.
+/// The outcome of a rendering.
 #[derive(Debug)]
 pub struct Measured {
     /// A number for each pass.
     pub means: Vec<f64>,
-    /// Tally of the work.
+    /// Rays and samples that it took.
     pub statistics: Statistics,
     /// Samples behind all means together.
     pub samples: u64,

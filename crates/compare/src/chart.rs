@@ -13,15 +13,15 @@ mod crossings;
 mod lengths;
 pub(crate) mod marker;
 mod oracle;
-mod palette;
 mod pareto;
 mod plot;
 mod scaling;
+mod styles;
 
 pub(crate) use bars::{Bar, Baseline, bars};
 pub(crate) use convergence::convergence;
 pub(crate) use lengths::lengths;
 pub(crate) use oracle::{Quantity, oracle};
-pub(crate) use palette::Palette;
 pub(crate) use pareto::{front, pareto};
 pub(crate) use scaling::scaling;
+pub(crate) use styles::MethodStyles;

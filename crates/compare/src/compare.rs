@@ -28,11 +28,11 @@ use traylib_integrators::{Control, Method};
 use traylib_io::{LoadOptions, load_scene_with};
 use traylib_math::{Grid, Rgb};
 
-/// Each half of a reference takes as long as so many of the longest runs, so that
+/// Each of the two methods of a reference takes as long as so many of the longest runs, so that
 /// its own error is small beside theirs.
 const REFERENCE_LENGTH: f64 = 25.0;
 
-/// What a comparison leaves.
+/// The outcome of a comparison: results and pictures.
 #[derive(Debug)]
 pub struct Comparison {
     /// The numbers.

@@ -1,5 +1,5 @@
-//! What a planner's table of prices is made from: the work of every kind of method on scenes
-//! of all sizes, counted, and the time that it takes.
+//! Measures the figures that a planner's table of prices is made from: the work of every kind of
+//! method on scenes of all sizes, counted, and the time that it takes.
 
 mod fit;
 
@@ -33,7 +33,7 @@ pub struct Sample {
     pub primitives: usize,
     /// The method.
     pub method: Method,
-    /// What it does for a sample.
+    /// The work that it does for a sample.
     pub work: Work,
     /// Nanoseconds of a sample on one thread.
     pub nanoseconds: f64,

@@ -1,4 +1,4 @@
-//! What a comparison leaves in its folder.
+//! The files that a comparison leaves in its folder.
 
 use crate::chart;
 use crate::compare::Comparison;

@@ -1,4 +1,4 @@
-//! What a comparison tells of the machine and the program it was made with.
+//! The machine and the program that a comparison was made with, as it tells of them.
 
 use crate::options::Options;
 use crate::results::How;

@@ -31,7 +31,7 @@ const LEVEL: f64 = 0.05;
 pub struct Entry {
     /// Who.
     pub method: Method,
-    /// What came of each run.
+    /// The record of each run.
     pub records: Vec<Record>,
     /// Its picture at the end of each.
     pub pictures: Vec<Picture>,
@@ -207,14 +207,14 @@ fn metrics(entry: &Entry, reference: &Reference, spread: &Spread) -> Metrics {
     let mean =
         |f: &dyn Fn(&Record) -> f64| Sample::of(&entry.records.iter().map(f).collect::<Vec<f64>>());
     let ratio = mean(&|record| record.mean_ratio);
-    let doubt = ratio.variance_of_mean + reference.relative_variance_of_mean();
+    let variance = ratio.variance_of_mean + reference.relative_variance_of_mean();
     let bias = ratio.mean - 1.0;
     Metrics {
         rel_mse: spread.error,
         trimmed_rel_mse: mean(&|record| record.trimmed_rel_mse).mean,
         smape: mean(&|record| record.smape).mean,
         bias,
-        bias_z: if doubt > 0.0 { bias / doubt.sqrt() } else { 0.0 },
+        bias_z: if variance > 0.0 { bias / variance.sqrt() } else { 0.0 },
         noise_share: if spread.error > 0.0 { spread.noise / spread.error } else { 1.0 },
     }
 }

@@ -1,5 +1,5 @@
-//! What paths of each length bring and cost in bdpt: how much of the light, of the
-//! noise and of the rays.
+//! The gain and the cost of paths of each length in bdpt: how much of the light, of the noise and
+//! of the rays.
 
 mod rays;
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! How much memory a piece of work takes.
+//! Measures the memory that a piece of work takes.
 
 use peak_alloc::PeakAlloc;
 

@@ -22,8 +22,8 @@ const PLANNED: Method = Method::Bdpt(BdptSettings {
     ..BdptSettings::DEFAULT
 });
 
-/// What is compared unless something else is asked for: every method, and some settings
-/// unless it is done in a hurry.
+/// Returns the methods that are compared unless something else is asked for: every method, and some
+/// settings unless it is done in a hurry.
 pub fn by_default(in_a_hurry: bool) -> Vec<Method> {
     let settings = if in_a_hurry { &[][..] } else { &SETTINGS };
     [&Method::COMPARED[..], &[PLANNED], settings].concat()

@@ -1,5 +1,5 @@
-//! What a scene needs: one thing at a time is taken away from bidirectional tracing, and what
-//! that saves in time is held against what it costs in error.
+//! Measures what a scene needs: one part at a time is taken away from bidirectional tracing, and
+//! what that saves in time is held against what it costs in error.
 
 mod part;
 mod text;
@@ -14,7 +14,7 @@ use traylib_math::Grid;
 use traylib_scene::Scene;
 use traylib_statistics::Sample;
 
-/// How much is rendered.
+/// The amount of rendering that goes into the measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
     /// Pictures with each set of parts, of seeds of their own.
@@ -25,7 +25,7 @@ pub struct Effort {
     pub threads: usize,
 }
 
-/// What was found of a scene.
+/// The needs of a scene, as they were found.
 #[derive(Clone, Debug)]
 pub struct Needs {
     /// With all parts.
@@ -34,7 +34,7 @@ pub struct Needs {
     pub without: Vec<(Part, Measured)>,
 }
 
-/// What bidirectional tracing does with some of its parts.
+/// The figures of bidirectional tracing with some of its parts.
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
     /// Nanoseconds of a sample on one thread.
@@ -48,7 +48,7 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// What it takes to reach an error, but for a factor that all have in common.
+    /// Returns what it takes to reach an error, but for a factor that all have in common.
     pub fn cost(&self) -> f64 {
         self.noise * self.nanoseconds
     }

@@ -90,11 +90,11 @@ const EXAMPLES: &str = "Examples:
 /// The paper's scenes.
 const SCENES: [&str; 4] = ["cornell", "small-light", "pyramid", ORACLE];
 
-/// What stands for the test against theory among the scenes.
+/// The name that stands for the test against theory among the scenes.
 pub const ORACLE: &str = "oracle";
 
 impl Options {
-    /// What to compare on; `oracle` may be among it.
+    /// Returns the scenes to compare on; `oracle` may be among it.
     pub fn scenes(&self) -> Vec<String> {
         if self.scenes.is_empty() { SCENES.map(String::from).to_vec() } else { self.scenes.clone() }
     }

@@ -21,7 +21,7 @@ mod techniques;
 
 pub use files::charts;
 
-use crate::chart::{Palette, colour};
+use crate::chart::{MethodStyles, colour};
 use crate::pictures::ScenePictures;
 use crate::results::Results;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -37,7 +37,7 @@ const POLICY: &str =
 /// `pictures` stand in the order of `results.scenes`; a scene without pictures is
 /// shown without.
 pub fn page(results: &Results, pictures: &[ScenePictures]) -> String {
-    let palette = Palette::of(results);
+    let styles = MethodStyles::of(results);
     let alone = results.scenes.len() == 1;
     let page = html! {
         (DOCTYPE)
@@ -47,9 +47,9 @@ pub fn page(results: &Results, pictures: &[ScenePictures]) -> String {
                 (headline::headline(results))
                 main {
                     @for (i, found) in results.scenes.iter().enumerate() {
-                        (scene::scene(i, (found, alone), pictures.get(i), &palette))
+                        (scene::scene(i, (found, alone), pictures.get(i), &styles))
                     }
-                    @if let Some(found) = &results.oracle { (oracle::oracle(found, &palette)) }
+                    @if let Some(found) = &results.oracle { (oracle::oracle(found, &styles)) }
                     (how::how(results))
                 }
                 script { (PreEscaped(SCRIPT)) }

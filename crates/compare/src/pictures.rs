@@ -8,7 +8,7 @@ use traylib_math::{Grid, Rgb};
 pub struct ScenePictures {
     /// Factor on radiance before the tone curve.
     pub exposure: f32,
-    /// What it should be, in W/m²/sr.
+    /// The reference: the picture as it should be, in W/m²/sr.
     pub reference: Grid<Rgb>,
     /// After the longest budget, first run: in the order of the methods.
     pub methods: Vec<Grid<Rgb>>,

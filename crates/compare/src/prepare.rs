@@ -19,13 +19,13 @@ pub struct Prepared {
     pub asked: String,
     /// The scene and what came with it.
     pub loaded: Loaded,
-    /// What decides which light there is.
+    /// The facts of the scene that decide which light there is.
     pub facts: SceneFacts,
     /// A hash of everything in it.
     pub key: u64,
     /// Reading and building, in seconds.
     pub load_seconds: f64,
-    /// What it holds.
+    /// The memory that the scene holds, in bytes.
     pub bytes: u64,
     /// The picture that was given as its reference.
     pub given: Option<Grid<Rgb>>,

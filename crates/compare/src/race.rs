@@ -11,7 +11,7 @@ use std::time::Duration;
 use traylib_demos::Failure;
 use traylib_integrators::Method;
 
-/// What each method does before the race, in seconds.
+/// The time for which each method renders before the race, in seconds.
 pub const WARM_UP: f64 = 0.1;
 
 /// Looking and keeping cost so much on top.
@@ -20,7 +20,7 @@ pub const OVERHEAD: f64 = 1.15;
 /// The runs that are wanted.
 #[derive(Debug)]
 pub struct Field<'a> {
-    /// What they have in common.
+    /// The race that they take part in.
     pub race: Race<'a>,
     /// Hash of scene, reference and program: all that the methods do not decide.
     pub key: u64,
@@ -61,7 +61,7 @@ pub fn race(field: &Field<'_>, plan: &Plan) -> Result<Vec<Entry>, Failure> {
 }
 
 impl Field<'_> {
-    /// What one run is planned to take.
+    /// Returns the seconds that one run is planned to take.
     pub fn seconds(&self) -> f64 {
         OVERHEAD * self.race.budgets.last().copied().unwrap_or(0.0)
     }

@@ -27,7 +27,7 @@ pub fn load(path: &Path) -> Result<Grid<Rgb>, Failure> {
     Ok(picture.pixels)
 }
 
-/// What stands against comparing a picture with a scene: that it says of itself that it
+/// Returns what stands against comparing a picture with a scene: that it says of itself that it
 /// shows another. Only EXR pictures say anything.
 pub fn another_scene(path: &Path, scene: &str) -> Option<String> {
     let layers = open_exr(path).ok()?.layers;

@@ -1,10 +1,10 @@
-//! What pictures are held against, and how sure it is itself.
+//! References: what pictures are held against, and how sure it is itself.
 
 mod agreement;
-mod half;
+mod method_reference;
 mod pair;
 
-pub use half::Half;
+pub use method_reference::MethodReference;
 pub use pair::{Making, make};
 
 use crate::picture::Picture;
@@ -26,7 +26,7 @@ pub struct Reference {
     pub epsilon: f64,
     /// Whether it is known to be right: a closed form, or compared with another method.
     pub checked: bool,
-    /// What is told of it.
+    /// The figures that are told of it.
     pub results: ReferenceResults,
 }
 

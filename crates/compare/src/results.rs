@@ -11,9 +11,9 @@ pub use traylib_statistics::{Estimate, NOTHING_KNOWN};
 /// A whole comparison.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Results {
-    /// How it was made.
+    /// The way the comparison was made.
     pub how: How,
-    /// What was found on each scene.
+    /// The results on each scene.
     pub scenes: Vec<SceneResults>,
     /// Measurement against theory.
     pub oracle: Option<Oracle>,
@@ -28,7 +28,7 @@ impl Results {
     }
 }
 
-/// How a comparison was made.
+/// The way a comparison was made: machine, program and settings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct How {
     /// The command that repeats it.
@@ -53,7 +53,7 @@ pub struct How {
     pub seconds: f64,
 }
 
-/// What was found on one scene.
+/// The results on one scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneResults {
     /// The scene's name.
@@ -74,7 +74,7 @@ pub struct SceneResults {
     pub scene_bytes: u64,
     /// ε of relMSE: mean (x − r)²/(r² + ε).
     pub epsilon: f64,
-    /// What pictures were held against.
+    /// The reference that pictures were held against.
     pub reference: ReferenceResults,
     /// The answer.
     pub verdict: Verdict,
@@ -88,7 +88,7 @@ pub struct SceneResults {
     pub lengths: Vec<LengthShare>,
 }
 
-/// What pictures were held against.
+/// The reference that pictures were held against.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReferenceResults {
     /// Where it comes from, in words that end a sentence "The reference is …".
@@ -97,7 +97,7 @@ pub struct ReferenceResults {
     pub own_error: f64,
     /// Seconds that it took when it was rendered.
     pub seconds: f64,
-    /// How well two methods agree on it, where two made it.
+    /// The agreement of two methods on it, where two made it.
     pub agreement: Option<ReferenceAgreement>,
     /// The method whose runs say that it is noisy or shows another scene: there is then
     /// no verdict, and no time to any error. Only a picture that was given is doubted.
@@ -114,7 +114,7 @@ pub struct ReferenceAgreement {
     pub mean_ratio: Option<Estimate>,
     /// Tiles compared by Welch's test.
     pub tiles: u32,
-    /// How many tiles differ, at 0.1 % for all tiles together.
+    /// The number of tiles that differ, at 0.1 % for all tiles together.
     pub refused: u32,
     /// Share of pixels left out because they see a mirror, which one of the two
     /// cannot.
@@ -133,7 +133,7 @@ pub struct Verdict {
     pub sentence: String,
 }
 
-/// What was found of one method on one scene.
+/// The results of one method on one scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MethodResults {
     /// Its name with its settings, as `bdpt --max-depth 6`.
@@ -165,13 +165,13 @@ pub struct MethodResults {
     pub targets: Vec<Target>,
     /// Metrics of a picture after the longest budget: means over the runs.
     pub metrics: Metrics,
-    /// What a pass did, on average.
+    /// The rays of a pass, on average.
     pub rays: Rays,
     /// Most bytes it held while it rendered, beside scene and reference.
     pub peak_bytes: u64,
-    /// How steady it is.
+    /// The steadiness of its estimates.
     pub stability: Stability,
-    /// What plans chose for its runs, each once, if they were made.
+    /// The methods that plans chose for its runs, each once, if plans were made.
     pub plans: Vec<String>,
 }
 
@@ -209,7 +209,7 @@ pub struct Point {
     pub low: f64,
     /// relMSE that one run in twenty exceeds.
     pub high: f64,
-    /// How many runs were averaged into one picture; 1 is a run by itself.
+    /// The number of runs that were averaged into one picture; 1 is a run by itself.
     pub averaged: u32,
     /// Whether the reference is good enough here: its own error less than 5 % of
     /// this one.
@@ -255,7 +255,7 @@ pub struct Rays {
     pub per_second: f64,
 }
 
-/// How steady a method is.
+/// The steadiness of a method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stability {
     /// Index of the tail of single pass values with its 95 % interval; `None`
@@ -286,7 +286,7 @@ pub struct OutsidePoint {
     pub solid: bool,
 }
 
-/// What paths of one length bring and cost in bdpt.
+/// The gain and the cost of paths of one length in bdpt.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LengthShare {
     /// Edges.
@@ -327,7 +327,7 @@ pub struct OracleCurve {
 pub struct OraclePoint {
     /// R/h.
     pub radius: f64,
-    /// What theory says of the variance of one sample, in units of (ρ·Le)².
+    /// The variance of one sample by theory, in units of (ρ·Le)².
     pub theory: f64,
     /// The measured one, with its 99.9 % interval.
     pub variance: Estimate,
@@ -338,8 +338,8 @@ pub struct OraclePoint {
 /// Where two methods are worth the same.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OracleCrossing {
-    /// What was measured, with its 95 % interval.
+    /// The measured value, with its 95 % interval.
     pub measured: Estimate,
-    /// What theory says; for the crossing in time, with the measured cost of a sample.
+    /// The value by theory; for the crossing in time, with the measured cost of a sample.
     pub theory: f64,
 }

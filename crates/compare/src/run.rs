@@ -14,7 +14,7 @@ use traylib_scene::Scene;
 use traylib_statistics::PictureError;
 use traylib_statistics::tail::Largest;
 
-/// What is kept of a run, beside its picture.
+/// The record of a run, which is kept beside its picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Passes rendered.
@@ -31,7 +31,7 @@ pub struct Record {
     pub mean_ratio: f64,
     /// Rays from the camera, from surfaces and lamps, and between points.
     pub rays: [u64; 3],
-    /// What a plan chose for it, if one was made.
+    /// The method that a plan chose for it, if one was made.
     pub plan: Option<String>,
     /// Samples that were left out.
     pub rejected: u64,
@@ -54,12 +54,12 @@ pub struct Snapshot {
     pub budget: Option<usize>,
 }
 
-/// What all runs on a scene have in common.
+/// The settings that all runs on a scene have in common.
 #[derive(Clone, Copy, Debug)]
 pub struct Race<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// What pictures are held against.
+    /// The reference that pictures are held against.
     pub reference: &'a Reference,
     /// In seconds, ascending; not empty.
     pub budgets: &'a [f64],

@@ -1,4 +1,4 @@
-//! How time and memory grow: with triangles, lamps, path length, pixels and threads.
+//! Measures how time and memory grow: with triangles, lamps, path length, pixels and threads.
 
 mod axis;
 mod measure;
@@ -14,7 +14,7 @@ use traylib_integrators::Method;
 /// The methods whose growth is charted.
 pub const METHODS: [Method; 2] = [Method::COMBINED, Method::BDPT];
 
-/// What was found along every axis.
+/// The measurements along every axis.
 #[derive(Clone, Debug, Serialize)]
 pub struct Scaling {
     /// One an axis.

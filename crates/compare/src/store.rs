@@ -1,4 +1,4 @@
-//! What is done, on disk, so that an interrupted comparison goes on where it ended.
+//! The store of finished work on disk, so that an interrupted comparison goes on where it ended.
 //!
 //! Every piece of work has a key, a hash of all that decides its result; its numbers
 //! lie in `KEY.json` and its pictures in `KEY-NAME.exr`. The numbers are written

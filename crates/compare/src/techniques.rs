@@ -1,4 +1,4 @@
-//! What the techniques of bdpt bring, one by one.
+//! The contributions of the techniques of bdpt, one by one.
 
 use std::ops::ControlFlow;
 use traylib_integrators::{

@@ -1,5 +1,5 @@
-//! How much memory work takes. All bytes of the process are counted, so this is the only
-//! test of its program.
+//! Tests of the memory that work is found to take. All bytes of the process are counted, so this is
+//! the only test of its program.
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
 

@@ -110,7 +110,7 @@ fn two_methods_make_a_reference_that_finds_its_runs_again() {
     let output = compare(&out.0, &words);
     assert!(output.status.success(), "{}", err(&output));
     let first = (out.results().scenes, kept());
-    // A choice and two halves with two pictures each; 3 methods with 4 runs of one picture.
+    // A choice and two references with two pictures each; 3 methods with 4 runs of one picture.
     assert_eq!(first.1.each_ref().map(Vec::len), [1 + 2 * 3, 3 * 4 * 2]);
     assert!(compare(&out.0, &words).status.success());
     let second = (out.results().scenes, kept());

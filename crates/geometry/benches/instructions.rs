@@ -42,8 +42,7 @@ const TASKS: [(&str, Task); 9] = [
     ("shadow", Task::AnyHit(|sets| &sets.shadow)),
 ];
 
-/// What is counted: `cargo xtask count-instructions` names this function to
-/// valgrind.
+/// Does the work that is counted: `cargo xtask count-instructions` names this function to valgrind.
 #[inline(never)]
 fn counted_by_valgrind<T>(work: impl FnOnce() -> T) -> T {
     black_box(work())

@@ -33,17 +33,17 @@ pub struct Bvh<C = Triangles> {
     bounds: Aabb,
 }
 
-/// How a tree is built and asked.
+/// The options with which a tree is built and asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Options {
-    /// How much time goes into the tree.
+    /// The time that building the tree may take, for which rays take less.
     pub quality: Quality,
-    /// How exactly triangles are met.
+    /// The precision in which rays are tested against triangles.
     pub precision: Precision,
 }
 
-/// How exactly the triangles of a mesh are met.
+/// The precision in which rays are tested against the triangles of a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {

@@ -1,4 +1,4 @@
-//! What cannot be built, and why.
+//! The errors of this crate: what cannot be built, and why.
 
 use std::fmt;
 
@@ -27,9 +27,9 @@ pub enum Error {
     },
     /// Normals or texture coordinates are not as many as the positions.
     WrongCount {
-        /// How many positions there are.
+        /// The number of positions.
         positions: usize,
-        /// How many values were given.
+        /// The number of values that were given.
         given: usize,
     },
     /// A shape has bounds that are infinite or not numbers.

@@ -14,7 +14,7 @@ pub(crate) struct Shear {
     /// The two coordinates that stay, and the one along which depth is measured.
     /// Kernels read at these places unchecked: they are below three.
     pub(crate) axes: [usize; 3],
-    /// How fast the ray moves along the two that stay.
+    /// The slope of the ray along the two that stay.
     pub(crate) slope: [f32; 2],
     /// From depth to t.
     pub(crate) reciprocal: f32,
@@ -31,7 +31,7 @@ impl Shear {
 
     /// A triangle as the ray sees it.
     #[inline]
-    pub(crate) fn flat(&self, corners: &[Vec3; 3], ray: &Ray) -> Flat {
+    pub(crate) fn apply(&self, corners: &[Vec3; 3], ray: &Ray) -> ShearedTriangle {
         let origin = pick(&ray.origin, self.axes);
         let [a, b, c] = corners.each_ref().map(|corner| {
             let corner = pick(corner, self.axes);
@@ -39,7 +39,10 @@ impl Shear {
             [x - self.slope[0] * depth, y - self.slope[1] * depth, depth * self.reciprocal]
         });
         let cross = |p: [f32; 3], q: [f32; 3]| p[0] * q[1] - p[1] * q[0];
-        Flat { edges: [cross(b, c), cross(c, a), cross(a, b)], depths: [a[2], b[2], c[2]] }
+        ShearedTriangle {
+            edges: [cross(b, c), cross(c, a), cross(a, b)],
+            depths: [a[2], b[2], c[2]],
+        }
     }
 }
 
@@ -59,7 +62,7 @@ fn greatest([a, b, c]: [f32; 3]) -> f32 {
 
 /// A triangle as a ray sees it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Flat {
+pub(crate) struct ShearedTriangle {
     /// The edge functions: twice the areas between the ray and the edge opposite to
     /// each corner.
     pub(crate) edges: [f32; 3],
@@ -67,11 +70,11 @@ pub(crate) struct Flat {
     pub(crate) depths: [f32; 3],
 }
 
-impl Flat {
+impl ShearedTriangle {
     /// Whether the ray passes inside or on the border, and a point of the triangle can be at
     /// 0 < t < `limit`.
     #[inline]
-    pub(crate) fn is_passed(&self, limit: f32) -> bool {
+    pub(crate) fn may_meet(&self, limit: f32) -> bool {
         (least(self.edges) >= 0.0 || greatest(self.edges) <= 0.0)
             && greatest(self.depths) > 0.0
             && least(self.depths) < limit

@@ -14,7 +14,7 @@
 //! # Ok::<(), traylib_geometry::Error>(())
 //! ```
 //!
-//! [`Hit::primitive`] counts in the order the caller listed things in, `t` is in units
+//! [`Hit::primitive`] counts in the order in which the caller listed shapes, `t` is in units
 //! of the direction's length, and a hit counts when 0 < t < [`Ray::t_max`].
 //! [`Bvh::any_hit`] only says whether there is one, [`Bvh::all_hits`] lists them all.
 //!
@@ -157,7 +157,7 @@ pub use error::Error;
 pub use mesh::Mesh;
 pub use normals::Normals;
 pub use point::SurfaceSite;
-pub use primitive::{Primitive, SidedPrimitive};
+pub use primitive::{Form, Outline, Primitive, SidedPrimitive};
 pub use ray::{Hit, Ray};
 pub use shape::*;
 pub use shape_hit::ShapeHit;
@@ -167,7 +167,7 @@ pub use tree::build::Quality;
 #[cfg(test)]
 mod testing;
 
-/// What the package says of itself is run as a test.
+/// The examples of the package are run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -94,7 +94,7 @@ impl Mesh {
         &self.triangles
     }
 
-    /// How many triangles there are, those without area included.
+    /// Returns the number of triangles, those without area included.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
@@ -184,7 +184,7 @@ impl Mesh {
         (along_u.is_finite() && along_v.is_finite()).then_some([along_u, along_v])
     }
 
-    /// What belongs to the corners of a triangle.
+    /// Returns the values at the corners of a triangle.
     fn corners<T: Copy>(&self, index: usize, values: &[T]) -> Option<[T; 3]> {
         let &[a, b, c] = self.triangles.get(index)?;
         let value = |i: u32| values.get(i as usize).copied();

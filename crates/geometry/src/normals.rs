@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 pub struct Normals {
     /// Unit vector in its middle.
     pub axis: Vec3,
-    /// How far from the axis the normals reach, in radians: zero on a flat shape,
+    /// The greatest angle between the axis and a normal, in radians: zero on a flat shape,
     /// at most π.
     pub half_angle: f64,
 }

@@ -21,7 +21,7 @@ const PRECISE: f32 = 1.0 / (1_u64 << 40) as f32;
 pub struct SurfaceSite {
     /// Where.
     pub position: Vec3,
-    /// How far off at most, along each axis.
+    /// A bound on the error of the position along each axis, in metres.
     pub error: Vec3,
     /// Unit normal of the front.
     pub normal: Vec3,
@@ -114,8 +114,8 @@ impl SurfaceSite {
         self.position + self.normal * height.copysign(self.normal.dot(direction))
     }
 
-    /// How far off the surface rays start: the error and the rounding of that addition,
-    /// projected onto the normal.
+    /// Returns the distance off the surface at which rays start: the error and the rounding of that
+    /// addition, projected onto the normal.
     #[inline]
     pub(crate) fn height(&self) -> f32 {
         let rounding = self.position.abs() * (2.0 * ROUNDOFF);

@@ -1,8 +1,11 @@
 //! The closed set of shapes that scenes are made of.
 
+mod form;
 mod touch;
 
-use crate::shape::{SphericalRectangle, SphericalTriangle, even_pdf};
+pub use form::{Form, Outline};
+
+use crate::shape::{SphericalRectangle, SphericalTriangle, even_pdf, shape_from_both_sides};
 use crate::{
     Aabb, Cone, Disk, Error, Facing, Hit, Normals, Quad, Ray, Shape, ShapeHit, ShapeKind, Sides,
     Sphere, SurfaceSite, Triangle, Vec2, Vec3,
@@ -120,7 +123,7 @@ impl Primitive {
         }
     }
 
-    /// What it is to a tree, with these sides.
+    /// Returns the kind of shape that it is to a tree, with these sides.
     pub fn kind(&self, sides: Sides) -> ShapeKind {
         match *self {
             Self::Triangle(triangle) => ShapeKind::Triangle(triangle.sided(sides)),
@@ -142,8 +145,8 @@ impl Primitive {
         }
     }
 
-    /// What pictures lie along: how the place moves with each surface coordinate, in metres
-    /// a unit; `None` where no picture can lie.
+    /// Returns the derivatives of the place by each surface coordinate, along which pictures lie,
+    /// in metres a unit; `None` where no picture can lie.
     pub fn tangents(&self) -> Option<[Vec3; 2]> {
         match self {
             Self::Quad(quad) => Some(quad.edges()),
@@ -188,6 +191,27 @@ impl Primitive {
                 let radii = cone.radii().map(|radius| (radius + facing.turn(height)).max(0.0));
                 Cone::new(ends, radii, facing).map(Self::Cone)
             }
+        }
+    }
+
+    /// Returns whether it is flat, a ball or bent otherwise. Images depend on that, those that it
+    /// shows as a mirror and those that mirrors show of it.
+    pub fn form(&self) -> Form {
+        let flat = |normal, outline| Form::Flat { normal, outline };
+        match self {
+            Self::Triangle(triangle) => {
+                flat(triangle.normal(), Outline::Triangle(triangle.corners()))
+            }
+            Self::Quad(quad) => {
+                let (corner, edges) = (quad.corner(), quad.edges());
+                flat(quad.normal(), Outline::Parallelogram { corner, edges })
+            }
+            Self::Sphere(sphere) => Form::Ball(*sphere),
+            Self::Disk(disk) => {
+                let (centre, radius) = (disk.centre(), disk.radius());
+                flat(disk.normal(), Outline::Circle { centre, radius })
+            }
+            Self::Cone(cone) => Form::Bent(cone.bounds()),
         }
     }
 
@@ -263,22 +287,7 @@ pub struct SidedPrimitive {
     pub sides: Sides,
 }
 
-/// From both sides.
-impl Shape for Primitive {
-    #[inline]
-    fn bounds(&self) -> Aabb {
-        self.bounds()
-    }
-
-    #[inline]
-    fn intersect(&self, ray: &Ray) -> Option<ShapeHit> {
-        self.intersect(ray, Sides::Both)
-    }
-
-    fn kind(&self) -> ShapeKind {
-        self.kind(Sides::Both)
-    }
-}
+shape_from_both_sides!(Primitive: |primitive, sides| primitive.kind(sides));
 
 impl Shape for SidedPrimitive {
     fn bounds(&self) -> Aabb {

@@ -1,4 +1,4 @@
-//! What a shape must do, and the shapes there are.
+//! The trait that shapes implement, and the shapes that scenes are made of.
 
 mod cone;
 mod disk;
@@ -33,7 +33,7 @@ pub trait Shape: Send + Sync {
     /// The first hit with 0 < t < `ray.t_max`.
     fn intersect(&self, ray: &Ray) -> Option<ShapeHit>;
 
-    /// What it is to a tree, which asks [`intersect`](Self::intersect) of
+    /// Returns the kind of shape that it is to a tree, which asks [`intersect`](Self::intersect) of
     /// [`ShapeKind::Other`] alone.
     fn kind(&self) -> ShapeKind {
         ShapeKind::Other
@@ -95,6 +95,8 @@ macro_rules! shape_from_both_sides {
     )*};
 }
 
+pub(crate) use shape_from_both_sides;
+
 shape_from_both_sides!(
     Cone: |_, _| ShapeKind::Other,
     Disk: ShapeKind::Disk,
@@ -114,10 +116,9 @@ fn all_finite(vectors: &[Vec3]) -> Result<(), Error> {
     if vectors.iter().all(|v| v.is_finite()) { Ok(()) } else { Err(Error::NotFinite) }
 }
 
-/// How far at most a point moves out of a surface bent with `radius` if its
-/// position is rounded along it, thrice: when it is made, and twice when a ray
-/// is lifted off it. It counts on wires and beads far from the
-/// origin.
+/// Returns the greatest distance by which a point moves out of a surface bent with `radius` if its
+/// position is rounded along it, thrice: when it is made, and twice when a ray is lifted off it. It
+/// counts on wires and beads far from the origin.
 fn bend(position: DVec3, radius: f64) -> f32 {
     const THRICE: f64 = 3.0 * 0.5 * f32::EPSILON as f64;
     let aside_squared = THRICE * THRICE * position.length_squared();

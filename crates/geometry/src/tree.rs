@@ -71,7 +71,7 @@ pub(crate) struct Tree {
     pub(crate) memory: usize,
 }
 
-/// How large it is. All else follows from the shapes and, in part, from the processor.
+/// Shows its size. All else follows from the shapes and, in part, from the processor.
 impl fmt::Debug for Tree {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Tree").field("nodes", &self.nodes.len()).finish_non_exhaustive()

@@ -34,7 +34,7 @@ struct Corner {
     /// Its place in the plane in which the ray is the point zero, times the longest
     /// coordinate of the direction, by which nothing has to be divided so.
     place: [f64; 2],
-    /// How far it is from the origin along that coordinate.
+    /// Its distance from the origin along that coordinate.
     depth: f64,
 }
 

@@ -1,5 +1,5 @@
-//! How long a GLB file of a million triangles takes, and how much memory:
-//! `cargo bench -p traylib-io --bench glb`.
+//! Measures the time and the memory that reading a GLB file of a million triangles takes: `cargo
+//! bench -p traylib-io --bench glb`.
 #![allow(clippy::print_stdout, reason = "figures for whoever changes the reader")]
 #![allow(clippy::unwrap_used, reason = "its own file is sound")]
 

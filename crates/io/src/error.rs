@@ -1,4 +1,4 @@
-//! What can go wrong with files, and what is worth a word.
+//! The errors and warnings of this crate.
 
 use crate::film_fault::{FilmDifference, FilmFault};
 use crate::format_error::FormatError;
@@ -160,9 +160,9 @@ fn unknown_scene(name: &str, known: &[&str]) -> String {
 pub struct Warning {
     /// The file.
     pub file: String,
-    /// What was met.
+    /// What was met, in words.
     pub what: String,
-    /// How often.
+    /// The number of times it was met.
     pub count: u32,
 }
 

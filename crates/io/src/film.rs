@@ -24,14 +24,15 @@ use traylib_scene::Film;
 /// Pixels of a stripe, in the order of the picture; the last one may have fewer.
 pub(crate) const STRIPE: usize = 1 << 14;
 
-/// What a film says of itself beside its sums.
+/// The description of a film that its file has beside the sums.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FilmAbout {
-    /// What its light depends on, by name. Films fit together only if all of these are the same.
+    /// The settings that its light depends on, by name. Films fit together only if all of these are
+    /// the same.
     pub settings: Vec<(String, String)>,
-    /// What else is worth knowing, by name.
+    /// Notes that its light does not depend on, by name.
     pub notes: Vec<(String, String)>,
-    /// What was counted, by name. When films are merged, these are added up.
+    /// Counters of the rendering, by name. When films are merged, these are added up.
     pub counters: Vec<(String, u64)>,
 }
 

@@ -1,4 +1,4 @@
-//! What is amiss with the file of a film, or between two.
+//! Faults of film files: of one, or of two that do not fit together.
 
 use crate::MAX_PIXELS;
 use std::io;
@@ -11,7 +11,7 @@ pub(crate) const VERSION: u32 = 1;
 pub struct FilmDifference {
     /// Its name.
     pub name: String,
-    /// What it is in both.
+    /// The values in both files.
     pub words: [String; 2],
 }
 

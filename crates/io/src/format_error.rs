@@ -1,6 +1,6 @@
 //! Why the bytes of a file of shapes make no sense.
 
-/// What the decoder of a format says.
+/// The error of the decoder of one format.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(transparent)]
 #[non_exhaustive]

@@ -35,7 +35,7 @@ use crate::warning_counts::WarningCounts;
 use traylib_math::glam::{Affine2, DAffine3};
 use traylib_math::{Rgb, Vec2, Vec3};
 
-/// How much of a file is taken in. What exceeds it is an error.
+/// Bounds on what is taken in of a file. What exceeds it is an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// The most bytes of a file with its buffers.
@@ -53,7 +53,7 @@ impl Default for Limits {
     }
 }
 
-/// What a file holds.
+/// The contents of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// Pieces of meshes, each with one material.
@@ -68,7 +68,7 @@ pub struct Document {
     pub lights: Vec<Light>,
     /// The cameras in the scene.
     pub cameras: Vec<Camera>,
-    /// What was skipped or repaired.
+    /// The warnings: what was skipped or repaired.
     pub warnings: WarningCounts<WarningKind>,
 }
 
@@ -104,7 +104,7 @@ pub struct Material {
     pub name: String,
     /// Colour, linear.
     pub base_colour: Rgb,
-    /// How much is there, from 0 to 1.
+    /// The part of the surface that is there, from 0 to 1.
     pub alpha: f32,
     /// From 0, a dielectric, to 1, a metal.
     pub metallic: f32,
@@ -114,7 +114,7 @@ pub struct Material {
     pub emission: Rgb,
     /// Whether its light is the same from everywhere.
     pub is_unlit: bool,
-    /// What alpha does.
+    /// The meaning of alpha.
     pub alpha_mode: AlphaMode,
     /// From which alpha on it is there, where all is or is not.
     pub alpha_cutoff: f32,
@@ -135,9 +135,9 @@ pub struct Picture {
     pub image: Option<usize>,
     /// The set of texture coordinates.
     pub set: u32,
-    /// What becomes of these.
+    /// The map that is applied to these coordinates.
     pub transform: Affine2,
-    /// What is beyond the edges, along u and along v.
+    /// The values beyond the edges of the picture, along u and along v.
     pub wrap: [Wrap; 2],
 }
 
@@ -172,7 +172,7 @@ pub struct Camera {
     pub position: Vec3,
     /// Where it looks.
     pub direction: Vec3,
-    /// What is up in the picture.
+    /// The direction that is up in the picture.
     pub up: Vec3,
     /// The vertical angle of view, in radians.
     pub yfov: f32,
@@ -188,7 +188,7 @@ pub struct Camera {
 ///
 /// # Errors
 /// The bytes are no glTF, or what is read of it makes no sense or asks for too much: the
-/// first such thing, with its place.
+/// first such fault, with its place.
 pub fn decode(
     bytes: &[u8],
     limits: Limits,

@@ -1,4 +1,4 @@
-//! What is in a file, in figures.
+//! Inventories: the contents of a file, in figures.
 
 use crate::load::load_scene_with;
 use crate::load_options::LoadOptions;
@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use traylib_scene::Light;
 
-/// What a reader made of files, as figures that can be held against what other
+/// The contents of files as a reader made of them, as figures that can be held against what other
 /// programs find in them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -23,7 +23,7 @@ pub enum Inventory {
     Scene(SceneCounts),
 }
 
-/// What there is in a scene.
+/// The contents of a scene, counted.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SceneCounts {
     /// Triangles, spheres and other shapes.
@@ -40,9 +40,9 @@ pub struct SceneCounts {
     pub height: u32,
 }
 
-/// Reads files and counts what is in them; beside it, what was skipped or repaired. A
-/// missing camera or lamp is no error in a file of shapes. Several files are one scene, which only MGF knows. Of the options
-/// root, that of the first file where none is named, and limits count.
+/// Reads files and counts what is in them; beside it, what was skipped or repaired. A missing
+/// camera or lamp is no error in a file of shapes. Several files are one scene, which only MGF
+/// knows. Of the options root, that of the first file where none is named, and limits count.
 ///
 /// # Errors
 /// A file cannot be read or makes no sense; several files of another format.

@@ -12,12 +12,12 @@ use traylib_scene::Scene;
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
-    /// What its file says about rendering it.
+    /// The settings for rendering that its file gives.
     pub settings: SceneSettings,
-    /// What was skipped or repaired.
+    /// The warnings: what was skipped or repaired.
     pub warnings: Vec<Warning>,
-    /// What was chosen because the file does not say it, such as a camera for an
-    /// OBJ file: each a line that ends in what to write into a scene file.
+    /// The choices that were made because the file does not say it, such as a camera for an OBJ
+    /// file: each a line that ends in what to write into a scene file.
     pub notes: Vec<String>,
     /// Whether it got a point light at the camera, as [`LoadOptions::headlight`] allows.
     pub headlight: bool,
@@ -37,7 +37,7 @@ pub fn load_scene(name_or_path: &str) -> Result<Loaded, Error> {
     load_scene_with(name_or_path, LoadOptions::default())
 }
 
-/// [`load_scene`] with some things otherwise than the file says.
+/// Does as [`load_scene`], but for some settings that replace those of the file.
 ///
 /// # Errors
 /// As `load_scene`.

@@ -1,9 +1,9 @@
-//! What a scene file says about rendering, and what the caller wants otherwise.
+//! The settings of a scene file for rendering, and the options of the caller that replace them.
 
 use crate::ReadLimits;
 use std::path::Path;
 
-/// What a scene file says about rendering it.
+/// The settings of a scene file for rendering it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneSettings {
     /// Samples per pixel, at least one.
@@ -12,7 +12,7 @@ pub struct SceneSettings {
     pub exposure: f32,
 }
 
-/// What the caller wants otherwise than the file says.
+/// The options of the caller, which replace what the file says.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadOptions<'a> {
     /// Width and height of the picture in pixels.
@@ -25,7 +25,7 @@ pub struct LoadOptions<'a> {
     pub root: Option<&'a Path>,
     /// When a file of shapes gets a point light at the camera, with a warning.
     pub headlight: Headlight,
-    /// What files may ask for.
+    /// Bounds on what files may ask for.
     pub limits: ReadLimits,
 }
 

@@ -1,8 +1,8 @@
-//! What is in a file of meshes, in figures.
+//! The contents of a file of meshes, in figures.
 
 use serde::Serialize;
 
-/// What there is in an OBJ, PLY or glTF file, every place of a mesh anew.
+/// The contents of an OBJ, PLY or glTF file, counted, every place of a mesh anew.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct MeshCounts {
     /// Meshes of one material each.

@@ -61,7 +61,7 @@ pub use warning::{Warning, WarningKind, Warnings};
 use reader::Reader;
 use std::path::PathBuf;
 
-/// What MGF files hold.
+/// The contents of an MGF file and of those that it includes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// Every surface, in the order of the text with its copies.
@@ -69,9 +69,9 @@ pub struct Document {
     /// The materials of the surfaces, in the order of their first use. A name
     /// that is given to several materials in turn is here several times.
     pub materials: Vec<Material>,
-    /// What was skipped or repaired.
+    /// The warnings: what was skipped or repaired.
     pub warnings: Warnings,
-    /// How much there was of everything.
+    /// Counts of everything that was read.
     pub counts: Counts,
 }
 

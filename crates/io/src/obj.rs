@@ -28,7 +28,7 @@ pub use crate::polygon_limits::{PolygonFault, PolygonLimits as Limits};
 use crate::warning_counts::WarningCounts;
 use traylib_math::{Vec2, Vec3};
 
-/// What an object file holds.
+/// The contents of an object file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// Where vertices are.
@@ -43,9 +43,9 @@ pub struct Document {
     pub faces: Vec<Face>,
     /// Names of the materials that are used, each once, in the order of first use.
     pub materials: Vec<String>,
-    /// What `mtllib` names, as it stands there.
+    /// The libraries that `mtllib` names, as they stand there.
     pub libraries: Vec<String>,
-    /// What was skipped or repaired.
+    /// The warnings: what was skipped or repaired.
     pub warnings: WarningCounts<WarningKind>,
 }
 
@@ -81,7 +81,7 @@ impl Index {
 pub struct Face {
     /// Where its corners begin in the document's.
     pub first: u32,
-    /// How many it has, at least three.
+    /// The number of its corners, at least three.
     pub count: u32,
     /// Which of the document's materials it has.
     pub material: Option<u32>,

@@ -21,7 +21,7 @@ use traylib_math::{Grid, Rgb};
 
 type Cause = Box<dyn std::error::Error + Send + Sync>;
 
-/// What a picture says of itself in its file.
+/// The description of a picture that its file has beside the pixels.
 ///
 /// It goes into EXR and PNG files, by the names of [`attributes`](Self::attributes).
 /// The other formats have no place for it.
@@ -154,9 +154,9 @@ fn encode(
     }
 }
 
-/// What of this light a file of this name cannot hold, as one warning about it: in
-/// 8-bit pictures what is not a number, in `.hdr` also what is negative or has no bound.
-/// That 8-bit pictures end at black and white is their nature.
+/// Returns what of this light a file of this name cannot hold, as one warning about it: in 8-bit
+/// pictures what is not a number, in `.hdr` also what is negative or has no bound. That 8-bit
+/// pictures end at black and white is their nature.
 ///
 /// # Errors
 /// [`Error::PictureFormat`] for another ending.

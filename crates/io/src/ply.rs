@@ -28,7 +28,7 @@ pub use crate::polygon_limits::{PolygonFault, PolygonLimits as Limits};
 use crate::warning_counts::WarningCounts;
 use traylib_math::{Vec2, Vec3};
 
-/// What a polygon file holds.
+/// The contents of a polygon file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// Where vertices are.
@@ -43,11 +43,11 @@ pub struct Document {
     /// Texture coordinates of the corners, one for each or none at all. They go before those
     /// of vertices.
     pub corner_uvs: Vec<Vec2>,
-    /// How many corners each polygon has, at least three.
+    /// The number of corners of each polygon, at least three.
     pub counts: Vec<u32>,
     /// Pictures that comments name.
     pub textures: Vec<String>,
-    /// What was skipped or repaired.
+    /// The warnings: what was skipped or repaired.
     pub warnings: WarningCounts<WarningKind>,
 }
 
@@ -69,7 +69,7 @@ impl Document {
 ///
 /// # Errors
 /// The bytes are no polygon file, or what is read of one makes no sense or asks for too much:
-/// the first such thing, with its place.
+/// the first such fault, with its place.
 pub fn decode(bytes: &[u8], limits: Limits) -> Result<Document, Error> {
     if bytes.len() > limits.bytes {
         return Err(Error::TooLong(limits.bytes));

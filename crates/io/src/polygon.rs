@@ -1,9 +1,9 @@
 //! Plane polygons into triangles, whatever file they come from.
 
 mod ears;
-mod flat;
+mod projection;
 
-pub(crate) use flat::{Flat, turn};
+pub(crate) use projection::{Projection, turn};
 
 use traylib_math::glam::DVec3;
 
@@ -20,7 +20,7 @@ pub(crate) fn newell(outline: impl Iterator<Item = DVec3> + Clone) -> DVec3 {
 ///
 /// Takes time with the square of the number of corners.
 pub(crate) fn cut(outline: impl Iterator<Item = DVec3>, normal: DVec3) -> Vec<[usize; 3]> {
-    let flat = Flat::along(normal);
-    let points: Vec<_> = outline.map(|point| flat.point(point)).collect();
+    let projection = Projection::along(normal);
+    let points: Vec<_> = outline.map(|point| projection.point(point)).collect();
     ears::cut(&points)
 }

@@ -2,7 +2,7 @@
 
 use crate::Limit;
 
-/// How much of a file is taken in. What exceeds it is an error.
+/// Bounds on what is taken in of a file of polygons. What exceeds it is an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PolygonLimits {
     /// The most bytes of a file.

@@ -32,13 +32,13 @@ pub enum Spot {
 pub struct Problem {
     /// The file.
     pub source: Arc<SourceText>,
-    /// What is wrong there.
+    /// The place, and what is wrong there.
     pub spot: Spot,
-    /// What is wrong.
+    /// The fault, in a few words.
     pub title: String,
     /// Words to stand beside the place.
     pub label: String,
-    /// What to do about it.
+    /// Advice on what to do about it.
     pub help: Option<String>,
 }
 
@@ -50,7 +50,7 @@ pub struct Problem {
 pub struct Report {
     /// The first of them.
     pub problems: Vec<Problem>,
-    /// How many more there are.
+    /// The number of faults that are not listed.
     pub more: usize,
 }
 

@@ -32,7 +32,7 @@ pub struct Document {
     /// Materials by name.
     #[serde(default)]
     pub materials: Named<Material>,
-    /// What is to be seen.
+    /// The objects of the scene.
     #[serde(default)]
     pub objects: Vec<Object>,
     /// Lights that are not objects.

@@ -36,7 +36,7 @@ use std::io::Read;
 use std::path::Path;
 use traylib_math::{Grid, Rgb};
 
-/// What a picture file may claim. Memory is taken only within.
+/// Bounds on what a picture file may claim. Memory is taken only within.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextureLimits {
     /// Pixels. Each takes 16 bytes as light and opacity, and up to 8 on the way.
@@ -69,7 +69,7 @@ impl TextureLimits {
 /// and as light and opacity.
 pub(crate) const BYTES_OF_A_PIXEL: u64 = 8 + 8 + 16;
 
-/// How the numbers of a file stand for light.
+/// The coding by which the numbers of a file stand for light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coding {
     /// They are light itself: Radiance and EXR.
@@ -90,9 +90,9 @@ pub struct Texture {
     /// Whether the file says that its opacity is undefined and only to be kept, as TGA
     /// can: who shows the picture takes it for opaque.
     pub alpha_is_undefined: bool,
-    /// How the numbers in the file stand for light.
+    /// The coding by which the numbers in the file stand for light.
     pub coding: Coding,
-    /// What was repaired.
+    /// The warnings: what was repaired.
     pub warnings: Vec<Warning>,
 }
 

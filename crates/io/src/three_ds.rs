@@ -49,7 +49,7 @@ use chunk::Reader;
 use decoder::Decoder;
 use traylib_math::Rgb;
 
-/// What a 3DS file holds.
+/// The contents of a 3DS file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// Version of the file; 3 is usual.
@@ -71,7 +71,7 @@ pub struct Document {
     pub cameras: Vec<Camera>,
     /// The animation part, if there is one.
     pub keyframer: Option<Keyframer>,
-    /// What was skipped or repaired.
+    /// The warnings: what was skipped or repaired.
     pub warnings: Warnings,
 }
 

@@ -1,4 +1,4 @@
-//! How often each kind of thing was met in a file.
+//! Counts of the warnings about a file, by kind.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -34,7 +34,7 @@ impl<K: Ord> WarningCounts<K> {
         *count = count.saturating_add(times);
     }
 
-    /// How often a kind was met.
+    /// Returns how often a kind was met.
     pub fn count(&self, kind: &K) -> u32 {
         self.kinds.get(kind).copied().unwrap_or(0)
     }

@@ -7,7 +7,7 @@ use traylib_scene::{Camera, Scene};
 /// A scene whose mean radiance over the film is known.
 #[derive(Debug)]
 pub struct Case {
-    /// What it is called in a report.
+    /// The name of the case in a report.
     pub name: String,
     /// The scene.
     pub scene: Scene,

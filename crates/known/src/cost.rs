@@ -1,4 +1,4 @@
-//! What a pass costs.
+//! The time that a pass takes.
 
 use std::time::Instant;
 use traylib_integrators::{Chunk, ChunkOutput, Control, Dimensions, Integrator, PointSet};

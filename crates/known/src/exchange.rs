@@ -1,4 +1,4 @@
-//! How much of one surface's light reaches another: form factors between whole
+//! The part of one surface's light that reaches another: form factors between whole
 //! surfaces.
 //!
 //! A pinhole that looks straight down at the floor is a similarity: equal parts

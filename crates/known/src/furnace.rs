@@ -88,7 +88,7 @@ pub fn offset_light_wide(max_depth: Option<u32>) -> Case {
     Case { name: format!("B5 wide K = {max_depth:?}"), scene, max_depth, truth }
 }
 
-/// What is seen at a point of the ball whose direction from the centre makes an
+/// Returns the radiance of a point of the ball whose direction from the centre makes an
 /// angle of this cosine with that of the light; I = π, R = 1, a = 0.5.
 ///
 /// Directly, E = I·cosθ/r², with r² = R² + a² − 2Ra·cosφ and the incidence from

@@ -38,7 +38,7 @@ pub const NARROW_MIRROR: f64 = 0.3;
 /// A scene and what each pixel of its picture should be.
 #[derive(Debug)]
 pub struct Picture {
-    /// What it is called in a report.
+    /// The name of the picture in a report.
     pub name: String,
     /// The scene.
     pub scene: Scene,
@@ -164,7 +164,7 @@ pub fn point_in_periscope() -> Case {
     Case { name: "C6 by a point".into(), scene: scene.build(), max_depth: Some(5), truth }
 }
 
-/// The same where the camera sees the floor, L = ρ/π·km²·I/25: light walks find it too.
+/// Makes this scene where the camera sees the floor, L = ρ/π·km²·I/25: light walks find it too.
 pub fn point_in_bare_periscope() -> Case {
     let stage = Stage::new(spot(Vec3::new(0.0, -1.0, 0.5), Vec3::ZERO));
     let scene = below_periscope(stage).point(PERISCOPE_LAMP, INTENSITY as f32);
@@ -225,7 +225,7 @@ fn image_factor(point: DVec3, mirror_half_side: f64) -> f64 {
     image_factor_through(point, &square_at(2.0, mirror_half_side))
 }
 
-/// The same through a mirror with these corners.
+/// Computes this factor through a mirror with these corners.
 fn image_factor_through(point: DVec3, mirror: &[DVec3]) -> f64 {
     let seen = through(point, &square_at(3.0, LAMP), mirror);
     let hidden = through(point, &seen, &square_at(1.0, LAMP));

@@ -26,7 +26,7 @@ pub fn factor(point: DVec3, normal: DVec3, corners: &[DVec3]) -> f64 {
     sum.abs() / (2.0 * PI)
 }
 
-/// What of a convex polygon lies on the side of the plane through `origin` that
+/// Returns the part of a convex polygon on the side of the plane through `origin` that
 /// `inward` points to.
 pub fn clip(corners: &[DVec3], origin: DVec3, inward: DVec3) -> Vec<DVec3> {
     let height = |corner: DVec3| (corner - origin).dot(inward);
@@ -43,7 +43,7 @@ pub fn clip(corners: &[DVec3], origin: DVec3, inward: DVec3) -> Vec<DVec3> {
     kept
 }
 
-/// What of a convex polygon is seen from `point` through a convex window, which
+/// Returns the part of a convex polygon that is seen from `point` through a convex window, which
 /// may lie before or behind it: the part inside the pyramid over the window.
 pub fn through(point: DVec3, corners: &[DVec3], window: &[DVec3]) -> Vec<DVec3> {
     let inside = (window[0] + window[1]) * 0.25 + window[2] * 0.5;

@@ -1,4 +1,4 @@
-//! Light that goes through things.
+//! Light that goes through surfaces.
 
 use crate::case::Case;
 use crate::furnace::diffuse_walls;
@@ -16,7 +16,7 @@ const INDEX: f64 = 1.5;
 /// E1: a room of radiance 2 (see [`furnace`](super::furnace)) and in it a ball of
 /// glass, a pane and a sheet of paper that absorb nothing. Whatever way a path
 /// takes through them, it ends on a wall: each shows the radiance of the room.
-pub fn clear_things_in_a_furnace() -> Case {
+pub fn clear_surfaces_in_a_furnace() -> Case {
     let square = |corner, edge| rectangle(corner, 0.5 * Vec3::X, edge);
     let scene = Stage::new(into_the_room(Vec3::new(0.1, -0.6, 0.1)))
         .light(hollow_ball(Vec3::ZERO, 1.0), 1.0, diffuse_walls())
@@ -24,7 +24,7 @@ pub fn clear_things_in_a_furnace() -> Case {
         .surface(square(Vec3::new(0.15, 0.1, -0.3), Vec3::new(0.0, 0.2, 0.5)), pane(0.1, 0.9))
         .surface(square(Vec3::new(-0.4, 0.0, -0.5), Vec3::new(0.0, 0.1, 0.4)), paper(0.5, 0.5))
         .build();
-    Case { name: "E1 clear things".into(), scene, max_depth: None, truth: 2.0 }
+    Case { name: "E1 clear surfaces".into(), scene, max_depth: None, truth: 2.0 }
 }
 
 /// E2: the same room seen from inside of a ball of glass. Radiance over the

@@ -11,7 +11,7 @@ pub enum Error {
     Reflectance {
         /// The parameter.
         name: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: [f32; 3],
     },
     /// The parts together reflect more than arrives.

@@ -1,4 +1,4 @@
-//! How surfaces scatter light.
+//! Surface models and materials: how surfaces scatter light.
 //!
 //! A surface answers the paper's three questions: *how much* light goes from one
 //! direction into another (`getF`), *pick* me a direction (`generatePath`), and
@@ -40,7 +40,7 @@ pub use scattering::{BsdfSample, Scattering};
 pub use site::Site;
 pub use texture::{Texture, Tiling};
 
-/// What the package says of itself is run as a test.
+/// The examples of the package are run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

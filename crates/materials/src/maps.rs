@@ -13,8 +13,7 @@ pub struct Maps {
     pub diffuse: Option<Layer>,
     /// Specular part of a Phong surface.
     pub specular: Option<Layer>,
-    /// How much of the surface is there: its luminance. The rest of the light
-    /// passes straight through.
+    /// The opacity of the surface, by luminance. The rest of the light passes straight through.
     pub opacity: Option<Layer>,
     /// Height.
     pub bump: Option<Bump>,
@@ -27,7 +26,7 @@ pub struct Layer {
     pub texture: Arc<Texture>,
     /// From texture coordinates of the surface to those of the picture.
     pub placement: Affine2,
-    /// What is beyond the picture's edges.
+    /// The tiling beyond the picture's edges.
     pub tiling: Tiling,
     /// From 0, as if it were not there, to 1.
     pub strength: f32,
@@ -39,25 +38,25 @@ impl Layer {
         Self { texture, placement: Affine2::IDENTITY, tiling: Tiling::Repeat, strength: 1.0 }
     }
 
-    /// What shows at `uv`: the picture over `base`.
+    /// Returns the colour at `uv`: the picture over `base`.
     fn over(&self, base: Rgb, uv: Vec2) -> Rgb {
         let texel = self.texture.lookup(self.placement.transform_point2(uv), self.tiling);
         texel.map_or(base, |texel| base * (1.0 - self.strength) + texel * self.strength)
     }
 }
 
-/// A relief that tilts the shading normal and moves nothing.
+/// A bump map: a height over the surface that tilts the shading normal and moves nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bump {
     /// Its luminance is the height, from 0 at the bottom to 1 at the top.
     pub layer: Layer,
-    /// How high 1 is, in units of the length that one unit of u has on the
-    /// surface: independent of how large the thing is.
+    /// The height of 1, in units of the length that one unit of u has on the
+    /// surface: independent of how large the object is.
     pub height: f32,
 }
 
 impl Bump {
-    /// The normal of the relief over a surface with the unit `normal`.
+    /// The shading normal of the bumps over a surface with the unit `normal`.
     ///
     /// With p_u and p_v the tangents and h the height over the surface, it is that
     /// of (p_u + h_u n) × (p_v + h_v n) without the term in h·n′ (Blinn,
@@ -70,8 +69,8 @@ impl Bump {
         let [t_u, t_v] = [p_u, p_v].map(|t| t * unit).map(|t| t - normal * normal.dot(t));
         let flat = t_u.cross(t_v);
         let side = normal.dot(flat).signum();
-        let relief = (t_u + normal * h_u).cross(t_v + normal * h_v) * side;
-        relief.try_normalize().unwrap_or(normal)
+        let bumped = (t_u + normal * h_u).cross(t_v + normal * h_v) * side;
+        bumped.try_normalize().unwrap_or(normal)
     }
 
     /// Height per unit of u and of v.
@@ -97,7 +96,7 @@ impl Maps {
         model.with_colours(|base| show(&self.diffuse, base), |base| show(&self.specular, base))
     }
 
-    /// How much of the surface is there.
+    /// Returns the part of the surface that is there.
     pub(crate) fn opacity(&self, uv: Vec2) -> f32 {
         let opacity = self.opacity.as_ref();
         opacity.map_or(1.0, |l| l.over(Rgb::WHITE, uv).luminance().clamp(0.0, 1.0))

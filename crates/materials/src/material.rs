@@ -3,11 +3,11 @@
 use crate::{Maps, Site, SurfaceModel};
 use traylib_math::{Rgb, Vec3};
 
-/// What a surface is made of: how it scatters light, how much of it passes
-/// straight through as if the surface were not there, and its textures.
+/// The material of a surface: how it scatters light, how much of it passes straight through as if
+/// the surface were not there, and its textures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// How light is scattered, where a texture does not say otherwise.
+    /// The model by which light is scattered, where a texture does not say otherwise.
     pub model: SurfaceModel,
     /// The part of the light that passes straight through, in 0..1: a pane of
     /// clear glass, which is too thin to shift what is behind it. Together with
@@ -20,9 +20,9 @@ pub struct Material {
 /// A material at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shading {
-    /// How light is scattered where the surface is.
+    /// The model by which light is scattered where the surface is.
     pub model: SurfaceModel,
-    /// How much of the surface is there, in 0..1.
+    /// The part of the surface that is there, in 0..1.
     pub opacity: f32,
     /// The part of the light that passes straight through, also where the
     /// surface is not.
@@ -48,7 +48,7 @@ impl Material {
         self.maps.as_ref().is_some_and(|maps| maps.opacity.is_some())
     }
 
-    /// How much of the surface is there at a place, in 0..1.
+    /// Returns the part of the surface that is there at a place, in 0..1.
     pub fn opacity(&self, site: impl FnOnce() -> Option<Site>) -> f32 {
         let Some(maps) = self.maps.as_ref().filter(|maps| maps.opacity.is_some()) else {
             return 1.0;
@@ -67,7 +67,7 @@ impl Material {
         self.through * opacity + Rgb::splat(1.0 - opacity)
     }
 
-    /// The material at a place whose unit shading normal without relief is
+    /// The material at a place whose unit shading normal without a bump map is
     /// `normal`.
     #[inline]
     pub fn at(&self, normal: Vec3, site: impl FnOnce() -> Option<Site>) -> Shading {

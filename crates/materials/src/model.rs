@@ -17,7 +17,7 @@ pub use sheet::Sheet;
 use crate::{BsdfSample, Scattering};
 use traylib_math::{Rgb, Vec3};
 
-/// How a surface scatters light. Small and `Copy`; a scene keeps one a material.
+/// A model of how a surface scatters light. It is small and `Copy`; a scene keeps one a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SurfaceModel {
     /// Ideal diffuse.
@@ -175,7 +175,14 @@ impl SurfaceModel {
     /// Tells whether [`evaluate`](Self::evaluate) can be anything but zero for `wi`
     /// below the surface.
     pub fn transmits(&self) -> bool {
-        matches!(self, Self::Sheet(_))
+        match self {
+            Self::Sheet(_) => true,
+            Self::Lambert(_)
+            | Self::Phong(_)
+            | Self::MaxPhong(_)
+            | Self::Mirror(_)
+            | Self::Dielectric(_) => false,
+        }
     }
 
     /// The model with other colours in place of its diffuse and its specular part, where

@@ -1,8 +1,8 @@
-//! What a surface answers.
+//! The answers of a surface model: values, samples and densities.
 
 use traylib_math::{Rgb, SolidAnglePdf, Vec3};
 
-/// How a surface treats a pair of directions.
+/// The BSDF and the densities of a pair of directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scattering {
     /// The BSDF, in 1/sr, without any cosine. The same when the directions are
@@ -37,7 +37,7 @@ pub struct BsdfSample {
     /// Whether this was an ideal reflection or refraction, which no connection
     /// can find.
     pub is_delta: bool,
-    /// What refraction multiplies radiance with on its way from the medium of
+    /// The factor of refraction on radiance on its way from the medium of
     /// `wi` into that of `wo`, (n_o/n_i)²; one for all else. It is not in
     /// `weight`: a walk from a light carries power, which is not changed.
     pub eta_scale: f32,

@@ -7,7 +7,7 @@ use traylib_math::{Vec2, Vec3};
 pub struct Site {
     /// Texture coordinates.
     pub uv: Vec2,
-    /// How the place moves with each of them, in metres a unit; `None` where that
+    /// The derivatives of the place by each of them, in metres a unit; `None` where that
     /// is not known.
     pub tangents: Option<[Vec3; 2]>,
 }

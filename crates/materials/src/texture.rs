@@ -3,7 +3,7 @@
 use std::fmt;
 use traylib_math::{Fnv, Grid, Rgb, Vec2};
 
-/// What is beyond the edges of a picture.
+/// The values beyond the edges of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tiling {
     /// The picture again.

@@ -1,6 +1,6 @@
 //! Multiple importance sampling.
 
-/// How the densities of several techniques become weights
+/// The rule by which the densities of several techniques become weights
 /// (Veach and Guibas 1995; the paper's equations 2 and 3, "optimal
 /// combination").
 ///

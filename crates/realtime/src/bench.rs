@@ -1,4 +1,4 @@
-//! How fast it is without a window.
+//! Measures the speed without a window.
 
 use crate::draw::Artist;
 use crate::motion::Motion;

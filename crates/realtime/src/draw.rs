@@ -1,4 +1,4 @@
-//! Draws what is wanted: first a draft if the picture takes long, then the picture, pass by
+//! Draws what is wanted: first a preview if the picture takes long, then the picture, pass by
 //! pass.
 
 mod pace;
@@ -64,9 +64,9 @@ impl Artist {
         let coarseness = self.pace.1.coarseness(width, height);
         let first = if coarseness == 1 { end } else { is_stale };
         if coarseness > 1
-            && let Some(draft) = self.first_frame(wanted, coarseness, end)?
+            && let Some(preview) = self.first_frame(wanted, coarseness, end)?
         {
-            show(draft);
+            show(preview);
         }
         self.refine(wanted, first, is_stale, show)
     }

@@ -9,7 +9,7 @@ use traylib_math::{Grid, Rgb};
 pub(crate) struct Frame {
     /// What it was to show.
     pub(crate) wanted: Wanted,
-    /// How many columns of the window one of it fills; one but for a draft.
+    /// How many columns of the window one of it fills; one but for a preview.
     pub(crate) coarseness: u32,
     /// Light, as far as it is known.
     pub(crate) radiance: Grid<Rgb>,
@@ -28,7 +28,7 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// Tells whether it is what somebody wants who wants this, and no draft of it.
+    /// Tells whether it is what somebody wants who wants this, and no preview of it.
     pub(crate) fn is_of(&self, wanted: &Wanted) -> bool {
         self.coarseness == 1 && self.wanted == *wanted
     }

@@ -1,4 +1,4 @@
-//! What mouse and keyboard have done since one looked last.
+//! The input: what mouse and keyboard have done since one looked last.
 
 use crate::motion::Motion;
 use traylib_integrators::Method;

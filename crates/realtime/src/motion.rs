@@ -1,5 +1,5 @@
-//! How a camera moves. All lengths are in proportion to its distance from the target, so that
-//! a scene and one of twice its size are walked through alike.
+//! Motions of a camera. All lengths are in proportion to its distance from the target, so that a
+//! scene and one of twice its size are walked through alike.
 
 use std::f64::consts::PI;
 use traylib_math::glam::DVec3;

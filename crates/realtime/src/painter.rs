@@ -138,8 +138,8 @@ mod tests {
         let painter = Painter::start(Artist::new(Arc::new(stage)).unwrap()).unwrap();
         let slow = Wanted { camera, method: Method::BDPT };
         painter.order(slow);
-        let draft = wait(|| painter.fetch());
-        assert!(draft.coarseness > 1 && draft.wanted == slow);
+        let preview = wait(|| painter.fetch());
+        assert!(preview.coarseness > 1 && preview.wanted == slow);
         let mut quick = Wanted { method: Method::TRACE, ..slow };
         (quick.camera.width, quick.camera.height) = (8, 6);
         painter.order(quick);

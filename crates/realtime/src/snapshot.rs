@@ -1,4 +1,4 @@
-//! What is kept of a view: its picture, its camera.
+//! Snapshots: the picture and the camera that are kept of a view.
 
 use crate::frame::Frame;
 use crate::options::Options;

@@ -1,4 +1,4 @@
-//! What the title of the window says.
+//! The title of the window.
 
 use crate::frame::Frame;
 use std::time::Duration;

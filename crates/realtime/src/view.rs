@@ -1,4 +1,4 @@
-//! What is to be seen: a camera and a method. What was drawn of another view is of no use.
+//! The view that is wanted: a camera and a method. What was drawn of another view is of no use.
 
 use crate::motion::{Motion, aimed_at, moved};
 use traylib_integrators::Method;

@@ -7,10 +7,10 @@ use crate::light::check_emission;
 use crate::light_tree::LightTree;
 use crate::scene::Stage;
 use crate::seat::Seat;
-use crate::surfaces::{Form, Surfaces};
+use crate::surfaces::{ObjectShape, Surfaces};
 use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
 use std::sync::Arc;
-use traylib_geometry::{Bvh, Mesh, Primitive, Sides};
+use traylib_geometry::{Bvh, Primitive, Sides};
 use traylib_materials::Material;
 use traylib_math::{DiscreteDistribution, Rgb, Vec3};
 
@@ -23,25 +23,16 @@ const RAREST: f64 = 1.0 / 16.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialId(u32);
 
-/// What an object looks like.
-#[derive(Clone, Debug)]
-pub enum ObjectShape {
-    /// One shape.
-    Primitive(Primitive),
-    /// Triangles; those without area are left out.
-    Mesh(Mesh),
-}
-
-/// A thing in the scene.
+/// An object of the scene: a surface with its material, perhaps a lamp.
 #[derive(Clone, Debug)]
 pub struct Object {
     /// Its shape.
     pub shape: ObjectShape,
     /// The sides it has. Through a side it does not have, rays pass.
     pub sides: Sides,
-    /// What it is made of.
+    /// The material that it is made of.
     pub material: MaterialId,
-    /// Radiance of its front in W/m²/sr; black for a thing that is no lamp.
+    /// Radiance of its front in W/m²/sr; black for an object that is no lamp.
     pub emission: Rgb,
 }
 
@@ -73,30 +64,30 @@ impl SceneBuilder {
     /// [`Error::EmptyMesh`] for a mesh without area.
     pub fn add_object(&mut self, object: Object) -> Result<(), Error> {
         check_emission("emission", object.emission)?;
-        let form = match object.shape {
-            ObjectShape::Primitive(primitive) => Form::Primitive(primitive),
-            ObjectShape::Mesh(mesh) => Form::Mesh(mesh.without_degenerate()),
+        let shape = match object.shape {
+            ObjectShape::Primitive(primitive) => ObjectShape::Primitive(primitive),
+            ObjectShape::Mesh(mesh) => ObjectShape::Mesh(mesh.without_degenerate()),
         };
-        if let Form::Mesh(mesh) = &form
+        if let ObjectShape::Mesh(mesh) = &shape
             && mesh.triangle_count() == 0
         {
             return Err(Error::EmptyMesh);
         }
-        let first_light = self.add_lights(&form, object.emission);
-        self.surfaces.add(form, object.sides, object.material.0, first_light);
+        let first_light = self.add_lights(&shape, object.emission);
+        self.surfaces.add(shape, object.sides, object.material.0, first_light);
         Ok(())
     }
 
     /// A lamp for each shape that shines; the first.
-    fn add_lights(&mut self, form: &Form, radiance: Rgb) -> Option<LightId> {
+    fn add_lights(&mut self, shape: &ObjectShape, radiance: Rgb) -> Option<LightId> {
         if radiance.is_black() {
             return None;
         }
         let first = LightId(self.lights.len() as u32);
         let light = |primitive| Light::Area { primitive, radiance };
-        match form {
-            Form::Primitive(primitive) => self.lights.push(light(*primitive)),
-            Form::Mesh(mesh) => {
+        match shape {
+            ObjectShape::Primitive(primitive) => self.lights.push(light(*primitive)),
+            ObjectShape::Mesh(mesh) => {
                 let triangles = (0..mesh.triangle_count()).filter_map(|i| mesh.triangle(i));
                 self.lights.extend(triangles.map(Primitive::Triangle).map(light));
             }
@@ -171,7 +162,7 @@ impl SceneBuilder {
     }
 }
 
-/// What each lamp lies on; nothing if that matters for none.
+/// Finds what each lamp lies on; nothing if that matters for none.
 fn seats(lights: &[Light], materials: &[Material], surfaces: &Surfaces) -> Vec<Seat> {
     let of_light = |light: &Light| match light {
         Light::Area { .. } => Seat::Plain,

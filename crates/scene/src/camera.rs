@@ -5,7 +5,7 @@ use traylib_geometry::{Ray, SurfaceSite};
 use traylib_math::glam::DVec3;
 use traylib_math::{SolidAnglePdf, Vec2, Vec3};
 
-/// What describes a camera.
+/// The description of a camera, from which one is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraSettings {
     /// The pinhole, in metres.
@@ -92,7 +92,7 @@ impl Camera {
         Self { position: at.ray_origin(self.forward), ..self }
     }
 
-    /// What it was made of.
+    /// Returns the description that it was built from.
     pub fn settings(&self) -> CameraSettings {
         self.settings
     }
@@ -168,8 +168,8 @@ fn axes(position: Vec3, target: Vec3, up: Vec3) -> Result<[DVec3; 3], Error> {
     let across = forward.cross(up);
     // Each end of the view was rounded to single precision.
     let of_ends = (position.length() + target.length()) / view.length();
-    let doubt = ALONG + 0.5 * f64::from(f32::EPSILON) * of_ends;
-    if across.length() <= doubt {
+    let error_bound = ALONG + 0.5 * f64::from(f32::EPSILON) * of_ends;
+    if across.length() <= error_bound {
         return Err(Error::Camera("up points along the view"));
     }
     let right = across.normalize();

@@ -14,10 +14,10 @@ use traylib_math::Vec2;
 /// Points along each side of a lamp at which something else is looked for.
 const POINTS: u8 = 3;
 
-/// How parallel the normals of surfaces in one place are.
+/// The least cosine between the normals of surfaces in one place.
 const PARALLEL: f32 = 1.0 - 1e-4;
 
-/// How many lamps lay in one place with something else, which the builder of the scene
+/// Counts of lamps that lay in one place with something else, which the builder of the scene
 /// told apart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Coincidences {
@@ -62,9 +62,9 @@ pub(crate) fn lift_lights(
     Ok((Bvh::of_shapes(surfaces)?, heights.len()))
 }
 
-/// How high to lift a lamp, in units of
-/// [`Primitive::lifted`](traylib_geometry::Primitive::lifted): one, and one more for each
-/// later lamp in its place that faces the same way. `None` if it lies alone.
+/// Returns the height to lift a lamp by, in units of
+/// [`Primitive::lifted`](traylib_geometry::Primitive::lifted): one, and one more for each later
+/// lamp in its place that faces the same way. `None` if it lies alone.
 fn height(tree: &Bvh<Shapes<Surfaces>>, lamp: u32) -> Option<f32> {
     let others = in_one_place(tree, lamp)?;
     let hides = |&&(other, same_way): &&(u32, bool)| {
@@ -151,13 +151,13 @@ mod tests {
     /// What is seen from below at random points of the square.
     fn seen(scene: &Scene, slope: f32) -> Vec<f32> {
         let mut sampler = Sampler::numbered(3, 0);
-        let mut look = || {
+        let mut draw = || {
             let [x, z] = (sampler.next_2d() * 1.8 - 0.9).to_array();
             let from = Vec3::new(sampler.next_1d(), 0.0, sampler.next_1d());
             let ray = Ray::new(from, Vec3::new(x, 2.0 + slope * x, z) - from);
             scene.emitted(&scene.intersect(&ray).unwrap()).g
         };
-        (0..2000).map(|_| look()).collect()
+        (0..2000).map(|_| draw()).collect()
     }
 
     #[test]

@@ -12,7 +12,7 @@ pub enum Error {
     Emission {
         /// Radiance or intensity.
         what: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: [f32; 3],
     },
     /// A position is not finite.

@@ -51,7 +51,7 @@ pub enum MergeError {
     Block {
         /// The first of its passes.
         first: u64,
-        /// How many there are.
+        /// The number of passes.
         passes: u64,
     },
 }
@@ -168,7 +168,7 @@ impl Film {
         numbers
     }
 
-    /// How many passes there are.
+    /// Returns the number of passes that it holds.
     pub fn passes(&self) -> u32 {
         self.sequences.iter().map(Sequence::passes).sum()
     }

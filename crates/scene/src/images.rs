@@ -16,7 +16,7 @@ mod mirror;
 mod points;
 mod reflection;
 
-pub(crate) use points::{MirrorWay, NumberedMirror};
+pub(crate) use points::{MirrorPath, NumberedMirror};
 
 use crate::surface_point::SHARP;
 use crate::surfaces::{Surface, Surfaces};
@@ -25,26 +25,26 @@ use light_ball::LightBall;
 use mirror::Mirror;
 use points::MirroredPoints;
 use std::f32::consts::TAU;
-use traylib_materials::{Material, SurfaceModel};
+use traylib_materials::Material;
 use traylib_math::{SolidAnglePdf, Vec2, Vec3, warp};
 
 /// So many pairs of lamp and mirror are looked at from a point: those that send most light.
 const MOST_PAIRS: usize = 16;
 /// A pair that sends less than this part of what the greatest does is not looked at.
 const FAINTEST: f32 = 1e-6;
-/// Of so many mirrors and lamps pairs are made: the largest, the strongest.
+/// The number of mirrors and of lamps that pairs are made of: the largest, the strongest.
 const MOST_OF_A_KIND: usize = 64;
 /// Lamps are small if they are no more than this part of all surfaces. The surface's own
 /// sampling finds an image about as often as the lamp is large, so that images pay where it
 /// is small: where light paths do not help, 26 to 76 times at 0.02 to 0.17 %, nothing from
 /// 1 % on (docs/hard-light.md).
 const SMALL: f64 = 1.0 / 200.0;
-/// Of so many mirrors, the largest, those that are flat show others.
+/// The number of mirrors, the largest, of which those that are flat show others.
 const MOST_IN_ROW: usize = 8;
 /// So many cones a point has: the first pairs that show an image there.
 const MOST_CONES: usize = 4;
-/// What is wider than this, in 1 − cos of the half-angle, the surface's own sampling finds
-/// often enough: a third of a steradian.
+/// The width of the widest images that are aimed at; what is wider than this, in 1 − cos of the
+/// half-angle, the surface's own sampling finds often enough: a third of a steradian.
 const WIDEST: f32 = 0.05;
 /// No cone is narrower than rounding of a unit vector allows: 1 − cos of its half-angle.
 const NARROWEST: f32 = 1e-10;
@@ -115,10 +115,10 @@ impl MirroredLights {
     /// The images that the surface at `point` may see.
     #[inline]
     pub(crate) fn seen_from(&self, point: &SurfacePoint) -> Option<ImageDirections> {
-        if self.pairs.is_empty() { None } else { self.look(point) }
+        if self.pairs.is_empty() { None } else { self.directions(point) }
     }
 
-    fn look(&self, point: &SurfacePoint) -> Option<ImageDirections> {
+    fn directions(&self, point: &SurfacePoint) -> Option<ImageDirections> {
         let cones = [ImageCone::EMPTY; MOST_CONES];
         let mut images = ImageDirections { count: 0, part: 0.0, cones };
         let (mut narrow, mut shown) = (0.0, 0.0);
@@ -158,7 +158,7 @@ impl Pair {
         mirror.may_show(lamp).then_some(pair)
     }
 
-    /// The same as another mirror shows it, if that is flat and may.
+    /// Returns this pair as another mirror shows it, if that is flat and may.
     fn seen_in(&self, other: &Mirror) -> Option<Self> {
         let power = self.power * other.part_of_sky(self.mirror.middle());
         let pair = Self { seen_in: Some(*other), power, ..*self };
@@ -204,8 +204,8 @@ fn lights_are_small(surfaces: &Surfaces, lights: &[Light]) -> bool {
 fn mirror(surface: Surface<'_>, materials: &[Material]) -> Option<Mirror> {
     let model = &materials[surface.material()].model;
     let exponent = model.mirror_exponent()?;
-    // Glass reflects too little to be aimed at.
-    let is_glass = matches!(model, SurfaceModel::Dielectric(_));
+    // Glass, of which no part is known, reflects too little to be aimed at.
+    let is_glass = model.has_delta_part() && model.mirror_reflectance().is_none();
     if exponent < SHARP || is_glass || surface.is_smooth() {
         return None;
     }
@@ -267,7 +267,7 @@ impl ImageCone {
         Self { axis, one_minus_cos: one_minus_cos.clamp(NARROWEST, 1.0) }
     }
 
-    /// The same, wider by an angle.
+    /// Returns this cone, wider by an angle in radians.
     fn widened(self, angle: f32) -> Self {
         if angle == 0.0 {
             return self;

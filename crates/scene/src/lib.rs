@@ -1,4 +1,4 @@
-//! What stands where: camera, lights, objects and the film.
+//! Scenes and what they are seen by: objects, lights, camera and film.
 //!
 //! A scene is built once by [`SceneBuilder`] and is immutable afterwards. It
 //! knows nothing of files, threads or algorithms. All randomness enters as
@@ -50,7 +50,7 @@ mod seat;
 mod surface_point;
 mod surfaces;
 
-pub use builder::{MaterialId, Object, ObjectShape, SceneBuilder};
+pub use builder::{MaterialId, Object, SceneBuilder};
 pub use camera::{Camera, CameraSettings, Projection};
 pub use coincidence::Coincidences;
 pub use error::Error;
@@ -61,8 +61,9 @@ pub use light_id::LightId;
 pub use point_images::PointImage;
 pub use scene::{LightChoice, LightDensities, MOST_PASSAGES, Scene};
 pub use surface_point::{SurfacePoint, Walk};
+pub use surfaces::ObjectShape;
 
-/// What the package says of itself is run as a test.
+/// The examples of the package are run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

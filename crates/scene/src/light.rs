@@ -1,4 +1,4 @@
-//! Things that emit light.
+//! Lights: what emits into a scene.
 
 mod spot;
 
@@ -17,7 +17,7 @@ pub enum Light {
     Area {
         /// The surface.
         primitive: Primitive,
-        /// What it emits.
+        /// The radiance that it emits.
         radiance: Rgb,
     },
     /// A point that emits the same intensity (W/sr) into every direction, or into
@@ -73,8 +73,8 @@ impl LightPoint {
         if self.is_point { 1.0 } else { self.site.normal.dot(direction).max(0.0) }
     }
 
-    /// What [`emitted`](Self::emitted) is multiplied with toward the unit
-    /// `direction`: the cosine to the front normal, a spot light's falloff, or one.
+    /// Returns the factor on [`emitted`](Self::emitted) toward the unit `direction`: the cosine to
+    /// the front normal, a spot light's falloff, or one.
     #[inline]
     pub fn falloff(&self, direction: Vec3) -> f32 {
         self.cone.map_or_else(|| self.cosine(direction), |cone| cone.falloff(direction))

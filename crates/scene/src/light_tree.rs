@@ -1,10 +1,10 @@
 //! Choosing a lamp for a point among many.
 //!
-//! A tree over all lamps, of up to four children a node. Of each child is known where
-//! its lamps are, how strong they are together and into which directions they may shine,
-//! and from that how much they may give a point ([`Node::importance`]). A choice goes down
-//! from the root, at each node in proportion to what its children may give, though none
-//! that may give any has less than about [`shares::RAREST`]: the strongest lamp may stand behind a wall.
+//! A tree over all lamps, of up to four children a node. Of each child is known where its lamps
+//! are, how strong they are together and into which directions they may shine, and from that how
+//! much they may give a point ([`Node::importance`]). A choice goes down from the root, at each
+//! node in proportion to what its children may give, though none that may give any has less than
+//! about [`shares::RAREST`]: the strongest lamp may stand behind a wall.
 //!
 //! Conty Estevez and Kulla, *Importance Sampling of Many Lights with Adaptive Tree
 //! Splitting*, 2018. Theirs may go both ways where a node is near; here it is one
@@ -95,7 +95,7 @@ fn turn_of(path: u64, level: u32) -> usize {
     (path >> (TURN_BITS * level)) as usize % WIDTH
 }
 
-/// The chance that both of two independent things happen: zero only if one of them
+/// The chance that both of two independent events happen: zero only if one of them
 /// cannot. Far too rare to be met, it may be less rare than it should.
 #[inline]
 fn both(one: f32, other: f32) -> f32 {

@@ -1,6 +1,6 @@
 //! Point lights as surfaces see them in ideal mirrors.
 
-use crate::images::{MirrorWay, NumberedMirror};
+use crate::images::{MirrorPath, NumberedMirror};
 use crate::{LightId, LightPoint, Scene, SurfacePoint};
 use traylib_geometry::{Hit, Ray, SurfaceSite};
 use traylib_math::{Rgb, Vec2, Vec3};
@@ -21,16 +21,17 @@ pub struct PointImage {
     pub x0: LightPoint,
     /// Which light that is.
     pub light: LightId,
-    /// What arrives, unless something stands in the way, on a surface that faces the image, in
+    /// The irradiance, unless something stands in the way, of a surface that faces the image, in
     /// W/m²; reflectance and opacity of mirrors are in it, and the chance to have looked for
     /// this image.
     pub irradiance: Rgb,
-    /// What walks from the light make of the same way: see [`Scene::mirrored_walk_spread`].
+    /// The spread of walks from the light that take the same path: see
+    /// [`Scene::mirrored_walk_spread`].
     pub walk_spread: f64,
 }
 
 impl PointImage {
-    /// How many mirrors there are between the surface and the light.
+    /// Returns the number of mirrors between the surface and the light.
     pub fn mirrors(&self) -> u32 {
         1 + u32::from(self.shown_at.is_some())
     }
@@ -61,16 +62,16 @@ impl Scene {
         u: [f64; 2],
     ) -> impl Iterator<Item = PointImage> + 'a {
         self.stage.mirrored_lights.points.iter().flat_map(move |points| {
-            (0..points.tries()).filter_map(move |look| {
-                let (way, light, chance) = points.image(look, u);
-                self.point_image(point, &way, light, chance)
+            (0..points.tries()).filter_map(move |attempt| {
+                let (path, light, chance) = points.image(attempt, u);
+                self.point_image(point, &path, light, chance)
             })
         })
     }
 
     /// A walk from the point light `x0` met these mirrors, was reflected ideally by each, and came
     /// to a place: the density of its first direction times this is that of its coming there that
-    /// way, per area that faces the image, over the chance with which
+    /// path, per area that faces the image, over the chance with which
     /// [`point_images`](Self::point_images) looks for that image; in sr/m². `None` where it does
     /// not look for it.
     ///
@@ -84,22 +85,22 @@ impl Scene {
         to: Vec3,
     ) -> Option<f64> {
         let points = self.stage.mirrored_lights.points.as_ref()?;
-        let (way, look_chance) = match *mirrors {
-            [x1] => points.way_of(&[x1.surface], light),
-            [x1, x2] => points.way_of(&[x1.surface, x2.surface], light),
+        let (path, attempt_chance) = match *mirrors {
+            [x1] => points.path_of(&[x1.surface], light),
+            [x1, x2] => points.path_of(&[x1.surface, x2.surface], light),
             _ => None,
         }?;
-        let reflection = way.reflection(to, x0.site.position)?;
+        let reflection = path.reflection(to, x0.site.position)?;
         let chances = mirrors.iter().map(|mirror| mirror.model.mirror_chance().map(f64::from));
         let reflected = chances.product::<Option<f64>>()?;
-        Some(reflected * reflection.spread / f64::from(look_chance))
+        Some(reflected * reflection.spread / f64::from(attempt_chance))
     }
 
     #[inline(never)]
     fn point_image(
         &self,
         point: &SurfacePoint,
-        way: &MirrorWay,
+        path: &MirrorPath,
         light: LightId,
         chance: f32,
     ) -> Option<PointImage> {
@@ -107,16 +108,16 @@ impl Scene {
         let from = &point.site;
         let (x0, _) = self.sample_light(light, from.position, Vec2::ZERO);
         let light_at = x0.site.position;
-        let reflection = way.reflection(from.position, light_at)?;
+        let reflection = path.reflection(from.position, light_at)?;
         let wi = reflection.toward.normalize_or_zero().as_vec3();
         if !point.may_scatter_to(wi) {
             return None;
         }
         // If the mirrors reach there, what they are like.
-        let seen = self.met(&way.seen, from, wi)?;
+        let seen = self.met(&path.seen, from, wi)?;
         let mut mirrored = MirroredLight::by(&seen)?;
         let mut shown_at = None;
-        if let Some(shown) = &way.shown {
+        if let Some(shown) = &path.shown {
             let on = shown.mirror.reflection(seen.site.position, light_at)?;
             let toward = on.toward.normalize_or_zero().as_vec3();
             // Light is reflected to the side from which it comes.
@@ -159,7 +160,7 @@ impl Scene {
     }
 }
 
-/// What mirrors make of light, where they reflect ideally.
+/// The part of light that mirrors leave, and the chance of walks, where they reflect ideally.
 struct MirroredLight {
     reflectance: Rgb,
     /// The chance with which a walk is reflected so.
@@ -175,7 +176,7 @@ impl MirroredLight {
         })
     }
 
-    /// By one after the other.
+    /// Returns what both make of light, one after the other.
     fn and(&self, other: &Self) -> Self {
         Self {
             reflectance: self.reflectance * other.reflectance,

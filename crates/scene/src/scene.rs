@@ -24,7 +24,7 @@ pub struct Scene {
     pub(crate) stage: Arc<Stage>,
 }
 
-/// What stands where, whoever looks at it.
+/// The stage: everything in the scene but the camera.
 #[derive(Debug)]
 pub(crate) struct Stage {
     pub(crate) tree: Bvh<Shapes<Surfaces>>,
@@ -34,7 +34,7 @@ pub(crate) struct Stage {
     pub(crate) lights: Vec<Light>,
     /// Whether any of them is a point.
     pub(crate) has_points: bool,
-    /// What each lamp lies on; none where that matters for no lamp.
+    /// The seats: what each lamp lies on; none where that matters for no lamp.
     pub(crate) seats: Vec<Seat>,
     pub(crate) lifted_lights: usize,
     pub(crate) light_by_power: DiscreteDistribution,
@@ -72,7 +72,7 @@ pub struct LightDensities {
 /// hold a ray for ever where panes meet.
 pub const MOST_PASSAGES: u32 = 1000;
 
-/// How far apart, as a part of the way, two surfaces are met that share an edge.
+/// The distance, as a part of the way, at which two surfaces are met that share an edge.
 const EDGE: f32 = 1.0 / (1 << 18) as f32;
 
 impl Scene {
@@ -124,7 +124,7 @@ impl Scene {
         &self.stage.materials
     }
 
-    /// What lay in one place and was told apart.
+    /// Returns the counts of what lay in one place and was told apart.
     pub fn coincidences(&self) -> Coincidences {
         let is_within = |seat: &&Seat| matches!(seat, Seat::Within(_));
         Coincidences {
@@ -134,7 +134,7 @@ impl Scene {
         }
     }
 
-    /// How many primitives there are.
+    /// Returns the number of primitives, each triangle of a mesh counted as one.
     pub fn primitive_count(&self) -> usize {
         self.stage.tree.shapes().count()
     }
@@ -209,7 +209,7 @@ impl Scene {
         sites.into_iter().find(|(_, site)| site.normal.dot(ray.direction) < 0.0)
     }
 
-    /// What a ray has met.
+    /// Returns the surface that a ray has met.
     #[inline]
     fn surface(&self, hit: &Hit) -> Surface<'_> {
         self.surface_of(hit.primitive)
@@ -344,9 +344,9 @@ impl Scene {
         chosen_for_x1 * self.light(id).toward_pdf(x1, x0).0
     }
 
-    /// The same of a point that light sampling has drawn, with this density: the chance with
-    /// which [`choose_light_for`](Self::choose_light_for) chose the lamp times the density
-    /// that came from [`sample_light`](Self::sample_light).
+    /// Returns these densities for a point that light sampling has drawn, with this density: the
+    /// chance with which [`choose_light_for`](Self::choose_light_for) chose the lamp times the
+    /// density that came from [`sample_light`](Self::sample_light).
     pub fn sampled_light_densities(
         &self,
         id: LightId,

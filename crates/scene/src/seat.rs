@@ -1,11 +1,11 @@
-//! What lamps lie on: their own surface with its opacity, or, of point lights, the
+//! The surfaces that lamps lie on: their own surface with its opacity, or, of point lights, the
 //! surface of something else.
 
 use crate::surfaces::Surfaces;
 use traylib_geometry::{ShapeList, SurfaceSite};
 use traylib_math::Vec3;
 
-/// What a lamp lies on.
+/// The seat of a lamp: the surface that it lies on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Seat {
     /// Nothing that matters: a surface that is there all over, or free space.

@@ -31,9 +31,9 @@ pub struct SurfacePoint {
     pub normal: Vec3,
     /// Shading normal N_s, turned over together with N_g.
     pub shading_normal: Vec3,
-    /// How the surface scatters light here, seen from this side.
+    /// The BSDF of the surface here, seen from this side.
     pub model: SurfaceModel,
-    /// How much of the surface is there, in 0..1.
+    /// The part of the surface that is there, in 0..1.
     pub opacity: f32,
     /// The part of the light that passes straight through.
     pub through: Rgb,
@@ -78,7 +78,7 @@ impl SurfacePoint {
         (self.normal.dot(wo) > 0.0 && self.agree(sample.wi)).then_some(sample)
     }
 
-    /// What the BRDF is multiplied with when a walk from `wo` goes on to `wi`.
+    /// Returns the factor on the BRDF when a walk from `wo` goes on to `wi`.
     ///
     /// The oriented kernel of a vertex is f·cos_s(w_l)·cos_g(w_e): the light side
     /// with the shading normal, the eye side with the geometric one. The cosine

@@ -13,7 +13,7 @@ use traylib_math::warp;
 #[derive(Debug, Default)]
 pub(crate) struct Surfaces {
     parts: Vec<Part>,
-    /// Of each stretch of 2^`stretch_bits` numbers the part that its first belongs to.
+    /// The part that the first number of each stretch of 2^`stretch_bits` numbers belongs to.
     part_of: Vec<u32>,
     stretch_bits: u32,
     count: u32,
@@ -26,7 +26,8 @@ const MOST_STRETCHES: usize = 1 << 16;
 /// One shape, or a mesh, and what all of it has in common.
 #[derive(Debug)]
 struct Part {
-    form: Form,
+    /// A mesh has no triangle without area.
+    shape: ObjectShape,
     sides: Sides,
     material: u32,
     /// The lamp that its first shape is, if it shines; others follow.
@@ -35,12 +36,12 @@ struct Part {
     first: u32,
 }
 
-/// What a part looks like.
-#[derive(Debug)]
-pub(crate) enum Form {
+/// The shape of an object: one, or a mesh of triangles.
+#[derive(Clone, Debug)]
+pub enum ObjectShape {
     /// One shape.
     Primitive(Primitive),
-    /// Triangles, all of which have an area.
+    /// Triangles; those without area are left out.
     Mesh(Mesh),
 }
 
@@ -57,15 +58,15 @@ impl Surfaces {
     /// that the first of them is.
     pub(crate) fn add(
         &mut self,
-        form: Form,
+        shape: ObjectShape,
         sides: Sides,
         material: u32,
         first_light: Option<LightId>,
     ) {
         let (part, first) = (self.parts.len() as u32, self.count);
-        let count = match &form {
-            Form::Primitive(_) => 1,
-            Form::Mesh(mesh) => mesh.triangle_count(),
+        let count = match &shape {
+            ObjectShape::Primitive(_) => 1,
+            ObjectShape::Mesh(mesh) => mesh.triangle_count(),
         };
         self.count += count as u32;
         let stretches = |bits: u32| self.count.div_ceil(1 << bits) as usize;
@@ -74,7 +75,7 @@ impl Surfaces {
             self.part_of = self.part_of.iter().copied().step_by(2).collect();
         }
         self.part_of.resize(stretches(self.stretch_bits), part);
-        self.parts.push(Part { form, sides, material, first_light, first });
+        self.parts.push(Part { shape, sides, material, first_light, first });
     }
 
     /// The shape of this number.
@@ -108,9 +109,9 @@ impl Surfaces {
     pub(crate) fn replace(&mut self, number: u32, by: Primitive) {
         let part = self.part_at(number);
         let part = &mut self.parts[part];
-        match (&mut part.form, by) {
-            (Form::Primitive(primitive), by) => *primitive = by,
-            (Form::Mesh(mesh), by) => {
+        match (&mut part.shape, by) {
+            (ObjectShape::Primitive(primitive), by) => *primitive = by,
+            (ObjectShape::Mesh(mesh), by) => {
                 if let Primitive::Triangle(triangle) = by {
                     mesh.move_triangle((number - part.first) as usize, triangle.corners());
                 }
@@ -126,26 +127,26 @@ impl ShapeList for Surfaces {
 
     fn bounds(&self, index: usize) -> Aabb {
         let Surface { part, index } = self.get(index as u32);
-        match &part.form {
-            Form::Primitive(primitive) => primitive.bounds(),
-            Form::Mesh(mesh) => Aabb::around(mesh.sided_triangle(index, part.sides).corners),
+        match &part.shape {
+            ObjectShape::Primitive(primitive) => primitive.bounds(),
+            ObjectShape::Mesh(mesh) => Aabb::around(mesh.sided_triangle(index, part.sides).corners),
         }
     }
 
     #[inline]
     fn intersect(&self, index: usize, ray: &Ray) -> Option<ShapeHit> {
         let part = &self.parts[self.part_at(index as u32)];
-        match &part.form {
-            Form::Primitive(primitive) => primitive.intersect(ray, part.sides),
-            Form::Mesh(_) => None,
+        match &part.shape {
+            ObjectShape::Primitive(primitive) => primitive.intersect(ray, part.sides),
+            ObjectShape::Mesh(_) => None,
         }
     }
 
     fn kind(&self, index: usize) -> ShapeKind {
         let Surface { part, index } = self.get(index as u32);
-        match &part.form {
-            Form::Primitive(primitive) => primitive.kind(part.sides),
-            Form::Mesh(mesh) => ShapeKind::Triangle(mesh.sided_triangle(index, part.sides)),
+        match &part.shape {
+            ObjectShape::Primitive(primitive) => primitive.kind(part.sides),
+            ObjectShape::Mesh(mesh) => ShapeKind::Triangle(mesh.sided_triangle(index, part.sides)),
         }
     }
 }
@@ -170,26 +171,26 @@ impl Surface<'_> {
 
     /// Its shape; `None` of a triangle without area, which is in no scene.
     pub(crate) fn primitive(&self) -> Option<Primitive> {
-        match &self.part.form {
-            Form::Primitive(primitive) => Some(*primitive),
-            Form::Mesh(mesh) => mesh.triangle(self.index).map(Primitive::Triangle),
+        match &self.part.shape {
+            ObjectShape::Primitive(primitive) => Some(*primitive),
+            ObjectShape::Mesh(mesh) => mesh.triangle(self.index).map(Primitive::Triangle),
         }
     }
 
     /// Its area in square metres.
     pub(crate) fn area(&self) -> f32 {
-        match &self.part.form {
-            Form::Primitive(primitive) => primitive.area(),
-            Form::Mesh(mesh) => mesh.triangle_area(self.index),
+        match &self.part.shape {
+            ObjectShape::Primitive(primitive) => primitive.area(),
+            ObjectShape::Mesh(mesh) => mesh.triangle_area(self.index),
         }
     }
 
     /// The point that a ray met; `None` as for [`primitive`](Self::primitive).
     #[inline]
     pub(crate) fn site(&self, ray: &Ray, hit: &Hit) -> Option<SurfaceSite> {
-        match &self.part.form {
-            Form::Primitive(primitive) => Some(primitive.site(ray, hit)),
-            Form::Mesh(mesh) => mesh.site(self.index, hit.u, hit.v),
+        match &self.part.shape {
+            ObjectShape::Primitive(primitive) => Some(primitive.site(ray, hit)),
+            ObjectShape::Mesh(mesh) => mesh.site(self.index, hit.u, hit.v),
         }
     }
 
@@ -197,47 +198,47 @@ impl Surface<'_> {
     /// [`Primitive::is_on_edge`](traylib_geometry::Primitive::is_on_edge) has it.
     #[inline]
     pub(crate) fn is_on_edge(&self, hit: &Hit) -> bool {
-        match &self.part.form {
-            Form::Primitive(primitive) => primitive.is_on_edge(hit.u, hit.v),
-            Form::Mesh(_) => Triangle::is_on_edge(hit.u, hit.v),
+        match &self.part.shape {
+            ObjectShape::Primitive(primitive) => primitive.is_on_edge(hit.u, hit.v),
+            ObjectShape::Mesh(_) => Triangle::is_on_edge(hit.u, hit.v),
         }
     }
 
     /// Tells whether it has interpolated normals.
     pub(crate) fn is_smooth(&self) -> bool {
-        match &self.part.form {
-            Form::Primitive(_) => false,
-            Form::Mesh(mesh) => mesh.shading_normal(self.index, 0.5, 0.25).is_some(),
+        match &self.part.shape {
+            ObjectShape::Primitive(_) => false,
+            ObjectShape::Mesh(mesh) => mesh.shading_normal(self.index, 0.5, 0.25).is_some(),
         }
     }
 
     /// The interpolated normal of a mesh that has some.
     #[inline]
     pub(crate) fn smooth_normal(&self, hit: &Hit) -> Option<Vec3> {
-        match &self.part.form {
-            Form::Primitive(_) => None,
-            Form::Mesh(mesh) => mesh.shading_normal(self.index, hit.u, hit.v),
+        match &self.part.shape {
+            ObjectShape::Primitive(_) => None,
+            ObjectShape::Mesh(mesh) => mesh.shading_normal(self.index, hit.u, hit.v),
         }
     }
 
     /// The surface coordinates of the point that
     /// [`Primitive::sample_area`](traylib_geometry::Primitive::sample_area) makes of `u`.
     pub(crate) fn sample_coordinates(&self, u: Vec2) -> Vec2 {
-        match &self.part.form {
-            Form::Primitive(primitive) => primitive.sample_coordinates(u),
-            Form::Mesh(_) => warp::uniform_triangle(u),
+        match &self.part.shape {
+            ObjectShape::Primitive(primitive) => primitive.sample_coordinates(u),
+            ObjectShape::Mesh(_) => warp::uniform_triangle(u),
         }
     }
 
     /// Where on its textures it is at these surface coordinates; `None` on shapes without
     /// texture coordinates.
     pub(crate) fn site_of_textures(&self, at: Vec2) -> Option<Site> {
-        match &self.part.form {
-            Form::Mesh(mesh) => {
+        match &self.part.shape {
+            ObjectShape::Mesh(mesh) => {
                 let uv = mesh.uv(self.index, at.x, at.y)?;
                 Some(Site { uv, tangents: mesh.tangents(self.index) })
             }
-            Form::Primitive(primitive) => {
+            ObjectShape::Primitive(primitive) => {
                 primitive.tangents().map(|edges| Site { uv: at, tangents: Some(edges) })
             }
         }

@@ -1,4 +1,4 @@
-//! What becomes of errors where estimates are combined.
+//! The errors of combined estimates.
 
 use crate::normal::OUTSIDE_1E_3;
 use crate::{Estimate, Sample};

@@ -5,7 +5,7 @@ const FINENESS: f64 = 8.0;
 /// From 2⁻⁶⁴ to 2⁶⁴.
 const BINS: u16 = 1024;
 
-/// How many values of each size there are, and their squares: a histogram with
+/// The number of values of each size, and the sum of their squares: a histogram with
 /// bins of an eighth of an octave.
 #[derive(Clone, Debug)]
 pub struct Energy {

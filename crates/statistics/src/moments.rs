@@ -5,7 +5,7 @@ use crate::sample::Interval;
 /// The moments of single samples that all follow the same law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments {
-    /// How many samples there are.
+    /// The number of samples.
     pub count: usize,
     /// Their mean.
     pub mean: f64,

@@ -8,7 +8,7 @@ pub const OUTSIDE_5_PERCENT: f64 = 1.96;
 /// One in a thousand lies further out.
 pub const OUTSIDE_1E_3: f64 = 3.2905;
 
-/// How many standard errors from the mean, to either side, a value lies with probability
+/// Returns how many standard errors from the mean, to either side, a value lies with probability
 /// `level` or less.
 pub fn two_sided_quantile(level: f64) -> f64 {
     // The lower tail, where small levels keep their digits.

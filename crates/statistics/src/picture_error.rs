@@ -1,4 +1,4 @@
-//! How far a picture is from what it should be.
+//! Metrics of how far a picture is from what it should be.
 //!
 //! A picture is a list of pixels, each with the values of N bands: three of colour, or one
 //! of grey. They are linear radiance, not what a screen shows. All figures are means over
@@ -33,8 +33,8 @@ pub fn rel_mse<const N: usize>(picture: &[[f64; N]], reference: &[[f64; N]], eps
     errors.map_or(f64::NAN, |errors| mean(&errors))
 }
 
-/// What a reference's own noise adds to the relMSE of every picture: the mean of v/(r² + ε),
-/// v being the variance of r.
+/// Returns what a reference's own noise adds to the relMSE of every picture: the mean of v/(r² +
+/// ε), v being the variance of r.
 pub fn own_rel_mse<const N: usize>(
     reference: &[[f64; N]],
     variances: &[[f64; N]],

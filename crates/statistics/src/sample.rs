@@ -5,7 +5,7 @@ use crate::student;
 /// Mean and spread of independent values that follow the same law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// How many values there are.
+    /// The number of values.
     pub count: usize,
     /// Their mean.
     pub mean: f64,
@@ -18,7 +18,7 @@ pub struct Sample {
 pub struct Interval {
     /// Mean of the values.
     pub mean: f64,
-    /// How far the law's mean may lie from it, to either side.
+    /// The distance, to either side, within which the mean of the law lies.
     pub half_width: f64,
 }
 

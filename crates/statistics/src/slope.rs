@@ -1,4 +1,4 @@
-//! How fast the error falls.
+//! The slope of the error over the number of passes, on logarithmic scales.
 
 /// The exponent in *variance of the mean ~ passes^slope*, −1 for independent
 /// passes of a law that has a variance.

@@ -8,7 +8,7 @@ pub fn two_sided(t: f64, freedom: f64) -> f64 {
     law(freedom).map_or(1.0, |law| 2.0 * law.sf(t))
 }
 
-/// How far from zero a value lies, to either side, with probability `level` or less;
+/// Returns how far from zero a value lies, to either side, with probability `level` or less;
 /// infinite for degrees of freedom that make no sense.
 pub fn two_sided_quantile(level: f64, freedom: f64) -> f64 {
     // The lower tail, where small levels keep their digits.

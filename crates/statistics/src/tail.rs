@@ -1,8 +1,8 @@
-//! How heavy the tail of a law is.
+//! The index of the tail of a law: how heavy it is.
 
 use crate::normal::OUTSIDE_5_PERCENT;
 
-/// How many of the largest values are kept.
+/// The number of largest values that are kept.
 pub const KEPT: usize = 256;
 
 /// The fewer of them that a second estimate is made of.
@@ -41,7 +41,7 @@ impl Largest {
         }
     }
 
-    /// What was kept, the largest first: at most [`KEPT`] + 1.
+    /// Returns the values that were kept, the largest first: at most [`KEPT`] + 1.
     pub fn descending(&self) -> Vec<f64> {
         let mut sorted = self.clone();
         sorted.prune();

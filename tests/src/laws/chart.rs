@@ -165,7 +165,7 @@ fn in_plane(vector: DVec3, u: DVec3, v: DVec3) -> At {
 /// A lamp and where it is seen from.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    /// What it is called.
+    /// The name of the view.
     pub name: &'static str,
     /// The lamp.
     pub shape: Primitive,

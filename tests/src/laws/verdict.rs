@@ -34,12 +34,12 @@ pub fn same_bits(claim: impl Into<String>, different: usize, of: usize) -> Findi
     }
 }
 
-/// What a mean of many samples is held against.
+/// The known value that a mean of many samples is held against.
 #[derive(Clone, Copy, Debug)]
 pub struct Known {
     /// The mean of the law.
     pub truth: f64,
-    /// What rounding and quadrature may add.
+    /// The error that rounding and quadrature may add.
     pub slack: f64,
     /// The widest interval, to either side, that says something.
     pub widest: f64,

@@ -1,5 +1,5 @@
-//! What is drawn: rooms, plates under lamps, objects in a dome, balls in the dark;
-//! of every shape and material, at places and angles that people use on purpose.
+//! Draws scenes: rooms, plates under lamps, objects in a dome, balls in the dark; of every shape
+//! and material, at places and angles that people use on purpose.
 
 mod camera;
 mod dice;

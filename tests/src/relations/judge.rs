@@ -1,4 +1,4 @@
-//! How a relation is judged.
+//! Judges relations.
 //!
 //! In looks with random numbers of their own, each with four times as many passes
 //! as the one before: only what is suspicious at a look is looked at again. Looks
@@ -13,7 +13,7 @@ use std::sync::Arc;
 use traylib_statistics::student::two_sided;
 use traylib_statistics::{Sample, shortfall};
 
-/// How improbable each look must find a claim to be looked at again.
+/// The probability below which each look must find a claim for it to be looked at again.
 pub const LEVELS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 /// In fewer passes than this light was hardly met.
@@ -28,9 +28,9 @@ const PASSES: [u32; 3] = [1, 4, 16];
 /// A rendering that is one side of a claim, or a part of it.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// What is rendered.
+    /// The scene that is rendered.
     pub built: Arc<Built>,
-    /// What renders it.
+    /// The estimator that renders it.
     pub estimator: Estimator,
     /// The greatest sample that there can be: says how rare light can be that was
     /// not met.
@@ -49,7 +49,7 @@ pub enum Side {
     Known(f64),
 }
 
-/// What is claimed of the two sides.
+/// The law that is claimed of the two sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
     /// Both are the same picture, bit for bit.
@@ -62,7 +62,7 @@ pub enum Law {
     AtMost(f64),
 }
 
-/// How the random numbers of both sides hang together.
+/// The random numbers of both sides, the same or independent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Numbers {
     /// Both share their numbers: differences are taken pass by pass.
@@ -92,26 +92,26 @@ pub struct Claim {
     pub right: Side,
     /// Whether the right picture is the left one with left for right.
     pub flipped: bool,
-    /// How many times as bright as the right picture the left one is.
+    /// The factor by which the left picture is as bright as the right one.
     pub factor: f64,
-    /// What must hold.
+    /// The law that must hold.
     pub law: Law,
     /// Random numbers of the sides.
     pub numbers: Numbers,
 }
 
-/// What the first look saw, whatever came of it.
+/// The figures of the first look, whatever came of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct First {
     /// Mean of the picture, left and right.
     pub means: [f64; 2],
     /// Variances of these means.
     pub variances: [f64; 2],
-    /// How improbable it was.
+    /// The probability of that, if the claim is true.
     pub p: f64,
 }
 
-/// What came of a claim.
+/// The verdict on a claim.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// It holds, as far as can be seen.
@@ -122,7 +122,7 @@ pub enum Verdict {
     Failed(Trouble),
 }
 
-/// What one look saw.
+/// The figures of one look, as sequential tests call a stage.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// Passes of each side.
@@ -133,9 +133,9 @@ pub struct Look {
     pub means: [f64; 2],
     /// Standard error of their difference.
     pub error: f64,
-    /// How improbable this is if the claim is true.
+    /// The probability of this, if the claim is true.
     pub p: f64,
-    /// What the first look saw.
+    /// The figures of the first look.
     pub first: First,
 }
 

@@ -85,7 +85,7 @@ impl Relation {
         alone.into_iter().chain(changes).chain([Self::Traced]).collect()
     }
 
-    /// What it says about this scene; `dice` choose where not all can be asked.
+    /// Returns what it claims of this scene; `dice` choose where not all can be asked.
     ///
     /// # Errors
     /// If a scene cannot be built that should be.

@@ -21,7 +21,7 @@ use traylib_scene::Scene;
 /// The whole picture and its four quarters.
 pub const CELLS: usize = 5;
 
-/// What estimates the light.
+/// The estimator of the light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Estimator {
     /// A method.
@@ -56,7 +56,7 @@ pub enum Trouble {
     Unsound(u64),
 }
 
-/// What came of a rendering.
+/// The outcome of a rendering.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cells {
     /// A value for each pass, of each cell.

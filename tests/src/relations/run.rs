@@ -11,7 +11,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// What is to be done.
+/// The plan of a run.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// Numbers of the scenes.
@@ -20,14 +20,13 @@ pub struct Plan {
     pub seed: u64,
     /// Passes of the first look.
     pub passes: u32,
-    /// How many changes are tried on each scene, and whether all other relations
-    /// are.
+    /// The number of changes that are tried on each scene, and whether all other relations are.
     pub changes: usize,
     /// Only this relation.
     pub only: Option<Relation>,
     /// No rendering may take longer.
     pub patience: Duration,
-    /// How long to look for a smaller scene, if at all.
+    /// The time for which a smaller scene is looked for, if at all.
     pub shrink: Option<Duration>,
     /// Scenes at a time.
     pub threads: usize,
@@ -48,7 +47,7 @@ impl Default for Plan {
     }
 }
 
-/// What came of one relation on one scene.
+/// The outcome of one relation on one scene.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The scene's number.
@@ -61,11 +60,11 @@ pub struct Outcome {
     pub relation: Relation,
     /// The claim in words; empty if the relation could not be tried.
     pub what: String,
-    /// What came of it.
+    /// The verdict on it.
     pub verdict: Verdict,
 }
 
-/// What came of a run.
+/// The outcome of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Summary {
     /// Scenes drawn.
@@ -141,7 +140,7 @@ fn chosen(plan: &Plan, dice: &mut Dice) -> Vec<Relation> {
     }
 }
 
-/// What one scene is judged with.
+/// The settings with which one scene is judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Bench<'a> {
     /// Where files go.
@@ -152,7 +151,7 @@ pub struct Bench<'a> {
     pub number: u64,
     /// Passes of the first look.
     pub passes: u32,
-    /// What is known of the scene.
+    /// The mean that is known of the scene.
     pub right: Option<Known>,
     /// Another number, other random numbers for the same claims.
     pub turn: u64,

@@ -4,7 +4,7 @@ mod facts;
 mod material;
 mod shape;
 
-pub use material::{Base, Coding, Lobes, Map, Material, Picture, Relief, Tiling};
+pub use material::{Base, BumpMap, Coding, Lobes, Map, Material, Picture, Tiling};
 pub use shape::{Mesh, Shape, sides_of_box};
 
 use traylib_geometry::Sides;
@@ -15,7 +15,7 @@ use traylib_math::Vec3;
 pub struct DrawnScene {
     /// Where it is seen from.
     pub camera: Camera,
-    /// What is to be seen.
+    /// The objects of the scene.
     pub objects: Vec<Object>,
     /// Lights that are not objects.
     pub lights: Vec<Light>,
@@ -43,7 +43,7 @@ pub struct Camera {
 pub struct Object {
     /// Its form.
     pub shape: Shape,
-    /// What it is made of.
+    /// The material that it is made of.
     pub material: Material,
     /// Radiance of its front in W/(m²·sr).
     pub emission: Vec3,

@@ -28,7 +28,7 @@ pub struct Kept {
     pub half: PowerSums,
     /// The sums of all.
     pub all: PowerSums,
-    /// How their energy is spread.
+    /// The distribution of their energy.
     pub energy: Energy,
     /// Sum of squares over all runs, one a pixel.
     pub squares: Vec<f64>,

@@ -186,7 +186,7 @@ const fn corrected(
     Correction { scene, method, verdict, reason }
 }
 
-/// What was expected of a cell; `None` for a scene that is not in the table.
+/// Returns what was expected of a cell; `None` for a scene that is not in the table.
 pub fn expected(scene: &str, method: Method) -> Option<Expected> {
     let (_, row) = EXPECTED.iter().find(|(id, _)| *id == scene)?;
     let index = METHODS.iter().position(|&other| other == method)?;

@@ -8,7 +8,7 @@ use traylib_statistics::slope::{Level, Slope, fit};
 use traylib_statistics::tail::{FEWER, KEPT, TailIndex};
 use traylib_statistics::{Sample, mean_interval, median};
 
-/// How often an image mean's interval misses its truth.
+/// The chance with which an image mean's interval misses its truth.
 pub const LEVEL: f64 = 1e-3;
 
 /// The error whose price is asked.
@@ -17,7 +17,7 @@ pub const TARGET: f64 = 1e-2;
 /// Slopes are fitted from 2⁴ passes on.
 const FIRST_LEVEL: usize = 4;
 
-/// What a cell came to.
+/// The figures of a cell.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
     /// Passes in each run.
@@ -27,7 +27,7 @@ pub struct Figures {
     /// Half the width of the 99.9 % interval around it, over the runs; the noise of a rendered
     /// reference included.
     pub half_width: f64,
-    /// What the mean should be.
+    /// The value that the mean should have.
     pub truth: f64,
     /// relMSE of the middle run.
     pub median_rel_mse: f64,
@@ -67,13 +67,13 @@ impl Figures {
         errors.sort_by(f64::total_cmp);
         let error = Sample::of(&errors).mean;
         let interval = mean_interval(&means, LEVEL);
-        let doubt = OUTSIDE_1E_3 * reference.variance_of_mean().sqrt();
+        let reference_error = OUTSIDE_1E_3 * reference.variance_of_mean().sqrt();
         let per_pass = (error - reference.own_rel_mse()).max(0.0) * f64::from(kept.passes);
         let kurtosis = kept.all.excess_kurtosis();
         Self {
             passes: kept.passes,
             mean: interval.mean,
-            half_width: interval.half_width.hypot(doubt),
+            half_width: interval.half_width.hypot(reference_error),
             truth: reference.mean(),
             median_rel_mse: median(errors.clone()),
             worst_rel_mse: errors[errors.len() - 1],

@@ -11,7 +11,7 @@ pub const SLOW: f64 = 10.0;
 /// Where even the best needs more passes than this to relMSE 10⁻², all are slow.
 pub const ALL_SLOW: f64 = 16384.0;
 
-/// How far an image mean may be off, relative, where its interval can tell.
+/// The relative error that an image mean may have, where its interval can tell.
 pub const EQUIVALENCE: f64 = 5e-3;
 
 /// Fireflies per megapixel.
@@ -20,7 +20,7 @@ const FIREFLIES: f64 = 10.0;
 /// How far a slope may be from −1.
 const SLOPE: f64 = 0.05;
 
-/// What is said of a cell.
+/// The verdict on a cell.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
@@ -61,7 +61,7 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// What the method said of itself before rendering, as far as it matters here.
+/// The word of a method on itself before rendering, as far as it matters here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Word {
     /// It can produce the light of this scene.

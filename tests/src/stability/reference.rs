@@ -1,4 +1,4 @@
-//! What the cells of a row are held against.
+//! References: what the cells of a row are held against.
 
 use crate::stability::scene::{FailureScene, Truth};
 use traylib_geometry::Vec3;
@@ -74,7 +74,7 @@ impl Reference {
         self.variances.iter().sum::<f64>() / (self.pixels.len() as f64).powi(2)
     }
 
-    /// What an error in each pixel is divided by for relMSE, squared: r² + ε.
+    /// Returns what the square of an error in each pixel is divided by for relMSE: r² + ε.
     pub fn scales(&self) -> Vec<f64> {
         let floor = self.floor();
         self.pixels.iter().map(|pixel| pixel * pixel + floor).collect()
@@ -85,7 +85,7 @@ impl Reference {
         rel_mse(grey(picture), grey(&self.pixels), self.floor())
     }
 
-    /// What this reference's own noise adds to every relMSE.
+    /// Returns what this reference's own noise adds to every relMSE.
     pub fn own_rel_mse(&self) -> f64 {
         own_rel_mse(grey(&self.pixels), grey(&self.variances), self.floor())
     }

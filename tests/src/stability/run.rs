@@ -18,7 +18,7 @@ use traylib_scene::Scene;
 /// Cells rendered at a time, each by one thread.
 const AT_A_TIME: usize = 2;
 
-/// What is to be done.
+/// The choice of what is to be done.
 #[derive(Clone, Debug, Default)]
 pub struct Choice {
     /// One scene by its name, or all.
@@ -44,7 +44,7 @@ pub struct Pictures {
 pub struct Row {
     /// The cells.
     pub cells: Vec<Judged>,
-    /// What they look like; `None` for F11.
+    /// The pictures of the cells; `None` for F11.
     pub pictures: Option<Pictures>,
 }
 

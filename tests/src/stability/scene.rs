@@ -12,13 +12,13 @@ use traylib_scene::Scene;
 pub struct FailureScene {
     /// F1 to F15; a letter where a scene has variants.
     pub id: &'static str,
-    /// What it is.
+    /// The title of the scene.
     pub title: &'static str,
     /// Where it comes from.
     pub source: Source,
     /// The longest path, in edges.
     pub max_depth: Option<u32>,
-    /// What its picture should be.
+    /// The truth that its picture is held against.
     pub truth: Truth,
     /// Kinds of light that all of its light belongs to, but for lamps seen
     /// directly: who cannot produce one of them finds nothing.
@@ -36,7 +36,7 @@ pub enum Source {
     Built(fn() -> Scene),
 }
 
-/// What a picture is held against.
+/// The truths that pictures are held against.
 #[derive(Clone, Copy, Debug)]
 pub enum Truth {
     /// The radiance seen from a place in a unit direction, of each band.

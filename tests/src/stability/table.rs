@@ -16,7 +16,7 @@ pub const BORDER: f64 = 1.5;
 pub struct Judged {
     /// The scene's name.
     pub scene: String,
-    /// What it is.
+    /// The title of the scene.
     pub title: String,
     /// The method.
     #[serde(with = "crate::methods")]
@@ -25,13 +25,13 @@ pub struct Judged {
     pub verdict: Verdict,
     /// Time to relMSE 10⁻² over that of the best method of the row.
     pub factor: Option<f64>,
-    /// What it was judged by; `None` where nothing random was measured.
+    /// The figures that it was judged by; `None` where nothing random was measured.
     pub figures: Option<Figures>,
     /// Kinds of light that the method said it cannot produce.
     pub announced: Vec<String>,
 }
 
-/// How a verdict stands to the expectation.
+/// The agreement of a verdict with the expectation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Agreement {
     /// As expected.

@@ -19,11 +19,11 @@ use traylib_tests::measure::{FAMILY_LEVEL, all_hold};
 use traylib_tests::methods::{self, BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 /// Every sample of the corner by itself.
-fn corner_samples(integrator: &dyn Integrator, passes: u32, mut look: impl FnMut(f64)) -> u64 {
+fn corner_samples(integrator: &dyn Integrator, passes: u32, mut observe: impl FnMut(f64)) -> u64 {
     let scene = corner().scene;
     let settings = settings_by_pass(passes, 302);
     let statistics = each_pass(&scene, integrator, &settings, |pass| {
-        pass.values().iter().for_each(|bands| look(bands[1]));
+        pass.values().iter().for_each(|bands| observe(bands[1]));
     });
     assert_eq!(statistics.rejected, 0);
     u64::from(passes) * samples_in_a_pass(&scene)

@@ -7,6 +7,7 @@
 mod ablation;
 mod agreement;
 mod analytic;
+mod bump_map;
 mod direct_forms;
 mod furnace;
 mod hard_geometry;
@@ -18,7 +19,6 @@ mod planner;
 mod points;
 mod real_files;
 mod reference;
-mod relief;
 mod repeat;
 mod resolution;
 mod spot_lights;

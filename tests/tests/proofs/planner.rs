@@ -1,4 +1,4 @@
-//! What a plan foresees, against closed forms.
+//! The forecasts of plans, against closed forms.
 
 use traylib_integrators::planner::forecasts;
 use traylib_integrators::{BdptSettings, Method, PathsPerPixel};

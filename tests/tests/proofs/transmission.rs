@@ -1,18 +1,18 @@
-//! Light that goes through things, against what is known; the derivations stand in
+//! Light that goes through surfaces, against what is known; the derivations stand in
 //! `traylib_known::transmission`. The comparisons belong to one family with
 //! those of `analytic.rs`.
 
 use traylib_known::transmission::{
-    clear_things_in_a_furnace, furnace_from_inside_of_glass, light_behind_a_pane,
+    clear_surfaces_in_a_furnace, furnace_from_inside_of_glass, light_behind_a_pane,
     light_in_a_ball_of_glass,
 };
 use traylib_tests::measure::all_hold;
 use traylib_tests::methods::{BDPT, BDPT_BALANCE, COMBINED, DIRECT_LIGHT, PARTICLE, PURE_MC};
 
 #[test]
-fn e1_clear_things_in_a_furnace() {
+fn e1_clear_surfaces_in_a_furnace() {
     let methods = [(PURE_MC, 288), (COMBINED, 192), (BDPT, 192), (BDPT_BALANCE, 192)];
-    all_hold(&clear_things_in_a_furnace(), 511, &methods);
+    all_hold(&clear_surfaces_in_a_furnace(), 511, &methods);
 }
 
 /// The walk out of the glass takes several reflections inside.

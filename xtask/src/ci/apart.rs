@@ -1,4 +1,4 @@
-//! What the workspace's own build does not reach: other features, other systems, and the
+//! Checks what the workspace's own build does not reach: other features, other systems, and the
 //! packages that stand apart. What a machine lacks for it is said in a line and left out.
 
 use super::cargo;

@@ -1,4 +1,4 @@
-//! What is counted and where it is kept.
+//! The options of counting instructions: what is counted, and where it is kept.
 
 use anyhow::{Context, Result, bail};
 use std::path::PathBuf;

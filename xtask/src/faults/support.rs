@@ -1,4 +1,4 @@
-//! What a copy of the sources needs to awaken faults.
+//! The support that a copy of the sources needs to awaken faults.
 
 use super::injection::{Texts, read};
 use anyhow::Result;

@@ -1,4 +1,4 @@
-//! What tests wrote down.
+//! The findings that tests wrote down.
 
 use anyhow::{Context, Result};
 use serde_json::Value;

@@ -6,7 +6,7 @@ use traylib_compare::needs::{Effort, needs, table};
 use traylib_demos::{Failure, conclude, parse, parse_resolution, parse_threads, say, tell};
 use traylib_io::{LoadOptions, load_scene_with};
 
-/// What a scene needs: takes one thing at a time away from bidirectional tracing, and tables
+/// What a scene needs: takes one part at a time away from bidirectional tracing, and tables
 /// what that saves in time and costs in error and light
 #[derive(Parser, Clone, Debug)]
 #[command(

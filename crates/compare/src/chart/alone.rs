@@ -3,8 +3,8 @@
 use crate::chart::canvas::{Area, Failed, LETTER, breadth, svg, text};
 use crate::chart::colour::{INK, PAPER};
 use crate::chart::marker::HOLE;
-use crate::chart::palette::Palette;
 use crate::chart::plot::{Mark, marker};
+use crate::chart::styles::MethodStyles;
 use crate::results::{MethodResults, OracleCurve, SceneResults};
 use maud::Markup;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -30,23 +30,23 @@ pub(crate) struct Key {
 }
 
 /// All methods of a scene.
-pub(crate) fn methods(scene: &SceneResults, palette: &Palette) -> Vec<Key> {
+pub(crate) fn methods(scene: &SceneResults, styles: &MethodStyles) -> Vec<Key> {
     let key = |method: &MethodResults| Key {
         words: method.marked_name(),
-        mark: palette.style(&method.name).mark(),
+        mark: styles.style(&method.name).mark(),
         hollow: method.badge().is_some(),
     };
     scene.methods.iter().map(key).collect()
 }
 
 /// A method by its name.
-pub(crate) fn named(name: &str, palette: &Palette) -> Key {
-    Key { words: name.into(), mark: palette.style(name).mark(), hollow: false }
+pub(crate) fn named(name: &str, styles: &MethodStyles) -> Key {
+    Key { words: name.into(), mark: styles.style(name).mark(), hollow: false }
 }
 
 /// All estimators of the oracle.
-pub(crate) fn curves(curves: &[OracleCurve], palette: &Palette) -> Vec<Key> {
-    curves.iter().map(|curve| named(&curve.method, palette)).collect()
+pub(crate) fn curves(curves: &[OracleCurve], styles: &MethodStyles) -> Vec<Key> {
+    curves.iter().map(|curve| named(&curve.method, styles)).collect()
 }
 
 /// The document; `None` if the chart could not be drawn.

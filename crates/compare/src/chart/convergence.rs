@@ -5,8 +5,8 @@ use crate::chart::canvas::{BREADTH, Failed, breadth, svg, text};
 use crate::chart::colour::{INK, MUTED};
 use crate::chart::crossings::{crossings, write};
 use crate::chart::marker::DIAMOND;
-use crate::chart::palette::{Palette, Style};
 use crate::chart::plot::{Plot, Stroke};
+use crate::chart::styles::{MethodStyles, Style};
 use crate::results::{MethodResults, OutsidePoint, Point, SceneResults};
 use maud::Markup;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -18,25 +18,25 @@ const SMALL: f64 = 6.0;
 const BESIDE: i32 = 18;
 
 /// Error against seconds, a line each method.
-pub(crate) fn convergence(scene: &SceneResults, palette: &Palette) -> Markup {
+pub(crate) fn convergence(scene: &SceneResults, styles: &MethodStyles) -> Markup {
     let label =
         format!("Error against time on {}, both logarithmic, a line each method", scene.name);
     svg(&label, SIZE, |area| {
         let (x, y) = axes(scene);
         let targets = targets_within(scene, &y);
         let plot = Plot::new(area, (x.clone(), "seconds"), (y, "relMSE"))?;
-        let times = crossings(&plot, scene, palette, &targets, &x)?;
+        let times = crossings(&plot, scene, styles, &targets, &x)?;
         guide(&plot, scene, &x)?;
         for method in &scene.methods {
-            band(&plot, method, palette.style(&method.name))?;
+            band(&plot, method, styles.style(&method.name))?;
         }
         for method in &scene.methods {
-            lines(&plot, method, palette.style(&method.name))?;
+            lines(&plot, method, styles.style(&method.name))?;
         }
         outside(&plot, scene)?;
         // Text comes last, with paper around it: a marker would hide a digit.
         for method in &scene.methods {
-            badge(&plot, method, palette.style(&method.name))?;
+            badge(&plot, method, styles.style(&method.name))?;
         }
         write(&plot, &times)?;
         outside_names(&plot, scene)

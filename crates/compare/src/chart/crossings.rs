@@ -7,8 +7,8 @@
 use crate::chart::axis::Decades;
 use crate::chart::canvas::{Failed, LETTER, Place, breadth, text};
 use crate::chart::colour::MUTED;
-use crate::chart::palette::{Palette, Style};
 use crate::chart::plot::{Plot, Stroke};
+use crate::chart::styles::{MethodStyles, Style};
 use crate::number;
 use crate::results::{MethodResults, SceneResults};
 use plotters::style::text_anchor::{HPos, VPos};
@@ -39,7 +39,7 @@ pub(crate) struct Label {
 pub(crate) fn crossings(
     plot: &Plot<'_, '_>,
     scene: &SceneResults,
-    palette: &Palette,
+    styles: &MethodStyles,
     targets: &[f64],
     x: &Decades,
 ) -> Result<Vec<Label>, Failed> {
@@ -48,11 +48,13 @@ pub(crate) fn crossings(
         let (from, to) = x.ends();
         plot.line(&[(from, error), (to, error)], MUTED, 2, Stroke::Dashed(6))?;
         let (left, y) = plot.place((from, error));
-        let found = reached(plot, scene, palette, error, x);
+        let found = reached(plot, scene, styles, error, x);
         for Crossing { x, style, .. } in &found {
             plot.segment((*x, y - TICK), (*x, y + TICK), style.colour(), 4)?;
         }
-        for (left, side, Crossing { words, style, .. }) in written(&found, room(plot, (left, y))) {
+        for (left, side, Crossing { words, style, .. }) in
+            written(&found, text_space(plot, (left, y)))
+        {
             let middle = y + side.rise();
             labels.push(Label { words: words.clone(), left, middle, style: *style });
         }
@@ -71,7 +73,7 @@ pub(crate) fn write(plot: &Plot<'_, '_>, labels: &[Label]) -> Result<(), Failed>
 fn reached(
     plot: &Plot<'_, '_>,
     scene: &SceneResults,
-    palette: &Palette,
+    styles: &MethodStyles,
     error: f64,
     axis: &Decades,
 ) -> Vec<Crossing> {
@@ -81,7 +83,7 @@ fn reached(
         axis.holds(seconds).then(|| Crossing {
             x: plot.place((seconds, error)).0,
             words: words(seconds, method.badge()),
-            style: palette.style(&method.name),
+            style: styles.style(&method.name),
         })
     };
     let mut found: Vec<_> = scene.methods.iter().filter_map(crossing).collect();
@@ -114,22 +116,25 @@ impl Side {
     }
 }
 
-/// Where texts may stand.
+/// The space where texts may stand.
 #[derive(Clone, Copy, Debug)]
-struct Room {
+struct TextSpace {
     left: i32,
     right: i32,
     /// Whether a line of text fits between the level line and the axis.
     below: bool,
 }
 
-fn room(plot: &Plot<'_, '_>, (left, y): Place) -> Room {
+fn text_space(plot: &Plot<'_, '_>, (left, y): Place) -> TextSpace {
     let end = y + Side::LeftBelow.rise() + LETTER / 2;
-    Room { left, right: plot.right_end(), below: end < plot.bottom_end() }
+    TextSpace { left, right: plot.right_end(), below: end < plot.bottom_end() }
 }
 
 /// Left end and side of the times that there is room for.
-fn written(found: &[Crossing], Room { left, right, below }: Room) -> Vec<(i32, Side, &Crossing)> {
+fn written(
+    found: &[Crossing],
+    TextSpace { left, right, below }: TextSpace,
+) -> Vec<(i32, Side, &Crossing)> {
     let mut free_from = left;
     let mut placed = Vec::new();
     // Ticks too close for a text between them share one row of texts.
@@ -168,8 +173,8 @@ mod tests {
         let style = Style { slot: 0, shape: 0 };
         let crossing = |x: &i32| Crossing { x: *x, words: "12 s".into(), style };
         let found: Vec<_> = places.iter().map(crossing).collect();
-        let room = Room { left: 100, right: 1000, below };
-        written(&found, room).into_iter().map(|(at, side, _)| (at, side)).collect()
+        let space = TextSpace { left: 100, right: 1000, below };
+        written(&found, space).into_iter().map(|(at, side, _)| (at, side)).collect()
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What paths of each length bring and cost.
+//! The chart of what paths of each length bring and cost.
 
 use crate::chart::canvas::{Area, BREADTH, Failed, LETTER, axis_text, svg, text};
 use crate::chart::colour::{GRID, INK, MUTED, PALE};

@@ -3,8 +3,8 @@
 use crate::chart::axis::{Decades, drawable};
 use crate::chart::canvas::{Failed, HALF, svg};
 use crate::chart::colour::{INK, MUTED};
-use crate::chart::palette::{Palette, Style};
 use crate::chart::plot::{Plot, Stroke};
+use crate::chart::styles::{MethodStyles, Style};
 use crate::results::{Estimate, Oracle, OracleCrossing, OraclePoint};
 use maud::Markup;
 
@@ -43,7 +43,7 @@ impl Quantity {
 }
 
 /// Theory as lines, measurements as points over them, the crossing as a level.
-pub(crate) fn oracle(oracle: &Oracle, quantity: Quantity, palette: &Palette) -> Markup {
+pub(crate) fn oracle(oracle: &Oracle, quantity: Quantity, styles: &MethodStyles) -> Markup {
     let label = format!("{} against R/h, measured and by theory", quantity.name());
     svg(&label, SIZE, |area| {
         let points = || oracle.curves.iter().flat_map(|curve| &curve.points);
@@ -53,7 +53,7 @@ pub(crate) fn oracle(oracle: &Oracle, quantity: Quantity, palette: &Palette) -> 
         let plot = Plot::new(area, (x, "R/h"), (y, quantity.name()))?;
         crossing(&plot, quantity.crossing(oracle).measured.value)?;
         for curve in &oracle.curves {
-            let style = palette.style(&curve.method);
+            let style = styles.style(&curve.method);
             theory(&plot, &curve.points, quantity, style)?;
             measured(&plot, &curve.points, quantity, style)?;
         }

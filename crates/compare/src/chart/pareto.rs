@@ -3,8 +3,8 @@
 use crate::chart::axis::{Decades, visible};
 use crate::chart::canvas::{BREADTH, svg};
 use crate::chart::colour::{INK, PALE};
-use crate::chart::palette::{Palette, Style};
 use crate::chart::plot::{Plot, Stroke};
+use crate::chart::styles::{MethodStyles, Style};
 use crate::results::SceneResults;
 use maud::Markup;
 
@@ -77,7 +77,7 @@ fn settings(scene: &SceneResults) -> impl Iterator<Item = Setting> {
 }
 
 /// The front as a staircase, what it beats in grey.
-pub(crate) fn pareto(scene: &SceneResults, front: &Front, palette: &Palette) -> Markup {
+pub(crate) fn pareto(scene: &SceneResults, front: &Front, styles: &MethodStyles) -> Markup {
     let label =
         format!("Settings on {}: those that no other beats in both time and error", scene.name);
     svg(&label, SIZE, |area| {
@@ -86,12 +86,12 @@ pub(crate) fn pareto(scene: &SceneResults, front: &Front, palette: &Palette) -> 
         let y = Decades::around(all().map(|at| at.1));
         let plot = Plot::new(area, (x, "seconds"), (y, "relMSE"))?;
         for Setting { at, name, solid } in &front.beaten {
-            let Style { shape, .. } = palette.style(name);
+            let Style { shape, .. } = styles.style(name);
             plot.marker(*at, (shape, PALE), 7.0, *solid)?;
         }
         plot.line(&front.stairs(), INK, 3, Stroke::Solid)?;
         for Setting { at, name, solid } in &front.front {
-            plot.marker(*at, palette.style(name).mark(), 10.0, *solid)?;
+            plot.marker(*at, styles.style(name).mark(), 10.0, *solid)?;
         }
         Ok(())
     })

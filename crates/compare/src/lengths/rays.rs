@@ -1,4 +1,4 @@
-//! How many rays each length costs.
+//! Counts the rays that each length costs.
 
 use super::LENGTHS;
 use std::ops::ControlFlow;

@@ -1,4 +1,4 @@
-//! What can be taken away.
+//! The parts of bidirectional tracing that can be taken away.
 
 use std::fmt;
 use traylib_integrators::{

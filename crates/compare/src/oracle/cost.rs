@@ -1,4 +1,4 @@
-//! What one sample costs.
+//! Measures the cost of one sample.
 
 use super::SAMPLES_A_PASS;
 use traylib_integrators::Integrator;

@@ -1,6 +1,6 @@
-//! What an error costs, and why.
+//! The section of the page on the cost of an error, and its factors.
 
-use crate::chart::{Bar, Baseline, Palette, bars};
+use crate::chart::{Bar, Baseline, MethodStyles, bars};
 use crate::number::{bytes, interval, percent, prefixed, ratio, seconds_interval, short};
 use crate::page::legend;
 use crate::results::{Estimate, MethodResults, SceneResults};
@@ -13,32 +13,32 @@ const CAPTION: &str = "Above: how much less a given error costs than elsewhere; 
     see all light of the scene, and no bar says how much it is worth.";
 
 /// Bars of efficiency, bars of its two factors, and a table of both.
-pub(crate) fn efficiency(scene: &SceneResults, palette: &Palette) -> Markup {
+pub(crate) fn efficiency(scene: &SceneResults, styles: &MethodStyles) -> Markup {
     let best = scene.methods.iter().find(|m| Some(&m.name) == scene.verdict.best.as_ref());
     html! {
         h3 { "Efficiency" }
         @if let Some(best) = best {
             figure {
-                div.chart { (whole(scene, palette)) }
-                div.pair { (factors(scene, best, palette)) }
+                div.chart { (whole(scene, styles)) }
+                div.pair { (factors(scene, best, styles)) }
                 figcaption { (CAPTION) }
             }
         } @else { p.note { "Without a best method there are no factors to draw." } }
-        (costs(scene, palette))
-        (metrics(scene, palette))
+        (costs(scene, styles))
+        (metrics(scene, styles))
     }
 }
 
 /// Efficiency over that of the best, a bar each method.
-pub(crate) fn whole(scene: &SceneResults, palette: &Palette) -> Markup {
+pub(crate) fn whole(scene: &SceneResults, styles: &MethodStyles) -> Markup {
     let label = format!("Efficiency on {} relative to the best, logarithmic", scene.name);
     let row = |method: &MethodResults| (inverse(method.cost_ratio), ratio(method).as_long());
-    let rows = rows(scene, palette, row);
+    let rows = rows(scene, styles, row);
     bars(&label, "1/(error × seconds), best = 1", &rows, Baseline::Left)
 }
 
 /// Error and time of a pass, each over that of the best.
-fn factors(scene: &SceneResults, best: &MethodResults, palette: &Palette) -> Markup {
+fn factors(scene: &SceneResults, best: &MethodResults, styles: &MethodStyles) -> Markup {
     let chart = |what: &str, of: fn(&MethodResults) -> Estimate| {
         let label = format!("{what} of a pass over that of {}", best.name);
         let axis = format!("{what} of a pass, best = 1");
@@ -46,7 +46,7 @@ fn factors(scene: &SceneResults, best: &MethodResults, palette: &Palette) -> Mar
             let over = over(of(method), of(best).value);
             (over, short(over.value))
         };
-        let rows = rows(scene, palette, row);
+        let rows = rows(scene, styles, row);
         html! { div.chart { (bars(&label, &axis, &rows, Baseline::One)) } }
     };
     html! {
@@ -57,14 +57,14 @@ fn factors(scene: &SceneResults, best: &MethodResults, palette: &Palette) -> Mar
 
 fn rows(
     scene: &SceneResults,
-    palette: &Palette,
+    styles: &MethodStyles,
     of: impl Fn(&MethodResults) -> (Estimate, String),
 ) -> Vec<Bar> {
     let bar = |method: &MethodResults| {
         let (estimate, words) = of(method);
         Bar {
             name: method.marked_name(),
-            colour: palette.style(&method.name).colour(),
+            colour: styles.style(&method.name).colour(),
             hollow: method.badge().is_some(),
             estimate,
             words,
@@ -85,7 +85,7 @@ fn over(Estimate { value, low, high }: Estimate, divisor: f64) -> Estimate {
     Estimate { value: value / divisor, low: low / divisor, high: high / divisor }
 }
 
-fn costs(scene: &SceneResults, palette: &Palette) -> Markup {
+fn costs(scene: &SceneResults, styles: &MethodStyles) -> Markup {
     html! {
         div.scroll {
             table {
@@ -98,7 +98,7 @@ fn costs(scene: &SceneResults, palette: &Palette) -> Markup {
                     th scope="col" { "peak memory" }
                 } }
                 tbody { @for method in &scene.methods { tr {
-                    th scope="row" { (legend::name(palette, method)) }
+                    th scope="row" { (legend::name(styles, method)) }
                     td { (ratio_cell(method, scene)) }
                     td { (interval(method.error_per_pass)) }
                     td { (seconds_interval(method.seconds_per_pass)) }
@@ -113,7 +113,7 @@ fn costs(scene: &SceneResults, palette: &Palette) -> Markup {
     }
 }
 
-fn metrics(scene: &SceneResults, palette: &Palette) -> Markup {
+fn metrics(scene: &SceneResults, styles: &MethodStyles) -> Markup {
     html! {
         div.scroll {
             table {
@@ -125,7 +125,7 @@ fn metrics(scene: &SceneResults, palette: &Palette) -> Markup {
                     th scope="col" { "share of noise in the error" }
                 } }
                 tbody { @for method in &scene.methods { @let m = method.metrics; tr {
-                    th scope="row" { (legend::name(palette, method)) }
+                    th scope="row" { (legend::name(styles, method)) }
                     td { (short(m.rel_mse)) }
                     td { (short(m.trimmed_rel_mse)) }
                     td { (short(m.smape)) }

@@ -1,4 +1,4 @@
-//! How the comparison was made.
+//! The section of the page on how the comparison was made.
 
 use crate::number::{bytes, chosen, interval_of, percent, seconds, short};
 use crate::results::{How, ReferenceResults, Results, SceneResults};

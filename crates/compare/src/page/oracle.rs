@@ -1,13 +1,13 @@
 //! Measurement against theory.
 
-use crate::chart::{Palette, Quantity, oracle as chart};
+use crate::chart::{MethodStyles, Quantity, oracle as chart};
 use crate::number::{interval_of, prefixed, significant};
 use crate::page::legend;
 use crate::results::{Oracle, OracleCrossing};
 use maud::{Markup, html};
 
 /// Both charts and both crossings.
-pub(crate) fn oracle(found: &Oracle, palette: &Palette) -> Markup {
+pub(crate) fn oracle(found: &Oracle, styles: &MethodStyles) -> Markup {
     html! {
         section id="oracle" {
             h2 { "Against theory" }
@@ -17,15 +17,15 @@ pub(crate) fn oracle(found: &Oracle, palette: &Palette) -> Markup {
                  is measured rightly."
             }
             ul.legend {
-                @for curve in &found.curves { li { (legend::plain(palette, &curve.method)) } }
+                @for curve in &found.curves { li { (legend::plain(styles, &curve.method)) } }
             }
             div.pair {
                 figure {
-                    div.chart { (chart(found, Quantity::Variance, palette)) }
+                    div.chart { (chart(found, Quantity::Variance, styles)) }
                     figcaption { (variance_caption(found)) }
                 }
                 figure {
-                    div.chart { (chart(found, Quantity::Cost, palette)) }
+                    div.chart { (chart(found, Quantity::Cost, styles)) }
                     figcaption {
                         "The same times the seconds that a sample takes: what an error costs. \
                          Lines are theory with the measured seconds."

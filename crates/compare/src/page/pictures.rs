@@ -1,6 +1,6 @@
 //! Pictures at equal time, where they err, and a wipe between any two.
 
-use crate::chart::Palette;
+use crate::chart::MethodStyles;
 use crate::number::{seconds, short};
 use crate::page::anchor::anchor;
 use crate::page::heat::Scale;
@@ -26,7 +26,7 @@ pub(crate) fn pictures(
     index: usize,
     scene: &SceneResults,
     pictures: &ScenePictures,
-    palette: &Palette,
+    styles: &MethodStyles,
 ) -> Markup {
     let ids = Ids(index);
     let scale = Scale::of(&pictures.errors);
@@ -39,7 +39,7 @@ pub(crate) fn pictures(
         div.gallery {
             (reference(&pictures.reference, pictures.exposure, ids))
             @for (i, method) in scene.methods.iter().enumerate() {
-                (method_pictures(i, method, pictures, (ids, scale, palette)))
+                (method_pictures(i, method, pictures, (ids, scale, styles)))
             }
             @for (i, (point, grid)) in scene.outside.iter().zip(&pictures.outside).enumerate() {
                 (outside(point, grid, pictures.exposure, ids.of(outside_from + i)))
@@ -97,7 +97,7 @@ fn method_pictures(
     i: usize,
     method: &MethodResults,
     pictures: &ScenePictures,
-    (ids, scale, palette): (Ids, Scale, &Palette),
+    (ids, scale, styles): (Ids, Scale, &MethodStyles),
 ) -> Markup {
     let Some(grid) = pictures.methods.get(i) else { return html! {} };
     let alt = format!("The picture of {}", method.name);
@@ -106,7 +106,7 @@ fn method_pictures(
             (picture(grid, pictures.exposure, &alt, Some(ids.of(1 + i))))
             @if let Some(errors) = pictures.errors.get(i) { (scale.map(errors, &method.name)) }
             figcaption {
-                (legend::name(palette, method)) ", relMSE " (short(method.metrics.rel_mse))
+                (legend::name(styles, method)) ", relMSE " (short(method.metrics.rel_mse))
             }
         }
     }

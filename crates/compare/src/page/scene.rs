@@ -1,6 +1,6 @@
 //! Everything about one scene.
 
-use crate::chart::Palette;
+use crate::chart::MethodStyles;
 use crate::number::{prefixed, short};
 use crate::page::anchor::anchor;
 use crate::page::{efficiency, pictures, settings, speed, stability, techniques};
@@ -13,7 +13,7 @@ pub(crate) fn scene(
     index: usize,
     (found, alone): (&SceneResults, bool),
     pictures: Option<&ScenePictures>,
-    palette: &Palette,
+    styles: &MethodStyles,
 ) -> Markup {
     html! {
         section.scene id=(anchor(index)) {
@@ -23,7 +23,7 @@ pub(crate) fn scene(
             @if found.methods.is_empty() {
                 p.note { "No run was made: there is nothing to hold a picture against." }
             } @else {
-                (compared(index, found, pictures, palette))
+                (compared(index, found, pictures, styles))
             }
         }
     }
@@ -33,17 +33,17 @@ fn compared(
     index: usize,
     found: &SceneResults,
     pictures: Option<&ScenePictures>,
-    palette: &Palette,
+    styles: &MethodStyles,
 ) -> Markup {
     html! {
-        (speed::speed(found, palette))
-        (efficiency::efficiency(found, palette))
-        (settings::settings(found, palette))
+        (speed::speed(found, styles))
+        (efficiency::efficiency(found, styles))
+        (settings::settings(found, styles))
         (techniques::techniques(found, pictures))
         @if let Some(pictures) = pictures {
-            (pictures::pictures(index, found, pictures, palette))
+            (pictures::pictures(index, found, pictures, styles))
         }
-        (stability::stability(found, palette))
+        (stability::stability(found, styles))
     }
 }
 

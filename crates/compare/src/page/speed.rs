@@ -1,6 +1,6 @@
 //! Error against time.
 
-use crate::chart::{Palette, convergence};
+use crate::chart::{MethodStyles, convergence};
 use crate::number::{chosen, seconds_interval};
 use crate::page::legend;
 use crate::results::{MethodResults, SceneResults, Target};
@@ -15,19 +15,19 @@ const CAPTION: &str = "relMSE against seconds of rendering, both logarithmic. A 
     errors asked for, with a tick and the time where a method reaches them.";
 
 /// The main chart, with the times to the errors that were asked for below.
-pub(crate) fn speed(scene: &SceneResults, palette: &Palette) -> Markup {
+pub(crate) fn speed(scene: &SceneResults, styles: &MethodStyles) -> Markup {
     html! {
         h3 { "Error against time" }
         figure.main-chart {
-            (legend::legend(scene, palette))
-            div.chart { (convergence(scene, palette)) }
+            (legend::legend(scene, styles))
+            div.chart { (convergence(scene, styles)) }
             figcaption { (CAPTION) }
         }
-        (times(scene, palette))
+        (times(scene, styles))
     }
 }
 
-fn times(scene: &SceneResults, palette: &Palette) -> Markup {
+fn times(scene: &SceneResults, styles: &MethodStyles) -> Markup {
     let errors = errors(scene);
     if errors.is_empty() {
         return html! {};
@@ -41,7 +41,7 @@ fn times(scene: &SceneResults, palette: &Palette) -> Markup {
                     @for error in &errors { th scope="col" { "relMSE " (chosen(*error)) } }
                 } }
                 tbody { @for method in &scene.methods { tr {
-                    th scope="row" { (legend::name(palette, method)) }
+                    th scope="row" { (legend::name(styles, method)) }
                     @for &error in &errors { td { (time(method, error)) } }
                 } } }
             }

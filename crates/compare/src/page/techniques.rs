@@ -1,4 +1,4 @@
-//! What each technique of bdpt and each path length bring.
+//! The section of the page on what each technique of bdpt and each path length bring.
 
 use crate::chart::lengths;
 use crate::number::percent;

@@ -1,6 +1,6 @@
 //! Whether two methods render the same picture.
 
-use super::half::Numbers;
+use super::method_reference::Numbers;
 use crate::results::ReferenceAgreement;
 use traylib_statistics::{ratio_of_means, sidak, welch};
 

@@ -2,7 +2,7 @@
 
 use super::Reference;
 use super::agreement::agreement;
-use super::half::{Half, Numbers, Order};
+use super::method_reference::{MethodReference, Numbers, Order};
 use crate::mirrors::mirrors;
 use crate::picture::Picture;
 use crate::results::ReferenceResults;
@@ -27,7 +27,7 @@ const HOPELESS: f64 = 16.0;
 /// These are seeds of no run: those count up from small numbers.
 const SEEDS: [u64; 2] = [u64::MAX, u64::MAX - 1];
 
-/// How a reference is made.
+/// The settings by which a reference is made.
 #[derive(Clone, Copy, Debug)]
 pub struct Making<'a> {
     /// The scene.
@@ -40,7 +40,7 @@ pub struct Making<'a> {
     pub threads: usize,
     /// Raised when the user wants to stop.
     pub stop: &'a Control,
-    /// Where finished halves are.
+    /// Where finished references of single methods are.
     pub store: &'a Store,
 }
 
@@ -50,7 +50,7 @@ pub struct Making<'a> {
 pub enum MakeError {
     /// The system refuses threads.
     Threads(ThreadError),
-    /// A half cannot be kept.
+    /// What was rendered cannot be kept.
     Store(StoreError),
 }
 
@@ -88,40 +88,40 @@ pub fn make(making: &Making<'_>, tell: &dyn Fn(Method)) -> Result<Option<Referen
     let Some(second) = making.choose_second(&seen)? else { return Ok(None) };
     let masked = if second == LAST_RESORT { &seen } else { &none };
     tell(FIRST);
-    let Some(a) = making.half(FIRST, masked, 0)? else { return Ok(None) };
+    let Some(a) = making.by_method(FIRST, masked, 0)? else { return Ok(None) };
     tell(second);
-    let Some(b) = making.half(second, masked, 1)? else { return Ok(None) };
+    let Some(b) = making.by_method(second, masked, 1)? else { return Ok(None) };
     Ok(Some(join(&a, &b, masked)))
 }
 
 impl Making<'_> {
     /// From the store, or rendered.
-    fn half(
+    fn by_method(
         &self,
         method: Method,
         masked: &Grid<bool>,
         index: usize,
-    ) -> Result<Option<Half>, MakeError> {
+    ) -> Result<Option<MethodReference>, MakeError> {
         let key = key_of(&(self.scene_key, method.to_string(), masked.values(), SEEDS[index]));
-        if let Some(half) = self.found(key) {
-            return Ok(Some(half));
+        if let Some(reference) = self.found(key) {
+            return Ok(Some(reference));
         }
-        let half = self.order(masked, self.seconds, SEEDS[index]).render(method)?;
+        let reference = self.order(masked, self.seconds, SEEDS[index]).render(method)?;
         // As it would come from the store, so that it makes no difference whether it does:
         // runs are found again by the reference that they were held against.
-        let half = half.map(Half::like_stored);
-        if let Some(half) = &half {
-            let pictures = [("mean", &half.picture), ("variance", &half.variance)];
-            self.store.keep(key, &half.numbers, &pictures)?;
+        let reference = reference.map(MethodReference::like_stored);
+        if let Some(reference) = &reference {
+            let pictures = [("mean", &reference.picture), ("variance", &reference.variance)];
+            self.store.keep(key, &reference.numbers, &pictures)?;
         }
-        Ok(half)
+        Ok(reference)
     }
 
-    fn found(&self, key: u64) -> Option<Half> {
+    fn found(&self, key: u64) -> Option<MethodReference> {
         let numbers: Numbers = self.store.numbers(key)?;
         let picture = self.store.picture(key, "mean")?;
         let variance = self.store.picture(key, "variance")?;
-        (numbers.seconds >= self.seconds).then_some(Half { picture, variance, numbers })
+        (numbers.seconds >= self.seconds).then_some(MethodReference { picture, variance, numbers })
     }
 
     fn order<'a>(&'a self, masked: &'a Grid<bool>, seconds: f64, seed: u64) -> Order<'a> {
@@ -140,9 +140,12 @@ impl Making<'_> {
         let mut scale = None;
         for method in [FIRST, SECOND, LAST_RESORT] {
             let order = self.order(mirrors, 0.04 * self.seconds, SEEDS[0] - 2);
-            let Some(half) = order.render(method)? else { return Ok(None) };
-            let picture = &*scale.get_or_insert_with(|| half.picture.clone());
-            costs.push(relative_variance(picture, &half.variance, mirrors) * half.numbers.seconds);
+            let Some(reference) = order.render(method)? else { return Ok(None) };
+            let picture = &*scale.get_or_insert_with(|| reference.picture.clone());
+            costs.push(
+                relative_variance(picture, &reference.variance, mirrors)
+                    * reference.numbers.seconds,
+            );
         }
         let hopeless = costs[1] > HOPELESS * costs[0] && costs[2] < costs[1];
         self.store.keep(key, &usize::from(hopeless), &[])?;
@@ -164,7 +167,7 @@ fn relative_variance(picture: &Picture, variance: &Picture, masked: &Grid<bool>)
 /// The mean of both, by what each is worth; where masked, the first alone. If they
 /// differ, the first alone everywhere: it finds rare light more often, and the
 /// variance of one that has missed it looks small.
-fn join(a: &Half, b: &Half, masked: &Grid<bool>) -> Reference {
+fn join(a: &MethodReference, b: &MethodReference, masked: &Grid<bool>) -> Reference {
     let hidden = masked.values().iter().filter(|masked| **masked).count();
     let masked_share = hidden as f64 / masked.values().len() as f64;
     let agreement = agreement(&a.numbers, &b.numbers, masked_share);
@@ -184,9 +187,9 @@ fn join(a: &Half, b: &Half, masked: &Grid<bool>) -> Reference {
 }
 
 /// Weighs both in inverse proportion to their noise.
-fn share_of_first(a: &Half, b: &Half, masked: &Grid<bool>) -> f64 {
+fn share_of_first(a: &MethodReference, b: &MethodReference, masked: &Grid<bool>) -> f64 {
     let [noise_a, noise_b] =
-        [a, b].map(|half| relative_variance(&a.picture, &half.variance, masked));
+        [a, b].map(|reference| relative_variance(&a.picture, &reference.variance, masked));
     inverse_variance_weight(noise_a, noise_b)
 }
 
@@ -215,9 +218,9 @@ fn origin(a: &Numbers, b: &Numbers, share: f64, masked: f64) -> String {
 mod tests {
     use super::*;
 
-    fn half(method: &str, value: f64, variance: f64) -> Half {
+    fn by_method(method: &str, value: f64, variance: f64) -> MethodReference {
         let tiles = vec![Some((value, variance)); 3];
-        Half {
+        MethodReference {
             picture: Grid::filled(2, 1, [value; 3]),
             variance: Grid::filled(2, 1, [variance; 3]),
             numbers: Numbers { method: method.into(), passes: 10, seconds: 1.0, tiles },
@@ -225,8 +228,8 @@ mod tests {
     }
 
     #[test]
-    fn the_better_half_counts_for_more_and_alone_where_the_other_is_blind() {
-        let (good, poor) = (half("bdpt", 1.0, 0.3), half("particle", 2.0, 0.9));
+    fn the_better_reference_counts_for_more_and_alone_where_the_other_is_blind() {
+        let (good, poor) = (by_method("bdpt", 1.0, 0.3), by_method("particle", 2.0, 0.9));
         let mut masked = Grid::filled(2, 1, false);
         masked.values_mut()[1] = true;
         let joined = join(&good, &poor, &masked);
@@ -239,8 +242,9 @@ mod tests {
     }
 
     #[test]
-    fn a_half_that_differs_has_no_part_in_it() {
-        let (right, wrong) = (half("bdpt", 1.0, 1e-6), half("directlight --combine", 1.5, 1e-6));
+    fn a_reference_that_differs_has_no_part_in_it() {
+        let (right, wrong) =
+            (by_method("bdpt", 1.0, 1e-6), by_method("directlight --combine", 1.5, 1e-6));
         let joined = join(&right, &wrong, &Grid::filled(2, 1, false));
         assert_eq!(joined.picture.get(0, 0)[0], 1.0);
         assert_eq!(joined.results.agreement.unwrap().refused, 2);
@@ -249,7 +253,8 @@ mod tests {
 
     #[test]
     fn methods_without_noise_share_evenly() {
-        let joined = join(&half("a", 1.0, 0.0), &half("b", 1.0, 0.0), &Grid::filled(2, 1, false));
+        let joined =
+            join(&by_method("a", 1.0, 0.0), &by_method("b", 1.0, 0.0), &Grid::filled(2, 1, false));
         assert_eq!(joined.picture.get(0, 0)[0], 1.0);
         assert_eq!(joined.results.own_error, 0.0);
     }

@@ -1,10 +1,10 @@
-//! What grows, and how far.
+//! The axes along which scenes grow, and how far.
 
 use crate::results::Estimate;
 use clap::ValueEnum;
 use serde::Serialize;
 
-/// What grows while everything else stays.
+/// The quantity that grows while everything else stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
@@ -20,10 +20,10 @@ pub enum Axis {
     Threads,
 }
 
-/// What was measured at one place of an axis.
+/// The measurement at one place of an axis.
 #[derive(Clone, Debug, Serialize)]
 pub struct Level {
-    /// How many of what grows.
+    /// The size of what grows, as a number of them.
     pub size: u64,
     /// Seconds to build the scene: its trees of shapes and of lights.
     pub build_seconds: f64,

@@ -1,4 +1,4 @@
-//! What was found, as text.
+//! The measurements, as text.
 
 use super::{AxisResults, METHODS, Scaling};
 use crate::number::{bytes, significant};

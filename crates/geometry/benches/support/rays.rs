@@ -17,7 +17,7 @@ pub(crate) struct RaySets {
     pub(crate) shadow: Vec<Ray>,
 }
 
-/// What a ray found: t and the number of the triangle.
+/// The hit that a ray found: t and the number of the triangle.
 pub(crate) type Found = (f32, u32);
 
 impl RaySets {

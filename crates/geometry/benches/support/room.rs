@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use traylib_geometry::{Error, Mesh, Vec3};
 
 /// A closed room of 6 × 3 × 5 metres, y up, with furniture of boxes, which are the
-/// same at any fineness, and bent things, whose triangles grow finer: large and
+/// same at any fineness, and bent objects, whose triangles grow finer: large and
 /// small ones side by side, as rooms have them.
 #[derive(Debug)]
 pub(crate) struct Room {

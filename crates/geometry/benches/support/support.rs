@@ -1,4 +1,4 @@
-//! What benches measure: rooms of three sizes, a closed ball, rays.
+//! The scenes and rays that benches measure: rooms of three sizes, a closed ball, sets of rays.
 //!
 //! The same here and in `peers`, which includes this folder by its path.
 #![allow(dead_code, reason = "every bench takes what it needs")]

@@ -63,7 +63,7 @@ fn placed(bounds: &Aabb, placement: &Affine3A) -> Aabb {
     around.grown(around.min.abs().max(around.max.abs()) * (16.0 * f32::EPSILON))
 }
 
-/// What a [`Bvh`] of instances holds.
+/// The leaf kind of a [`Bvh`] of instances: copies of trees, each at a place of its own.
 ///
 /// Shapes are numbered as though all copies were listed one after the other.
 #[derive(Clone, Debug)]

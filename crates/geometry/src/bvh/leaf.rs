@@ -1,4 +1,4 @@
-//! What a tree can hold.
+//! The leaf kinds: what trees hold.
 
 use crate::ShapeHit;
 use crate::tree::batch::Batch;
@@ -12,7 +12,7 @@ use crate::tree::visitor::{Visitor, Visitors};
 use crate::{Hit, Ray};
 use std::ops::{ControlFlow, Range};
 
-/// What a [`Bvh`](crate::Bvh) can hold: [`Triangles`](crate::Triangles),
+/// A leaf kind, which a [`Bvh`](crate::Bvh) holds: [`Triangles`](crate::Triangles),
 /// [`Shapes`](crate::Shapes) or [`Instances`](crate::Instances).
 #[expect(private_bounds, reason = "there are these three; others come as shapes")]
 pub trait LeafKind: Leaf {}

@@ -15,7 +15,7 @@ use crate::tree::visitor::Visitors;
 use crate::{Aabb, Error, Ray};
 use std::ops::ControlFlow;
 
-/// What a [`Bvh`] of shapes holds: spheres, quads, disks, triangles, or whatever a
+/// The leaf kind of a [`Bvh`] of shapes: spheres, quads, disks, triangles, or whatever a
 /// guest brings, in a [`ShapeList`].
 #[derive(Clone, Debug)]
 pub struct Shapes<L>(L);

@@ -18,7 +18,7 @@ use crate::{Aabb, Error, Mesh, Ray, ShapeHit, SidedTriangle, Sides, Triangle, Ve
 use std::hint::black_box;
 use std::ops::ControlFlow;
 
-/// What a [`Bvh`] of a mesh holds: its triangles, whose corners are in the tree.
+/// The leaf kind of a [`Bvh`] of a mesh: its triangles, whose corners are in the tree.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangles {
     count: u32,
@@ -146,11 +146,11 @@ fn fast_hits<L: intersector::TriangleIntersector, Q: Query>(
     ray: &Ray,
     query: &mut Q,
 ) -> ControlFlow<()> {
-    let passed = intersector.pass(block, query.limit());
-    for lane in ones(passed.mask) {
-        let flat = passed.flat(lane);
-        let hit = if flat.is_settled() {
-            flat.meet(query.limit())
+    let filtered = intersector.filter(block, query.limit());
+    for lane in ones(filtered.mask) {
+        let triangle = filtered.triangle(lane);
+        let hit = if triangle.is_settled() {
+            triangle.meet(query.limit())
         } else {
             unsettled_hit(block, lane, ray, query.limit())
         };
@@ -164,9 +164,9 @@ fn fast_hits<L: intersector::TriangleIntersector, Q: Query>(
 #[cold]
 #[inline(never)]
 fn unsettled_hit(block: &Block, lane: usize, ray: &Ray, limit: f32) -> Option<ShapeHit> {
-    let flat = Shear::along(&ray.direction).flat(&block.triangle(lane), ray);
+    let triangle = Shear::along(&ray.direction).apply(&block.triangle(lane), ray);
     let axes = axes(&ray.direction);
     let hit = meet(ray, axes, f32::INFINITY, block.picked(lane, axes))?;
-    let t = flat.within(hit.t);
+    let t = triangle.within(hit.t);
     (0.0 < t && t < limit).then_some(ShapeHit { t, ..hit })
 }

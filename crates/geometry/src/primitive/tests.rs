@@ -85,11 +85,15 @@ fn all_else_is_sampled_by_area() {
     for _ in 0..2000 {
         let shape = random.primitive(Vec3::ZERO);
         let place = 3.0 * random.point();
-        let from = match &shape {
-            Primitive::Sphere(ball) if ball.facing() == Facing::Outward => ball.centre(),
+        let from = match shape.form() {
+            Form::Ball(ball) if ball.facing() == Facing::Outward => ball.centre(),
             // From far away.
-            Primitive::Triangle(_) | Primitive::Quad(_) => 100.0 * random.direction(),
-            Primitive::Sphere(_) | Primitive::Disk(_) | Primitive::Cone(_) => place,
+            Form::Flat {
+                outline: Outline::Triangle(_) | Outline::Parallelogram { .. }, ..
+            } => 100.0 * random.direction(),
+            Form::Flat { outline: Outline::Circle { .. }, .. } | Form::Ball(_) | Form::Bent(_) => {
+                place
+            }
         };
         let (site, pdf) = shape.sample_toward(from, random.square());
         assert_eq!(pdf.0, 1.0 / shape.area());
@@ -179,8 +183,8 @@ fn normals_are_where_they_are_said_to_be() {
 }
 
 /// No direction sees a larger shadow, but for 2.1 % on cones, and some direction sees
-/// one as large. The pieces are good to two thousandths, a fan of 200 directions
-/// from the axis to its opposite as well.
+/// one as large. The pieces are good to two thousandths, 200 directions
+/// in a half plane, from the axis to its opposite, as well.
 #[test]
 fn the_largest_shadow_is_no_smaller_and_no_larger() {
     for (shape, normals) in shapes_with_normals() {
@@ -190,8 +194,8 @@ fn the_largest_shadow_is_no_smaller_and_no_larger() {
             let sum: f64 = normals.iter().map(|n| f64::from(n.dot(toward).max(0.0))).sum();
             sum / normals.len() as f64 * f64::from(shape.area())
         };
-        let fan = (0..=200_u8).map(|i| f32::from(i) / 200.0 * PI);
-        let largest = fan.map(|turn| shadow(axis * turn.cos() + across * turn.sin()));
+        let angles = (0..=200_u8).map(|i| f32::from(i) / 200.0 * PI);
+        let largest = angles.map(|angle| shadow(axis * angle.cos() + across * angle.sin()));
         let ratio = largest.fold(0.0, f64::max) / f64::from(shape.largest_shadow());
         let most = if matches!(shape, Primitive::Cone(_)) { 1.023 } else { 1.002 };
         assert!((0.998..most).contains(&ratio), "{shape:?}: {ratio}");

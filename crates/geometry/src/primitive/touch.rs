@@ -3,8 +3,8 @@
 use super::Primitive;
 use crate::{Error, Ray, Sides, SurfaceSite, Vec2, Vec3};
 
-/// How many bounds on error two shapes may be apart and still lie in one place: one for
-/// the rounding of each, and as much for the decimal numbers that they were made of.
+/// The number of bounds on error by which two shapes may be apart and still lie in one place: one
+/// for the rounding of each, and as much for the decimal numbers that they were made of.
 const BOUNDS: f32 = 4.0;
 
 impl SurfaceSite {

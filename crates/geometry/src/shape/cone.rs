@@ -159,8 +159,8 @@ impl Cone {
         PI * (f64::from(self.radii[0]) + f64::from(self.radii[1])) * self.slant_squared().sqrt()
     }
 
-    /// How far a circle of radius one around the axis reaches along each
-    /// coordinate: √(1 − aᵢ²), from the other two so that it does not cancel.
+    /// Returns the extent of a circle of radius one around the axis along each coordinate: √(1 −
+    /// aᵢ²), from the other two so that it does not cancel.
     fn rim(&self) -> DVec3 {
         let axis = self.axis();
         let DVec3 { x, y, z } = axis * axis;

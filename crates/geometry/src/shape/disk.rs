@@ -126,8 +126,8 @@ impl Disk {
         SurfaceSite::new(self.centre + from_centre, self.normal, 2.0 * self.extent())
     }
 
-    /// How far it reaches from its centre along each axis: r·√(1 − nᵢ²), with
-    /// 1 − nᵢ² from the other two so that it does not cancel.
+    /// Returns the extent from its centre along each axis: r·√(1 − nᵢ²), with 1 − nᵢ² from the
+    /// other two so that it does not cancel.
     fn extent(&self) -> Vec3 {
         let Vec3 { x, y, z } = self.normal;
         self.radius * Vec3::new(y.hypot(z), z.hypot(x), x.hypot(y))

@@ -3,9 +3,9 @@
 use super::{Disk, Quad, Sides, Sphere};
 use crate::Vec3;
 
-/// What a shape is to a tree: one of those that it keeps copies of and meets several at
-/// once, as [`Triangle::intersect`](super::Triangle::intersect) and its likes do and to the
-/// same bits, or something else.
+/// The kinds of shapes that a tree tells apart: one of those that it keeps copies of and meets
+/// several at once, as [`Triangle::intersect`](super::Triangle::intersect) and its likes do and to
+/// the same bits, or something else.
 #[derive(Clone, Copy, Debug)]
 pub enum ShapeKind {
     /// A triangle.

@@ -6,7 +6,7 @@ use crate::{Aabb, Ray};
 /// Shapes numbered from zero, in whatever form their owner keeps them: a list of
 /// [`Shape`]s is one, and so is what draws some from meshes and some from elsewhere.
 pub trait ShapeList: Send + Sync {
-    /// How many there are.
+    /// Returns the number of shapes.
     fn count(&self) -> usize;
 
     /// [`Shape::bounds`] of one of them.

@@ -17,7 +17,7 @@ pub struct Quad {
     across: DVec3,
     /// The lengths of the edges if they are at right angles.
     lengths: Option<[f64; 2]>,
-    /// By how much of its edges it counts as larger than it is; see [`margin`].
+    /// The part of its edges by which it counts as larger than it is; see [`margin`].
     margin: Vec2,
     area: f32,
 }
@@ -74,7 +74,7 @@ impl Quad {
         self.lengths
     }
 
-    /// By how much of each edge it counts as longer at either end.
+    /// Returns the part of each edge by which it counts as longer at either end.
     pub(crate) fn margin(&self) -> Vec2 {
         self.margin
     }
@@ -125,7 +125,7 @@ fn is_square(along: DVec3, aside: DVec3) -> bool {
     along.dot(aside).powi(2) <= SLANT * SLANT * lengths
 }
 
-/// By how much of itself an edge counts as longer at each end, so that light does not
+/// Computes by which part of itself an edge counts as longer at each end, so that light does not
 /// pass between shapes that meet.
 ///
 /// Corners round, of which some are decimal numbers and some sums: of two neighbours

@@ -105,26 +105,26 @@ impl Sphere {
     /// A point uniform in the cone of directions that `from` sees the sphere
     /// in, and its density; `None` where that is not how the sphere is sampled.
     pub(crate) fn sample_cone(&self, from: Vec3, u: Vec2) -> Option<(SurfaceSite, AreaPdf)> {
-        let sight = Sight::toward(self, from)?;
-        let one_minus_cos = u.x * sight.one_minus_cos;
+        let cone = SubtendedCone::toward(self, from)?;
+        let one_minus_cos = u.x * cone.one_minus_cos;
         let cos = 1.0 - one_minus_cos;
         let sin = (one_minus_cos * (2.0 - one_minus_cos)).sqrt();
         // Sine of the angle at the sphere between the ray and its normal; the
         // angle at the centre is the difference of the two.
-        let sin_at = (sin / sight.sin).min(1.0);
+        let sin_at = (sin / cone.sin).min(1.0);
         let cos_at = (1.0 - sin_at * sin_at).sqrt();
         let cos_centre = cos_at * cos + sin_at * sin;
         let sin_centre = (sin_at * cos - cos_at * sin).max(0.0);
         let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
         let local = Vec3::new(sin_centre * cos_phi, sin_centre * sin_phi, cos_centre);
-        let site = self.site_toward(Frame::around(-sight.axis).to_world(local));
-        Some((site, sight.pdf(from, site.position, site.normal)))
+        let site = self.site_toward(Frame::around(-cone.axis).to_world(local));
+        Some((site, cone.pdf(from, site.position, site.normal)))
     }
 
     /// Density per area of [`sample_cone`](Self::sample_cone) at a point with
     /// this position and normal: zero where the sphere turns away.
     pub(crate) fn pdf_cone(&self, from: Vec3, position: Vec3, normal: Vec3) -> Option<AreaPdf> {
-        Some(Sight::toward(self, from)?.pdf(from, position, normal))
+        Some(SubtendedCone::toward(self, from)?.pdf(from, position, normal))
     }
 
     /// The site in this direction, of any length, from the centre.
@@ -154,7 +154,7 @@ impl Sphere {
 }
 
 /// The directions in which a point sees a sphere.
-struct Sight {
+struct SubtendedCone {
     axis: Vec3,
     /// The sine of the half angle.
     sin: f32,
@@ -162,7 +162,7 @@ struct Sight {
     one_minus_cos: f32,
 }
 
-impl Sight {
+impl SubtendedCone {
     /// The cone from a point outside a sphere that faces outward.
     fn toward(sphere: &Sphere, from: Vec3) -> Option<Self> {
         let to_centre = sphere.centre - from;

@@ -1,5 +1,5 @@
-//! What tests know of shapes: forms of each kind to draw from, and what is true of them by
-//! plain formulas in double precision. Matches in full, so that a new shape is tested.
+//! The knowledge that tests have of shapes: forms of each kind to draw from, and what is true of
+//! them by plain formulas in double precision. Matches in full, so that a new shape is tested.
 
 use crate::precise::{DVec3, difference};
 use crate::{Cone, Disk, Error, Facing, Primitive, Quad, Ray, Sphere, SurfaceSite, Triangle, Vec3};
@@ -199,7 +199,7 @@ impl Line {
     }
 }
 
-/// How thick it is where it is thinnest, seen from anywhere but its edge.
+/// Returns its thickness where it is thinnest, seen from anywhere but its edge.
 pub(crate) fn thickness(shape: &Primitive) -> f64 {
     let height = |u: Vec3, v: Vec3| {
         let (u, v) = (u.as_dvec3(), v.as_dvec3());

@@ -21,7 +21,7 @@ pub(crate) trait Batch<'a> {
 
     fn rays(&self) -> &'a [Ray];
 
-    /// What ray `index` asks of the leaves.
+    /// Returns the visitor of ray `index`.
     fn begin(&self, index: usize) -> Self::Visitor;
 
     /// Takes the answer for ray `index`, once all its leaves have been visited.

@@ -28,7 +28,7 @@ pub(crate) const MAX_DEPTH: usize = 32;
 /// Items that a thread takes at once.
 const GRAIN: usize = 1 << 12;
 
-/// How much work building a tree takes, and how little rays have to do in it.
+/// The work that goes into building a tree: the more, the less rays have to do in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Quality {
@@ -48,8 +48,8 @@ pub enum Quality {
 pub(crate) struct Tree {
     /// Depth first, in the order in which a walk meets them.
     pub(crate) nodes: Vec<Node>,
-    /// By [`BlockKind`], the numbers of the shapes of each block, [`u32::MAX`] where there
-    /// is none; depth first. There always is a block of triangles.
+    /// The numbers of the shapes of each block, by [`BlockKind`], [`u32::MAX`] where there is none;
+    /// depth first. There always is a block of triangles.
     pub(crate) blocks: [Vec<[u32; LEAF]>; 4],
     /// The numbers of all shapes that are in no block, in leaf order.
     pub(crate) shapes: Vec<u32>,
@@ -95,7 +95,7 @@ pub(crate) fn build(
 }
 
 impl Quality {
-    /// How far away, along the curve, a partner may be.
+    /// Returns how far away, along the curve, a partner may be.
     fn radius(self) -> usize {
         match self {
             Self::Fast => 4,
@@ -103,7 +103,7 @@ impl Quality {
         }
     }
 
-    /// How many subtrees may look for a better place in each round.
+    /// Returns how many subtrees may look for a better place in each round.
     fn candidates(self, count: usize) -> Vec<usize> {
         match self {
             Self::Fast => Vec::new(),

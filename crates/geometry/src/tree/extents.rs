@@ -1,4 +1,4 @@
-//! How large a triangle is at most, in four bits, and its sides, in one.
+//! The largest extent of a triangle, quantised to four bits, and its sides, in one.
 //!
 //! Edge functions in single precision have errors that grow with the size of the triangle.
 //! A kernel that knows the size knows which signs are not certain.
@@ -14,7 +14,7 @@ pub(crate) const MOST: u32 = FRONT_ALONE;
 /// Half the distance from one to the next number: what an operation may round by.
 const ROUNDING: f32 = f32::EPSILON / 2.0;
 
-/// How far an edge function may be off for each unit of depth and of size, as
+/// The bound on the error of an edge function for each unit of depth and of size, as
 /// [`TriangleIntersector::candidates`](super::intersector::TriangleIntersector::candidates) has it.
 pub(crate) const ERROR_BY_DEPTH: f32 = 48.0 * ROUNDING;
 pub(crate) const ERROR_BY_SIZE: f32 = 96.0 * ROUNDING;

@@ -3,7 +3,7 @@
 
 use super::Tree;
 use super::prefetch::Prefetcher;
-use super::stack::{Room, Stack};
+use super::stack::{Stack, StackMemory};
 
 /// So many at once are best where the tree does not fit into the cache of a core.
 const MANY: usize = 8;
@@ -50,12 +50,12 @@ pub(super) fn interleave<B, T: InFlight<B>>(
 ) {
     let prefetcher = Prefetcher::of(tree);
     let count = if tree.is_cached() { few } else { MANY };
-    let mut rooms = [const { Room::new() }; MANY];
+    let mut memories = [const { StackMemory::new() }; MANY];
     let mut slots = Vec::with_capacity(MANY);
-    for room in rooms.iter_mut().take(count) {
+    for memory in memories.iter_mut().take(count) {
         let Some(item) = queue.next() else { break };
         let in_flight = queue.begin(item, batch);
-        slots.push(Slot { in_flight, stack: Stack::new(room), is_done: false });
+        slots.push(Slot { in_flight, stack: Stack::new(memory), is_done: false });
     }
     while !slots.is_empty() {
         let mut is_any_done = false;

@@ -17,7 +17,7 @@ use super::node::{Child, LEAF, Node, WIDTH};
 use super::simd::Simd;
 use super::stack::Stack;
 use crate::ShapeHit;
-use crate::f32_filter::Flat;
+use crate::f32_filter::ShearedTriangle;
 use crate::{Ray, watertight};
 
 /// Distances to near planes are made smaller and those to far planes larger, which covers
@@ -76,7 +76,7 @@ pub(crate) trait TriangleIntersector: Copy {
 
     /// One bit for each triangle that the line of the ray passes and of which a point
     /// can be at 0 < t < `limit`, in single precision.
-    fn pass(&self, block: &Block, limit: f32) -> Passed;
+    fn filter(&self, block: &Block, limit: f32) -> FilteredTriangles;
 
     /// [`watertight::meet`] for those triangles that have a bit.
     #[inline(always)]
@@ -129,27 +129,27 @@ impl TriangleIntersector for NoTriangles {
     }
 
     #[inline(always)]
-    fn pass(&self, _: &Block, _: f32) -> Passed {
+    fn filter(&self, _: &Block, _: f32) -> FilteredTriangles {
         let none = [[0.0; LEAF]; 3];
-        Passed { mask: 0, edges: none, depths: none }
+        FilteredTriangles { mask: 0, edges: none, depths: none }
     }
 }
 
 /// The triangles of a block that a ray passes, one bit each, and how it sees all of
 /// them.
-pub(crate) struct Passed {
+pub(crate) struct FilteredTriangles {
     pub(crate) mask: u32,
     /// The edges by corner, by triangle.
     pub(crate) edges: [[f32; LEAF]; 3],
     pub(crate) depths: [[f32; LEAF]; 3],
 }
 
-impl Passed {
+impl FilteredTriangles {
     /// One of the triangles.
     #[inline(always)]
-    pub(crate) fn flat(&self, lane: usize) -> Flat {
+    pub(crate) fn triangle(&self, lane: usize) -> ShearedTriangle {
         let of_lane = |rows: &[[f32; LEAF]; 3]| rows.each_ref().map(|row| row[lane]);
-        Flat { edges: of_lane(&self.edges), depths: of_lane(&self.depths) }
+        ShearedTriangle { edges: of_lane(&self.edges), depths: of_lane(&self.depths) }
     }
 }
 

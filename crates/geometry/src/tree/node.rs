@@ -9,7 +9,7 @@ pub(crate) const WIDTH: usize = 8;
 /// Shapes in a block, and the most shapes in a leaf.
 pub(crate) const LEAF: usize = 4;
 
-/// What a block is made of.
+/// The kind of shapes that a block is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BlockKind {
     Triangles,
@@ -34,7 +34,7 @@ impl BlockKind {
     pub(crate) const ALL: [Self; 4] = [Self::Triangles, Self::Quads, Self::Spheres, Self::Disks];
 }
 
-/// What lies in a box: a node, a block of shapes of one kind, or a run of other shapes.
+/// The child in a box: a node, a block of shapes of one kind, or a run of other shapes.
 ///
 /// The two highest bits tell which; the two below them tell the kind of the block or how
 /// many shapes there are.
@@ -66,8 +66,8 @@ impl Child {
     const SHAPES: u32 = 1 << 30;
     /// Where the kind of a block is, or how many shapes there are, less one.
     const KIND_SHIFT: u32 = 28;
-    /// What the empty boxes of a node hold: the first block of triangles, which every
-    /// tree has, so that no input can lead a ray in circles.
+    /// The child in the empty boxes of a node: the first block of triangles, which every tree has,
+    /// so that no input can lead a ray in circles.
     const NOTHING: Self = Self(Self::LEAF);
 
     pub(crate) fn node(index: usize) -> Self {

@@ -9,7 +9,7 @@ use super::pages::room;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// What `f` makes of 0, 1, …, `count` − 1. A thread takes at least `grain` at once.
+/// Returns what `f` makes of 0, 1, …, `count` − 1. A thread takes at least `grain` at once.
 pub(crate) fn map<T: Send>(
     count: usize,
     grain: usize,
@@ -26,7 +26,7 @@ pub(crate) fn map<T: Send>(
     list
 }
 
-/// What `f` makes of each chunk of so many numbers of 0, 1, …, `count` − 1.
+/// Returns what `f` makes of each chunk of so many numbers of 0, 1, …, `count` − 1.
 pub(crate) fn chunks<T: Send>(
     count: usize,
     size: usize,
@@ -41,10 +41,10 @@ pub(crate) fn filter(
     size: usize,
     keep: impl Fn(usize) -> bool + Send + Sync,
 ) -> Vec<u32> {
-    let tallies = chunks(count, size, |range| range.filter(|&i| keep(i)).count());
-    let mut found = vec![0; tallies.iter().sum()];
+    let counts = chunks(count, size, |range| range.filter(|&i| keep(i)).count());
+    let mut found = vec![0; counts.iter().sum()];
     let mut rest = &mut found[..];
-    let tasks = tallies.iter().enumerate().map(|(i, &tally)| (i * size, cut(&mut rest, tally)));
+    let tasks = counts.iter().enumerate().map(|(i, &counts)| (i * size, cut(&mut rest, counts)));
     run(tasks.collect(), |(first, out)| {
         let kept = (first..count.min(first + size)).filter(|&i| keep(i));
         out.iter_mut().zip(kept).for_each(|(slot, i)| *slot = i as u32);

@@ -1,4 +1,4 @@
-//! What is asked of the shapes along a ray.
+//! The queries along a ray: for the nearest hit, any hit, or all hits.
 
 use crate::{Hit, Ray};
 use std::ops::ControlFlow;

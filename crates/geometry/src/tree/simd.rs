@@ -47,11 +47,12 @@ pub(crate) trait Simd: Copy {
     fn splat_double(self, number: f64) -> <Self::F32x8 as F32x8>::F64x8;
 }
 
-/// What numbers of any kind can do. Masks have one bit for each.
+/// The operations on numbers side by side, in single and double precision. Masks have one bit for
+/// each.
 pub(crate) trait Float:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// How many there are.
+    /// The number of them side by side.
     const COUNT: u32;
 
     /// The lesser of each pair; if one is not a number, that of `other`.

@@ -6,38 +6,38 @@ use super::build::MAX_DEPTH;
 use super::node::{Child, WIDTH};
 use std::mem::MaybeUninit;
 
-/// BatchQuery level leaves all but one of its boxes behind; the last has room for all
-/// intersector of a node, used or not.
-const ROOM: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
+/// A level leaves all but one of its boxes behind; the last has room for all boxes
+/// of a node, used or not.
+const CAPACITY: usize = (WIDTH - 1) * MAX_DEPTH + WIDTH;
 
-/// Room for the boxes of the deepest tree. It is not cleared, which would take
+/// Memory for the boxes of the deepest tree. It is not cleared, which would take
 /// longer than many a walk.
-pub(crate) struct Room {
-    enter: [MaybeUninit<f32>; ROOM],
-    children: [MaybeUninit<Child>; ROOM],
+pub(crate) struct StackMemory {
+    enter: [MaybeUninit<f32>; CAPACITY],
+    children: [MaybeUninit<Child>; CAPACITY],
 }
 
-impl Room {
+impl StackMemory {
     #[inline(always)]
     pub(crate) const fn new() -> Self {
         Self {
-            enter: [const { MaybeUninit::uninit() }; ROOM],
-            children: [const { MaybeUninit::uninit() }; ROOM],
+            enter: [const { MaybeUninit::uninit() }; CAPACITY],
+            children: [const { MaybeUninit::uninit() }; CAPACITY],
         }
     }
 }
 
 /// The boxes that wait, with where the ray enters them.
 pub(crate) struct Stack<'a> {
-    room: &'a mut Room,
+    memory: &'a mut StackMemory,
     /// So many are there. Not beside the boxes, so that it can stay in a register.
     len: usize,
 }
 
 impl<'a> Stack<'a> {
     #[inline(always)]
-    pub(crate) fn new(room: &'a mut Room) -> Self {
-        Self { room, len: 0 }
+    pub(crate) fn new(memory: &'a mut StackMemory) -> Self {
+        Self { memory, len: 0 }
     }
 
     #[inline(always)]
@@ -47,8 +47,8 @@ impl<'a> Stack<'a> {
 
     #[inline(always)]
     pub(crate) fn push(&mut self, enter: f32, child: Child) {
-        self.room.enter[self.len].write(enter);
-        self.room.children[self.len].write(child);
+        self.memory.enter[self.len].write(enter);
+        self.memory.children[self.len].write(child);
         self.len += 1;
     }
 
@@ -58,7 +58,8 @@ impl<'a> Stack<'a> {
         &mut self,
     ) -> (&mut [MaybeUninit<f32>; WIDTH], &mut [MaybeUninit<Child>; WIDTH]) {
         let room = self.len..self.len + WIDTH;
-        let (enter, children) = (&mut self.room.enter[room.clone()], &mut self.room.children[room]);
+        let (enter, children) =
+            (&mut self.memory.enter[room.clone()], &mut self.memory.children[room]);
         // Never fails: both have this length.
         let (Ok(enter), Ok(children)) = (enter.try_into(), children.try_into()) else {
             unreachable!()
@@ -81,7 +82,7 @@ impl<'a> Stack<'a> {
     pub(crate) fn top(&self) -> Option<Child> {
         let top = self.len.checked_sub(1)?;
         // SAFETY: the first `len` are there.
-        Some(unsafe { self.room.children.get_unchecked(top).assume_init() })
+        Some(unsafe { self.memory.children.get_unchecked(top).assume_init() })
     }
 
     /// The topmost box that begins before `limit`; those beyond are dropped.
@@ -90,10 +91,10 @@ impl<'a> Stack<'a> {
         while self.len > 0 {
             self.len -= 1;
             // SAFETY: the first `len` are there, and before it was one more.
-            let enter = unsafe { self.room.enter.get_unchecked(self.len).assume_init() };
+            let enter = unsafe { self.memory.enter.get_unchecked(self.len).assume_init() };
             if enter <= limit {
                 // SAFETY: as above.
-                let child = unsafe { self.room.children.get_unchecked(self.len).assume_init() };
+                let child = unsafe { self.memory.children.get_unchecked(self.len).assume_init() };
                 return Some(child);
             }
         }
@@ -107,8 +108,8 @@ mod tests {
 
     #[test]
     fn the_last_box_comes_first_and_those_beyond_are_dropped() {
-        let mut room = Room::new();
-        let mut stack = Stack::new(&mut room);
+        let mut memory = StackMemory::new();
+        let mut stack = Stack::new(&mut memory);
         assert_eq!((stack.top(), stack.pop(f32::INFINITY)), (None, None));
         for (index, enter) in [1.0, 4.0, 2.0, 8.0].into_iter().enumerate() {
             stack.push(enter, Child::node(index));
@@ -125,8 +126,8 @@ mod tests {
     /// As deep as a tree can be: seven stay behind on each level.
     #[test]
     fn spare_room_is_taken_over_and_suffices() {
-        let mut room = Room::new();
-        let mut stack = Stack::new(&mut room);
+        let mut memory = StackMemory::new();
+        let mut stack = Stack::new(&mut memory);
         for level in 0..=MAX_DEPTH {
             let kept = if level < MAX_DEPTH { WIDTH - 1 } else { WIDTH };
             let (enter, children) = stack.spare();

@@ -1,4 +1,4 @@
-//! What rays do in the leaves they come to, one by one or eight together.
+//! Visitors: they test the leaves that rays come to, one ray by itself or eight together.
 
 use super::Tree;
 use super::block::Block;
@@ -12,7 +12,7 @@ use crate::Ray;
 use std::array::from_fn;
 use std::ops::{ControlFlow, Range};
 
-/// What a ray does in the leaves it comes to.
+/// A visitor: it does what a ray asks for in the leaves that the ray comes to.
 pub(crate) trait Visitor: Sized {
     /// Whether the nearer boxes are better opened first. Where any hit will do they are not:
     /// most rays start on a surface, and what is in the boxes around it they just left.
@@ -49,7 +49,7 @@ pub(crate) trait Visitor: Sized {
     fn shapes(&mut self, places: Range<usize>) -> ControlFlow<()>;
 }
 
-/// What the rays of a packet do in leaves.
+/// The visitors of the rays of a packet.
 pub(crate) struct Visitors<V> {
     pub(crate) each: [V; PACKET],
     /// As they were before the leaf.

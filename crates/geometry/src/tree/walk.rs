@@ -5,7 +5,7 @@ use super::intersector::ChildIntersector;
 use super::node::{Child, Content};
 use super::prefetch::Prefetcher;
 use super::shape_block::Line;
-use super::stack::{Room, Stack};
+use super::stack::{Stack, StackMemory};
 use super::visitor::Visitor;
 use std::ops::ControlFlow;
 
@@ -17,8 +17,8 @@ pub(crate) fn walk<L: ChildIntersector, V: Visitor>(
     intersector: &L,
     visitor: &mut V,
 ) {
-    let mut room = Room::new();
-    let mut stack = Stack::new(&mut room);
+    let mut memory = StackMemory::new();
+    let mut stack = Stack::new(&mut memory);
     let prefetcher = Prefetcher::of(tree);
     let mut next = Some(root);
     while let Some(current) = next {

@@ -229,7 +229,7 @@ impl<'a> Input<'a> {
         Some(u64::from_le_bytes(self.take(8)?.try_into().ok()?))
     }
 
-    /// A number of things, of which each takes four bytes at least.
+    /// A number of entries, of which each takes four bytes at least.
     fn count(&mut self) -> Option<u32> {
         self.u32().filter(|&count| count as usize <= self.0.len() / 4)
     }

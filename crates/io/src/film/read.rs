@@ -53,7 +53,7 @@ impl FilmReader {
         &self.path
     }
 
-    /// What it says of itself.
+    /// Returns the description that the file has of the film.
     pub fn about(&self) -> &FilmAbout {
         &self.header.about
     }

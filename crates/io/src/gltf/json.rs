@@ -231,7 +231,7 @@ fn half() -> f32 {
     0.5
 }
 
-/// What alpha does.
+/// The meaning of alpha.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Derive)]
 #[serde(rename_all = "UPPERCASE")]
 pub enum AlphaMode {
@@ -354,7 +354,7 @@ fn repeat() -> u64 {
     10497
 }
 
-/// What is beyond the edges of a picture.
+/// The values beyond the edges of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrap {
     /// Its edge goes on.

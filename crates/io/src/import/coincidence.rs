@@ -1,4 +1,4 @@
-//! What lay in one place in a scene.
+//! Warnings about surfaces that lie in one place in a scene.
 
 use super::counter::Counter;
 use crate::Warning;

@@ -1,4 +1,4 @@
-//! What was skipped or repaired in a file, each kind once with a count.
+//! A counter of what was skipped or repaired in a file, each kind once with a count.
 
 use crate::Warning;
 use crate::warning_counts::WarningCounts;

@@ -24,7 +24,7 @@ const NEAR_THE_END: f32 = 0.9;
 const FOV_INSIDE: f32 = 70.0;
 const FOV_OUTSIDE: f32 = 40.0;
 
-/// The box around things, without what is absurdly far off.
+/// The box around all objects, without what is absurdly far off.
 ///
 /// Real files have a few vertices that belong nowhere, at 10¹¹ in a model of 10.
 /// Those are told by being further from the middle than ten times the extent of

@@ -1,4 +1,4 @@
-//! What scenes are built from, wherever it came from.
+//! Objects that scenes are built from, whatever file they came from.
 
 use super::imported_material::ImportedMaterial;
 use super::model_part::{ModelPart, ModelSide};
@@ -12,11 +12,11 @@ pub(super) struct ImportedObject {
     pub(super) sides: Sides,
     pub(super) material: ObjectMaterial,
     pub(super) emission: Rgb,
-    /// Whether its other side is a thing of its own.
+    /// Which sides it stands for: of a lamp of two sides, each is an object of its own.
     pub(super) side: ModelSide,
 }
 
-/// What a thing is made of.
+/// The material of an object, by its number.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum ObjectMaterial {
     /// The number of a named material.

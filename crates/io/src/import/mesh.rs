@@ -33,7 +33,7 @@ pub(super) struct MeshImporter<'a> {
 }
 
 impl MeshImporter<'_> {
-    /// The file's things as the object wants them: `named` is the number of its
+    /// The objects of the file as the scene wants them: `named` is the number of its
     /// material, if it has one.
     pub(super) fn items(
         &mut self,
@@ -66,7 +66,7 @@ impl MeshImporter<'_> {
             }
             let mut item = ImportedObject::of_model(material, part, model.first, glow);
             if self.object.sides == Some(ron_scene::Sides::Front) {
-                // Its other half is left out.
+                // Its other side is left out.
                 item.side = ModelSide::Whole;
             }
             let named = named.or_else(|| replaced.get(&number).copied());

@@ -2,11 +2,11 @@
 
 use traylib_scene::ObjectShape;
 
-/// Something with one material.
+/// A shape of a file with the material and the sides it stands for.
 #[derive(Debug)]
 pub(super) struct ModelPart {
     pub(super) shape: ObjectShape,
-    /// Index into the file's looks.
+    /// Index into the file's materials.
     pub(super) material: usize,
     pub(super) side: ModelSide,
 }

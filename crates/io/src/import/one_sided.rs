@@ -18,7 +18,7 @@ use traylib_geometry::Sides;
 use traylib_materials::{Material, SurfaceModel};
 use traylib_math::{Rgb, Vec3};
 
-/// A thing with all there is to say of it.
+/// An object with all that a warning says of it.
 #[derive(Clone, Copy)]
 pub(super) struct Described<'a> {
     pub(super) item: &'a ImportedObject,
@@ -32,7 +32,7 @@ pub(super) struct Described<'a> {
 }
 
 /// One warning for each material of such a surface. `points` are the camera and the
-/// lights that are no things.
+/// lights that are no objects.
 pub(super) fn warnings(items: &[Described<'_>], points: Vec<Vec3>) -> Vec<Warning> {
     let mut counters: BTreeMap<&str, Counter> = BTreeMap::new();
     let mut surroundings = Surroundings::new(items, points);

@@ -1,4 +1,4 @@
-//! What is current: a colour, a material and a vertex.
+//! The contexts: the colour, the material and the vertex that are current.
 
 use super::colour::Colour;
 use super::keyword::Keyword;

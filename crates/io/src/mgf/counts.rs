@@ -1,11 +1,11 @@
-//! How much there is of everything.
+//! Counts of everything in a file.
 
 use super::Document;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How much was read, includes and arrays carried out and no shape cut up.
-/// Names of materials count, not how often a name is given anew.
+/// Counts of what was read, includes and arrays carried out and no shape cut up. Names of materials
+/// count, not how often a name is given anew.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
     /// Surfaces.

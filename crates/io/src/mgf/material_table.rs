@@ -14,7 +14,7 @@ pub(super) struct MaterialTable {
 }
 
 impl MaterialTable {
-    /// How much memory one more material takes: itself, its draft, and an entry.
+    /// How much memory one more material takes: itself, two builders, and an entry.
     pub(super) const MEMORY: u64 =
         (size_of::<Material>() + 2 * size_of::<MaterialBuilder>() + 64) as u64;
 

@@ -1,4 +1,4 @@
-//! What a caller may bound.
+//! The bounds that a caller may set.
 
 use std::path::PathBuf;
 
@@ -10,15 +10,15 @@ pub struct Options {
     /// The folder that includes may not leave, symbolic links followed; the
     /// folder of the first file, if none is given.
     pub root: Option<PathBuf>,
-    /// How deep files may include each other; 64.
+    /// The depth to which files may include each other; 64.
     pub max_depth: usize,
-    /// How many transforms may be open at once; 1,024.
+    /// The number of transforms that may be open at once; 1,024.
     pub max_transforms: usize,
-    /// How many surfaces there may be, and how many copies open arrays may make
-    /// together; 1,000,000.
+    /// The number of surfaces that there may be, and of copies that open arrays may make together;
+    /// 1,000,000.
     pub max_surfaces: u64,
-    /// How many vertices one polygon may have, its holes and the seams to them
-    /// included; 4,096.
+    /// The number of vertices that one polygon may have, its holes and the seams to them included;
+    /// 4,096.
     pub max_corners: usize,
     /// The squares of the polygons' numbers of vertices, summed; 3 · 2²⁴. Time to cut
     /// polygons into triangles is at most in proportion.

@@ -1,11 +1,11 @@
-//! What the decoder skips or repairs.
+//! The warnings of the decoder: what it skips or repairs.
 
 use super::Place;
 use super::error::shown;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// A kind of thing that was skipped or repaired.
+/// The kinds of what a reader skips or repairs in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum WarningKind {
@@ -29,7 +29,7 @@ pub enum WarningKind {
     NotFinite,
 }
 
-/// What was skipped or repaired for one reason.
+/// A warning: what was skipped or repaired for one reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
     /// The reason.
@@ -38,12 +38,12 @@ pub struct Warning {
     pub subject: String,
     /// Where it was first met.
     pub place: Place,
-    /// How often.
+    /// The number of times.
     pub count: u32,
 }
 
 impl Warning {
-    /// What was met, without where and how often.
+    /// Returns what was met, without where and how often.
     pub fn what(&self) -> String {
         let subject = &self.subject;
         match self.kind {
@@ -83,7 +83,7 @@ impl Warnings {
     /// More subjects than these are counted together, under `…`.
     const MOST: usize = 1000;
 
-    /// How often a kind was met.
+    /// Returns how often a kind was met.
     pub fn count(&self, kind: WarningKind) -> u32 {
         let own = self.0.values().filter(|warning| warning.kind == kind);
         own.fold(0, |sum, warning| sum.saturating_add(warning.count))

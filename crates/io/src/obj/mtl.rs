@@ -14,12 +14,12 @@ use super::{Cause, Error, Limits, WarningKind, check_text};
 use crate::warning_counts::WarningCounts;
 use traylib_math::Rgb;
 
-/// What a material library holds.
+/// The contents of a material library.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Library {
     /// The materials in the order of the file. Names may repeat; the first one counts.
     pub materials: Vec<Material>,
-    /// What was skipped or repaired.
+    /// The warnings: what was skipped or repaired.
     pub warnings: WarningCounts<WarningKind>,
 }
 

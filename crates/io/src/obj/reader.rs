@@ -192,7 +192,7 @@ fn index(what: &'static str, number: i64, count: usize) -> Result<u32, Cause> {
     if is_there { Ok(index as u32) } else { Err(Cause::OutOfRange { what, number, count }) }
 }
 
-/// Refuses more things than have numbers of 32 bits.
+/// Refuses more elements than have numbers of 32 bits.
 fn numbered(count: usize, what: &'static str) -> Result<(), Cause> {
     if count < u32::MAX as usize { Ok(()) } else { Err(Cause::TooMany(what)) }
 }

@@ -1,8 +1,8 @@
-//! What the decoders skip or repair.
+//! The warnings of the decoders: what they skip or repair.
 
 use std::fmt;
 
-/// A kind of thing that was skipped or repaired.
+/// The kinds of what a reader skips or repairs in a file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum WarningKind {

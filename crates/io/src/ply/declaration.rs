@@ -1,8 +1,8 @@
-//! What a header says of each kind of thing.
+//! Elements, as the header of a PLY file declares them.
 
 use super::kind::Kind;
 
-/// A kind of thing.
+/// A kind of element: its name, how many there are, and what each consists of.
 #[derive(Debug)]
 pub(super) struct Element {
     pub(super) name: String,

@@ -1,4 +1,4 @@
-//! What follows the header: element after element.
+//! The body of a file, element after element.
 
 mod faces;
 mod vertices;

@@ -1,4 +1,4 @@
-//! What a file says it holds.
+//! The header of a file, which says what it holds.
 
 use super::body::{Body, Coding};
 use super::declaration::{Element, Property};
@@ -7,7 +7,7 @@ use super::{Cause, Error, WarningKind};
 use crate::suggest::shown;
 use crate::warning_counts::WarningCounts;
 
-/// What a file says it holds.
+/// The header of a file, which says what it holds.
 #[derive(Debug, Default)]
 pub(super) struct Header {
     pub(super) elements: Vec<Element>,

@@ -1,4 +1,4 @@
-//! What properties consist of, and the types of their numbers.
+//! The kinds of properties, and the types of their numbers.
 
 use super::Cause;
 use crate::suggest::shown;

@@ -1,8 +1,8 @@
-//! What the decoder skips or repairs.
+//! The warnings of the decoder: what it skips or repairs.
 
 use std::fmt;
 
-/// A kind of thing that was skipped or repaired.
+/// The kinds of what a reader skips or repairs in a file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum WarningKind {

@@ -1,6 +1,6 @@
 //! Polygons into triangles by cutting off ears.
 
-use super::flat::turn;
+use super::projection::turn;
 use traylib_math::glam::DVec2;
 
 /// How fit a corner is for being cut off, best first.

@@ -1,4 +1,4 @@
-//! What there is where something is to be written.
+//! The target of a write: what is there already.
 
 use std::fs::{self, Metadata, OpenOptions};
 use std::io::{self, ErrorKind};

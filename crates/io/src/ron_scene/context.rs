@@ -1,4 +1,4 @@
-//! What the parser was reading when it stopped.
+//! Finds what the parser was reading when it stopped.
 //!
 //! The text before that place is sound as far as the parser is concerned, so that
 //! brackets, names and colons before it can be told apart without judging them.

@@ -5,7 +5,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use std::fmt;
 
-/// How a surface scatters light. Reflectances are in 0..1.
+/// The materials of scene files: how a surface scatters light. Reflectances are in 0..1.
 #[derive(Clone, Debug, PartialEq, Derive)]
 pub enum Material {
     /// Ideal diffuse.
@@ -125,10 +125,10 @@ pub struct Textured {
     pub diffuse: Option<Texture>,
     /// Specular part.
     pub specular: Option<Texture>,
-    /// How much of the surface is there.
+    /// The part of the surface that is there.
     pub opacity: Option<Texture>,
-    /// Height.
-    pub bump: Option<Relief>,
+    /// The height over the surface.
+    pub bump: Option<BumpMap>,
 }
 
 /// A picture on a surface: `"wood.png"` alone, or with how it lies there.
@@ -136,7 +136,7 @@ pub struct Textured {
 pub struct Texture {
     /// The picture's file, relative to the scene file.
     pub file: String,
-    /// How it lies.
+    /// The way it lies on the surface.
     pub lay: Lay,
     /// From 0, as if it were not there, to 1.
     pub strength: f32,
@@ -144,26 +144,26 @@ pub struct Texture {
 
 /// A picture whose brightness is height.
 #[derive(Clone, Debug, PartialEq, Derive)]
-#[serde(from = "ReliefFields")]
-pub struct Relief {
+#[serde(from = "BumpMapFields")]
+pub struct BumpMap {
     /// The picture's file, relative to the scene file.
     pub file: String,
-    /// How it lies.
+    /// The way it lies on the surface.
     pub lay: Lay,
     /// Height of white over black, in lengths of a unit of u.
     pub height: f32,
 }
 
-/// How a picture lies on a surface.
+/// The way a picture lies on a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lay {
-    /// What is beyond its edges.
+    /// The values beyond its edges.
     pub tiling: Tiling,
-    /// How often it fits along u and along v.
+    /// The number of times that it fits along u and along v.
     pub scale: [f32; 2],
 }
 
-/// What is beyond the edges of a picture.
+/// The values beyond the edges of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Derive)]
 pub enum Tiling {
     /// The picture again.
@@ -187,9 +187,10 @@ struct TextureFields {
     strength: f32,
 }
 
+// Scene files that write the name of the struct write `Relief`.
 #[derive(Derive)]
 #[serde(deny_unknown_fields, rename = "Relief")]
-struct ReliefFields {
+struct BumpMapFields {
     file: String,
     #[serde(default)]
     tiling: Tiling,
@@ -206,8 +207,8 @@ fn fully() -> f32 {
     1.0
 }
 
-impl From<ReliefFields> for Relief {
-    fn from(ReliefFields { file, tiling, scale, height }: ReliefFields) -> Self {
+impl From<BumpMapFields> for BumpMap {
+    fn from(BumpMapFields { file, tiling, scale, height }: BumpMapFields) -> Self {
         Self { file, lay: Lay { tiling, scale }, height }
     }
 }

@@ -1,4 +1,4 @@
-//! What the parser says about a text, in the words of a scene file.
+//! The errors of the parser, in the words of a scene file.
 
 mod structure;
 mod value;

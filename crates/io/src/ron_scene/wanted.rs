@@ -1,4 +1,4 @@
-//! What the fields of a scene file want, in the words of its manual.
+//! The values that fields of a scene file want, in the words of its manual.
 
 use super::context::Context;
 

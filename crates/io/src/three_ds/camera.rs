@@ -13,7 +13,7 @@ pub struct Camera {
     pub flags: ObjectFlags,
     /// Where it stands; finite.
     pub position: Vec3,
-    /// What it looks at; finite.
+    /// The place that it looks at; finite.
     pub target: Vec3,
     /// Turn about the direction of view, in degrees.
     pub roll_degrees: f32,

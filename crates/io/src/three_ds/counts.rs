@@ -1,12 +1,12 @@
-//! What there is in a document, in figures.
+//! The contents of a document, in figures.
 
 use super::{Affine, Document, Mesh, pose};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use traylib_math::{Rgb, Vec3};
 
-/// What there is in a document, to be compared with what another program finds
-/// in the same file.
+/// The contents of a document, counted, to be compared with what another program finds in the same
+/// file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Counts {
     /// Version of the file.
@@ -40,18 +40,18 @@ pub struct Counts {
     /// Least and greatest x, y and z of the vertices as stored, without those
     /// that are infinite or not a number.
     pub bbox_stored_vertices: Option<[f32; 6]>,
-    /// What the keyframer does at frame 0; `None` if it moves no mesh.
+    /// The pose of the keyframer at frame 0; `None` if it moves no mesh.
     pub pose_at_frame_0: Option<PoseCounts>,
 }
 
-/// What the keyframer does at frame 0.
+/// The pose of the keyframer at frame 0, counted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PoseCounts {
     /// Nodes that move a mesh.
     pub mesh_nodes: usize,
     /// Meshes that no node moves.
     pub meshes_without_node: usize,
-    /// How far any vertex is moved along x, y or z at most.
+    /// The greatest shift of a vertex along x, y or z.
     pub max_shift_of_a_vertex: f32,
     /// As `bbox_stored_vertices`, of the meshes that nodes move, where they are
     /// then.

@@ -3,7 +3,7 @@
 use super::chunk::Reader;
 use super::colour::colour;
 use super::keyframer::{Keyframer, hierarchy};
-use super::limits::{Limits, Room};
+use super::limits::{Limits, Remaining};
 use super::names::MaterialNames;
 use super::raw_mesh::RawMesh;
 use super::{Camera, Document, Light, ObjectFlags, Warnings, camera, light, material};
@@ -26,13 +26,13 @@ pub(super) struct Decoder {
     document: Document,
     meshes: Vec<RawMesh>,
     warnings: Warnings,
-    room: Room,
+    remaining: Remaining,
 }
 
 impl Decoder {
     pub(super) fn new(warnings: Warnings, limits: Limits) -> Self {
         let (document, meshes) = (Document::default(), Vec::new());
-        Self { document, meshes, warnings, room: Room::new(limits) }
+        Self { document, meshes, warnings, remaining: Remaining::new(limits) }
     }
 
     /// The root or the mesh section: some writers put materials and objects
@@ -53,19 +53,19 @@ impl Decoder {
     }
 
     fn item(&mut self, id: u16, mut body: Reader<'_>) {
-        let Self { document, warnings, room, .. } = self;
+        let Self { document, warnings, remaining, .. } = self;
         match id {
             VERSION => document.version = body.u32(),
             MESH_VERSION => document.mesh_version = body.u32(),
             MASTER_SCALE => document.master_scale = body.number(warnings),
             AMBIENT => document.ambient = colour(body, warnings),
-            MATERIAL if room.take(warnings) => {
-                document.materials.push(material::decode(body, warnings, room));
+            MATERIAL if remaining.take(warnings) => {
+                document.materials.push(material::decode(body, warnings, remaining));
             }
             OBJECT => self.object(body),
             KEYFRAMER => {
                 let keyframer = document.keyframer.get_or_insert_with(Keyframer::default);
-                keyframer.read(body, warnings, room);
+                keyframer.read(body, warnings, remaining);
             }
             _ => {}
         }
@@ -75,7 +75,7 @@ impl Decoder {
         let name = reader.string();
         let flags = object_flags(reader);
         while let Some((id, body)) = reader.next_chunk(&mut self.warnings) {
-            if matches!(id, TRIANGLES | LIGHT | CAMERA) && self.room.take(&mut self.warnings) {
+            if matches!(id, TRIANGLES | LIGHT | CAMERA) && self.remaining.take(&mut self.warnings) {
                 self.body(id, name.clone(), flags, body);
             }
         }

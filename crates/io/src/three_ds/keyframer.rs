@@ -8,7 +8,7 @@ pub use track::{Key, Spline, Track, TrackKind, Value};
 use super::Warnings;
 use super::affine::Affine;
 use super::chunk::{Reader, set};
-use super::limits::Room;
+use super::limits::Remaining;
 use traylib_math::Vec3;
 
 /// The animation part of a file, as stored.
@@ -28,7 +28,7 @@ pub struct Keyframer {
     pub nodes: Vec<Node>,
 }
 
-/// What a node moves.
+/// The kind of object that a node moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NodeKind {
     /// Ambient light.
@@ -62,10 +62,10 @@ impl NodeKind {
     }
 }
 
-/// One thing that moves.
+/// A node of the animation: what moves an object, a light or a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
-    /// What it moves.
+    /// The kind of object that it moves.
     pub kind: NodeKind,
     /// Number by which others call it their parent; its place in the file where
     /// there is none.
@@ -87,7 +87,7 @@ pub struct Node {
     pub bounds: Option<[Vec3; 2]>,
     /// Angle up to which a morphed object is smooth, in radians.
     pub morph_smoothing: Option<f32>,
-    /// How it moves.
+    /// The tracks by which it moves.
     pub tracks: Vec<Track>,
 }
 
@@ -158,7 +158,7 @@ impl Keyframer {
         &mut self,
         mut reader: Reader<'_>,
         warnings: &mut Warnings,
-        room: &mut Room,
+        remaining: &mut Remaining,
     ) {
         while let Some((id, mut body)) = reader.next_chunk(warnings) {
             match id {
@@ -166,7 +166,7 @@ impl Keyframer {
                 0xb009 => self.current_frame = body.u32(),
                 0xb00a => self.header(body),
                 _ => {
-                    if let Some(kind) = NodeKind::of(id).filter(|_| room.take(warnings)) {
+                    if let Some(kind) = NodeKind::of(id).filter(|_| remaining.take(warnings)) {
                         self.nodes.push(node(kind, body, warnings));
                     }
                 }

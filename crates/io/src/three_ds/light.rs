@@ -32,7 +32,7 @@ pub struct Light {
     pub outer_range: f32,
     /// Objects it does not shine on.
     pub excluded: Vec<String>,
-    /// What makes it a spot light.
+    /// The cone that makes it a spot light, if it is one.
     pub spot: Option<Spot>,
 }
 
@@ -61,10 +61,10 @@ impl Light {
     }
 }
 
-/// What a spot light has beyond other lights.
+/// The properties that a spot light has beyond other lights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spot {
-    /// What it points to; finite.
+    /// The place that it points to; finite.
     pub target: Vec3,
     /// Whole angle of the cone of full light, in degrees.
     pub hotspot_degrees: f32,
@@ -84,12 +84,12 @@ pub struct Spot {
     pub shadow: Option<Shadow>,
 }
 
-/// How a spot light casts its shadow.
+/// The way a spot light casts its shadow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shadow {
     /// Whether shadows are cast by rays, not by a map.
     pub ray_traced: bool,
-    /// How far rays start off the surface.
+    /// The distance off the surface at which rays start.
     pub ray_bias: Option<f32>,
     /// Bias, filter and size of a map of its own.
     pub map: Option<(f32, f32, u16)>,

@@ -1,8 +1,8 @@
-//! How much of a file is taken in.
+//! Bounds on what is taken in of a file.
 
 use super::{WarningKind, Warnings};
 
-/// How much of a file is taken in. What exceeds it is skipped with a warning.
+/// Bounds on what is taken in of a file. What exceeds it is skipped with a warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// The most meshes, lights, cameras, materials and nodes together; and the most
@@ -20,33 +20,33 @@ impl Default for Limits {
     }
 }
 
-/// What is left of the limit.
+/// How many items and maps the limit leaves.
 #[derive(Debug)]
-pub(super) struct Room {
+pub(super) struct Remaining {
     items: usize,
     maps: usize,
 }
 
-impl Room {
+impl Remaining {
     pub(super) fn new(limits: Limits) -> Self {
         Self { items: limits.items, maps: limits.items }
     }
 
-    /// Takes room for one item, if there is any.
+    /// Takes one item off, if any is left.
     pub(super) fn take(&mut self, warnings: &mut Warnings) -> bool {
         take(&mut self.items, warnings)
     }
 
-    /// Takes room for one map, if there is any.
+    /// Takes one map off, if any is left.
     pub(super) fn take_map(&mut self, warnings: &mut Warnings) -> bool {
         take(&mut self.maps, warnings)
     }
 }
 
-fn take(room: &mut usize, warnings: &mut Warnings) -> bool {
-    let left = room.checked_sub(1);
+fn take(remaining: &mut usize, warnings: &mut Warnings) -> bool {
+    let left = remaining.checked_sub(1);
     match left {
-        Some(left) => *room = left,
+        Some(left) => *remaining = left,
         None => warnings.add(WarningKind::TooManyItems),
     }
     left.is_some()

@@ -7,7 +7,7 @@ use traylib_materials::Tiling;
 use traylib_math::glam::Affine2;
 use traylib_math::{Rgb, Vec2};
 
-/// What a map changes.
+/// The property that a map changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapKind {
     /// Diffuse colour.
@@ -61,7 +61,7 @@ pub struct Map {
     pub flags: u16,
     /// Blur, as stored.
     pub blur: f32,
-    /// How often the map fits into 0..1 of u and v; not 0.
+    /// The number of times that the map fits into 0..1 of u and v; not 0.
     pub scale: Vec2,
     /// Where the middle of the map is, from the middle of 0..1.
     pub offset: Vec2,
@@ -112,7 +112,7 @@ impl Map {
         self.flags & flags == flags
     }
 
-    /// What is beyond the edges.
+    /// Returns what is beyond the edges.
     pub fn tiling(&self) -> Tiling {
         if self.has(Self::NO_TILING) {
             Tiling::Once

@@ -3,11 +3,11 @@
 use super::Warnings;
 use super::chunk::{Reader, set};
 use super::colour::{colour, fraction};
-use super::limits::Room;
+use super::limits::Remaining;
 use super::map::{self, Map, MapKind};
 use traylib_math::Rgb;
 
-/// How the material was meant to be shaded.
+/// The shading that the material was meant to have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shading {
     /// Edges only.
@@ -37,7 +37,7 @@ impl Shading {
 pub struct MaterialFlags {
     /// Maps are decals.
     pub decal: bool,
-    /// What is behind is added, not filtered.
+    /// Whether the light behind is added, not filtered.
     pub additive_transparency: bool,
     /// Shown as wires.
     pub wire: bool,
@@ -49,7 +49,7 @@ pub struct MaterialFlags {
     pub falloff_in: bool,
     /// Highlights are softened.
     pub soften: bool,
-    /// What it reflects was to be drawn by 3D Studio.
+    /// Whether the picture that it reflects was to be drawn by 3D Studio.
     pub automatic_reflection: bool,
 }
 
@@ -88,13 +88,13 @@ pub struct Material {
     pub shininess_strength: f32,
     /// 0 is opaque.
     pub transparency: f32,
-    /// How much transparency changes towards the edges.
+    /// The change of transparency towards the edges.
     pub transparency_falloff: f32,
     /// Blur of what is reflected.
     pub reflection_blur: f32,
     /// Marked as shining by itself, as old programs did.
     pub self_illuminated: bool,
-    /// How much it shines by itself; newer programs store it.
+    /// The part of its colour with which it shines by itself; newer programs store it.
     pub self_illumination: Option<f32>,
     /// Whether the back is to be seen too.
     pub two_sided: bool,
@@ -108,7 +108,7 @@ pub struct Material {
     pub flags: MaterialFlags,
     /// Maps, at most one of a kind.
     pub maps: Vec<(MapKind, Map)>,
-    /// What the maps show through, at most one of a kind.
+    /// The masks that the maps show through, at most one of a kind.
     pub masks: Vec<(MapKind, Map)>,
 }
 
@@ -188,7 +188,7 @@ impl Material {
     }
 }
 
-/// The last map of a kind counts. Room is made one by one: most materials have
+/// The last map of a kind counts. Space is made one by one: most materials have
 /// one map, and a file may have very many materials.
 fn put(maps: &mut Vec<(MapKind, Map)>, kind: MapKind, map: Map) {
     maps.retain(|(of, _)| *of != kind);
@@ -197,11 +197,15 @@ fn put(maps: &mut Vec<(MapKind, Map)>, kind: MapKind, map: Map) {
 }
 
 /// Reads a material chunk (AFFF).
-pub(super) fn decode(mut reader: Reader<'_>, warnings: &mut Warnings, room: &mut Room) -> Material {
+pub(super) fn decode(
+    mut reader: Reader<'_>,
+    warnings: &mut Warnings,
+    remaining: &mut Remaining,
+) -> Material {
     let mut material = Material::default();
     while let Some((id, body)) = reader.next_chunk(warnings) {
         match MapKind::of(id) {
-            Some(kind) if room.take_map(warnings) => material.read_map(kind, body, warnings),
+            Some(kind) if remaining.take_map(warnings) => material.read_map(kind, body, warnings),
             Some(_) => {}
             None => material.read(id, body, warnings),
         }

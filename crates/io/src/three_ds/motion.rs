@@ -1,4 +1,4 @@
-//! How much a still picture leaves out of the animation.
+//! The part of the animation that a still picture leaves out.
 
 use super::keyframer::{Node, Track, TrackKind, Value};
 use super::{Document, Mesh, pose};
@@ -9,14 +9,14 @@ use traylib_math::Vec3;
 /// files that stand still are off by 5·10⁻⁵ of their meshes' extent.
 const ROUNDING: f32 = 1e-3;
 
-/// What moves.
+/// The objects that move, counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Nodes with a track whose value changes.
     pub changing_nodes: usize,
-    /// How far the pose of frame 0 has a vertex from where it is stored, along x, y or
-    /// z, in units of the file; 0 if no further than rounding explains. Further places
-    /// of a mesh do not count: they are no motion.
+    /// The greatest distance of a vertex in the pose of frame 0 from where it is stored, along x, y
+    /// or z, in units of the file; 0 if no further than rounding explains. Further places of a mesh
+    /// do not count: they are no motion.
     pub shift: f32,
 }
 
@@ -74,7 +74,7 @@ fn shift(mesh: &Mesh, placed: &pose::Placed) -> f32 {
     if most > ROUNDING * extent(&vertices().collect::<Vec<_>>()) { most } else { 0.0 }
 }
 
-/// Of the middle eight tenths of all vertices: real files have a few that belong
+/// Returns the extent of the middle eight tenths of all vertices: real files have a few that belong
 /// nowhere, which would hide any motion.
 fn extent(vertices: &[Vec3]) -> f32 {
     let range = |axis: usize| {

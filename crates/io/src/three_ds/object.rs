@@ -1,4 +1,4 @@
-//! What all named objects have in common.
+//! The properties that all named objects have in common.
 
 /// Marks of an object.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

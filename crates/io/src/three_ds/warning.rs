@@ -1,9 +1,9 @@
-//! What the decoder skips or repairs, counted by kind.
+//! The warnings of the decoder: what it skips or repairs, counted by kind.
 
 use crate::warning_counts::WarningCounts;
 use std::fmt;
 
-/// A kind of thing that was skipped or repaired.
+/// The kinds of what a reader skips or repairs in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum WarningKind {

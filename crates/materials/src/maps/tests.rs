@@ -40,7 +40,7 @@ fn beyond_a_picture_that_is_there_once_the_base_shows() {
 
 /// A slope of height along u in a picture over a square of side 2.
 #[test]
-fn a_relief_leans_against_its_slope() {
+fn a_bump_map_leans_against_its_slope() {
     // Between the middles of the second and third pixel, height grows by 0.1 on
     // a quarter of u.
     let bump = Bump { layer: layer([0.0, 0.0, 0.1, 0.1]), height: 1.0 };

@@ -51,7 +51,7 @@ impl Mirror {
         self.delta_chance
     }
 
-    /// What goes into the mirror direction.
+    /// Returns the part of the light that goes into the mirror direction.
     pub(crate) fn reflectance(&self) -> Rgb {
         self.reflectance
     }

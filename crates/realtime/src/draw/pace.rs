@@ -1,4 +1,4 @@
-//! How fast a method is, and how coarse a draft must be to come at once.
+//! The pace of a method, and how coarse a preview must be to come at once.
 
 use std::time::Duration;
 use traylib_scene::Camera;
@@ -9,17 +9,17 @@ pub(crate) struct Pace {
     seconds_per_pixel: Option<f64>,
 }
 
-/// What takes longer needs a draft. That some 25 of them come in a second is motion.
+/// What takes longer needs a preview. That some 25 of them come in a second is motion.
 const AT_ONCE: f64 = 0.04;
 
-/// The draft of a method of which nothing is known: 64 pixels as one.
+/// The preview of a method of which nothing is known: 64 pixels as one.
 const UNKNOWN: u32 = 8;
 
 /// Coarser nobody knows what it is.
 const COARSEST: u32 = 16;
 
 impl Pace {
-    /// How many pixels are to be drawn as one in each direction, for a draft of a picture of so
+    /// How many pixels are to be drawn as one in each direction, for a preview of a picture of so
     /// many columns and rows: one if the picture itself comes at once.
     pub(crate) fn coarseness(self, width: u32, height: u32) -> u32 {
         let Some(seconds) = self.seconds_per_pixel else { return UNKNOWN };
@@ -39,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_takes_long_gets_a_draft_that_does_not() {
+    fn what_takes_long_gets_a_preview_that_does_not() {
         let of = |seconds_per_pixel: f64| {
             Pace { seconds_per_pixel: Some(seconds_per_pixel) }.coarseness(1000, 1000)
         };

@@ -36,7 +36,7 @@ fn the_last_frame_is_the_picture_of_the_programs() {
 }
 
 #[test]
-fn a_draft_comes_first_while_nothing_is_known_and_a_quick_picture_does_without() {
+fn a_preview_comes_first_while_nothing_is_known_and_a_quick_picture_does_without() {
     let mut artist = artist("spheres --resolution 40x30");
     let wanted = wanted(&artist, Method::TRACE);
     let coarse = |frames: &[Frame]| frames.iter().map(|frame| frame.coarseness).collect::<Vec<_>>();
@@ -50,15 +50,15 @@ fn a_draft_comes_first_while_nothing_is_known_and_a_quick_picture_does_without()
 }
 
 #[test]
-fn stale_views_have_their_draft_alone_and_nothing_is_drawn_after_the_end() {
+fn stale_views_have_their_preview_alone_and_nothing_is_drawn_after_the_end() {
     let mut artist = artist("cornell --resolution 40x30");
     let wanted = wanted(&artist, Method::BDPT);
     let draw = |artist: &mut Artist, end: &Control| {
         let stale = Control::default();
         stale.cancel();
-        let mut drafts = Vec::new();
-        artist.draw(&wanted, &stale, end, &mut |frame| drafts.push(frame.coarseness)).unwrap();
-        drafts
+        let mut previews = Vec::new();
+        artist.draw(&wanted, &stale, end, &mut |frame| previews.push(frame.coarseness)).unwrap();
+        previews
     };
     let end = Control::default();
     assert_eq!(draw(&mut artist, &end), [8]);

@@ -10,7 +10,7 @@ use traylib_math::Grid;
 pub struct FilmBlock {
     /// The number of its first pass in the sequence.
     pub first: u64,
-    /// How many passes there are.
+    /// The number of passes that are summed up.
     pub passes: u64,
     /// The sum of their radiance.
     pub sum: Grid<[f64; 3]>,

@@ -18,7 +18,7 @@ impl Sequence {
         self.0
     }
 
-    /// How many passes there are.
+    /// Returns the number of passes.
     pub(super) fn passes(&self) -> u32 {
         self.0.iter().map(|block| (block.passes().end - block.passes().start) as u32).sum()
     }

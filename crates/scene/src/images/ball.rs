@@ -83,7 +83,7 @@ impl BallMirror {
         (point.as_dvec3() - self.centre.as_dvec3()) * f64::from(self.radius).recip()
     }
 
-    /// How light of a point arrives at another by way of the ball.
+    /// Returns how light of a point arrives at another by way of the ball.
     ///
     /// A narrow bundle of rays that has come a metres from the light and is mirrored at the
     /// angle θ spreads as if it came from a and a + 2ab/(r·cosθ) in the plane of incidence, and

@@ -3,11 +3,12 @@
 use super::ImageCone;
 use super::light_ball::LightBall;
 use super::reflection::Reflection;
-use traylib_geometry::{Disk, Quad, Sides, Triangle};
+use traylib_geometry::{Outline, Sides};
 use traylib_math::Vec3;
 use traylib_math::glam::DVec3;
 
-/// What is no higher over a plane than this, over its size, lies in it but for rounding.
+/// The height, over its size, up to which a shape lies in a plane: what is no higher than this,
+/// over its size, lies in it but for rounding.
 const IN_PLANE: f32 = 1e-5;
 
 /// A flat piece that mirrors.
@@ -17,12 +18,12 @@ pub(super) struct FlatMirror {
     anchor: Vec3,
     normal: Vec3,
     front_only: bool,
-    outline: Outline,
+    outline: MirrorOutline,
 }
 
 /// Where in its plane it ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Outline {
+enum MirrorOutline {
     /// Coordinates of an offset o from the anchor are o·`to_u` and o·`to_v`, both from 0
     /// to 1 in a parallelogram with these edges.
     Quad { edges: [Vec3; 2], to_u: Vec3, to_v: Vec3 },
@@ -33,36 +34,29 @@ enum Outline {
 }
 
 impl FlatMirror {
-    pub(super) fn quad(quad: &Quad, sides: Sides) -> Option<Self> {
-        let edges = quad.edges();
-        let [to_u, to_v] = duals(edges)?;
-        let outline = Outline::Quad { edges, to_u, to_v };
-        Some(Self::new(quad.corner(), quad.normal(), sides, outline))
-    }
-
-    pub(super) fn triangle(triangle: &Triangle, sides: Sides) -> Option<Self> {
-        let [a, b, c] = triangle.corners();
-        let edges = [b - a, c - a];
-        let [to_u, to_v] = duals(edges)?;
-        let outline = Outline::Triangle { edges, to_u, to_v };
-        Some(Self::new(a, triangle.normal(), sides, outline))
-    }
-
-    pub(super) fn disk(disk: &Disk, sides: Sides) -> Self {
-        let outline = Outline::Disk { radius: disk.radius() };
-        Self::new(disk.centre(), disk.normal(), sides, outline)
-    }
-
-    fn new(anchor: Vec3, normal: Vec3, sides: Sides, outline: Outline) -> Self {
-        Self { anchor, normal, front_only: sides == Sides::Front, outline }
+    /// A flat piece with this front normal; `None` where it is too thin for coordinates on it.
+    pub(super) fn new(normal: Vec3, outline: Outline, sides: Sides) -> Option<Self> {
+        let (anchor, outline) = match outline {
+            Outline::Triangle([a, b, c]) => {
+                let edges = [b - a, c - a];
+                let [to_u, to_v] = duals(edges)?;
+                (a, MirrorOutline::Triangle { edges, to_u, to_v })
+            }
+            Outline::Parallelogram { corner, edges } => {
+                let [to_u, to_v] = duals(edges)?;
+                (corner, MirrorOutline::Quad { edges, to_u, to_v })
+            }
+            Outline::Circle { centre, radius } => (centre, MirrorOutline::Disk { radius }),
+        };
+        Some(Self { anchor, normal, front_only: sides == Sides::Front, outline })
     }
 
     /// A point in its middle.
     pub(super) fn middle(&self) -> Vec3 {
         match self.outline {
-            Outline::Quad { edges: [u, v], .. } => self.anchor + 0.5 * (u + v),
-            Outline::Triangle { edges: [u, v], .. } => self.anchor + (u + v) / 3.0,
-            Outline::Disk { .. } => self.anchor,
+            MirrorOutline::Quad { edges: [u, v], .. } => self.anchor + 0.5 * (u + v),
+            MirrorOutline::Triangle { edges: [u, v], .. } => self.anchor + (u + v) / 3.0,
+            MirrorOutline::Disk { .. } => self.anchor,
         }
     }
 
@@ -98,9 +92,9 @@ impl FlatMirror {
     /// Its corners; a disk has none.
     fn corners(&self) -> Vec<Vec3> {
         let from_anchor = match self.outline {
-            Outline::Quad { edges: [u, v], .. } => vec![Vec3::ZERO, u, v, u + v],
-            Outline::Triangle { edges: [u, v], .. } => vec![Vec3::ZERO, u, v],
-            Outline::Disk { .. } => Vec::new(),
+            MirrorOutline::Quad { edges: [u, v], .. } => vec![Vec3::ZERO, u, v, u + v],
+            MirrorOutline::Triangle { edges: [u, v], .. } => vec![Vec3::ZERO, u, v],
+            MirrorOutline::Disk { .. } => Vec::new(),
         };
         from_anchor.into_iter().map(|offset| self.anchor + offset).collect()
     }
@@ -168,7 +162,7 @@ impl FlatMirror {
         (sine_squared < 1.0).then(|| ImageCone::around(offset / distance, one_minus_cos))
     }
 
-    /// How light of a point arrives at another by way of the mirror's plane, whether or not
+    /// Returns how light of a point arrives at another by way of the mirror's plane, whether or not
     /// the mirror reaches there: as from an image, over the whole way.
     pub(super) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
         let [anchor, normal] = [self.anchor, self.normal].map(Vec3::as_dvec3);
@@ -183,7 +177,7 @@ impl FlatMirror {
     }
 }
 
-impl Outline {
+impl MirrorOutline {
     /// No point is farther from the middle.
     fn reach(&self) -> f32 {
         match self {
@@ -193,7 +187,8 @@ impl Outline {
         }
     }
 
-    /// How far below and above its anchor it reaches along a unit direction; `normal` is its own.
+    /// Returns how far below and above its anchor it reaches along a unit direction; `normal` is
+    /// its own.
     fn rise(&self, up: Vec3, normal: Vec3) -> [f32; 2] {
         let corners = match *self {
             Self::Quad { edges: [u, v], .. } => [u, v, u + v],

@@ -1,10 +1,10 @@
 //! A lamp as a mirror shows it: a ball around it.
 
 use crate::{Light, PointLight};
-use traylib_geometry::{Facing, Primitive};
+use traylib_geometry::{Facing, Form, Outline};
 use traylib_math::Vec3;
 
-/// What of a lamp its images depend on.
+/// A lamp as far as its images depend on it: a ball around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LightBall {
     /// The middle of a ball that holds it.
@@ -21,13 +21,9 @@ impl LightBall {
     /// Describes any lamp but one that is seen from within, which fills every mirror.
     pub(super) fn of(light: &Light) -> Option<Self> {
         let power = light.power().luminance();
-        let [centre, reach] = match light {
-            Light::Area { primitive, .. } => around(primitive)?,
-            Light::Point(PointLight { position, .. }) => [*position, Vec3::ZERO],
-        };
-        let normal = match light {
-            Light::Area { primitive, .. } => flat_normal(primitive),
-            Light::Point(_) => None,
+        let ([centre, reach], normal) = match light {
+            Light::Area { primitive, .. } => around(&primitive.form())?,
+            Light::Point(PointLight { position, .. }) => ([*position, Vec3::ZERO], None),
         };
         Some(Self { centre, radius: reach.length(), normal, power })
     }
@@ -48,27 +44,28 @@ impl LightBall {
     }
 }
 
-/// The centre of a ball around a shape and one of its radii.
-fn around(primitive: &Primitive) -> Option<[Vec3; 2]> {
-    match primitive {
-        Primitive::Triangle(triangle) => {
-            let corners = triangle.corners();
+/// The centre of a ball around a shape and one of its radii, and the normal of what is flat.
+fn around(form: &Form) -> Option<([Vec3; 2], Option<Vec3>)> {
+    match form {
+        Form::Flat { normal, outline } => Some((around_outline(outline), Some(*normal))),
+        Form::Ball(sphere) if sphere.facing() == Facing::Inward => None,
+        Form::Ball(sphere) => Some(([sphere.centre(), sphere.radius() * Vec3::X], None)),
+        Form::Bent(bounds) => Some(([bounds.centre(), 0.5 * bounds.extent()], None)),
+    }
+}
+
+fn around_outline(outline: &Outline) -> [Vec3; 2] {
+    match *outline {
+        Outline::Triangle(corners) => {
             let centre = corners.iter().map(|&corner| corner / 3.0).sum::<Vec3>();
             let spokes = corners.map(|corner| corner - centre);
-            Some([centre, longest(&spokes)])
+            [centre, longest(&spokes)]
         }
-        Primitive::Quad(quad) => {
-            let [u, v] = quad.edges();
+        Outline::Parallelogram { corner, edges: [u, v] } => {
             let spokes = [0.5 * (u + v), 0.5 * (u - v)];
-            Some([quad.corner() + spokes[0], longest(&spokes)])
+            [corner + spokes[0], longest(&spokes)]
         }
-        Primitive::Sphere(sphere) if sphere.facing() == Facing::Inward => None,
-        Primitive::Sphere(sphere) => Some([sphere.centre(), sphere.radius() * Vec3::X]),
-        Primitive::Disk(disk) => Some([disk.centre(), disk.radius() * Vec3::X]),
-        Primitive::Cone(cone) => {
-            let bounds = cone.bounds();
-            Some([bounds.centre(), 0.5 * bounds.extent()])
-        }
+        Outline::Circle { centre, radius } => [centre, radius * Vec3::X],
     }
 }
 
@@ -77,13 +74,4 @@ fn longest(spokes: &[Vec3]) -> Vec3 {
         if other.length_squared() > one.length_squared() { *other } else { one }
     };
     spokes.iter().fold(Vec3::ZERO, longer)
-}
-
-fn flat_normal(primitive: &Primitive) -> Option<Vec3> {
-    match primitive {
-        Primitive::Triangle(triangle) => Some(triangle.normal()),
-        Primitive::Quad(quad) => Some(quad.normal()),
-        Primitive::Disk(disk) => Some(disk.normal()),
-        Primitive::Sphere(_) | Primitive::Cone(_) => None,
-    }
 }

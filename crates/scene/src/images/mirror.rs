@@ -1,11 +1,11 @@
-//! What mirrors: a ball or a flat piece, perfectly or with a narrow lobe.
+//! Mirrors: a ball or a flat piece that reflects perfectly or with a narrow lobe.
 
 use super::ImageCone;
 use super::ball::BallMirror;
 use super::flat::FlatMirror;
 use super::light_ball::LightBall;
 use super::reflection::Reflection;
-use traylib_geometry::{Facing, Primitive, Sides};
+use traylib_geometry::{Facing, Form, Primitive, Sides};
 use traylib_math::Vec3;
 
 /// A lobe of exponent n is taken to be this over √n wide, in radians: 99.8 % of cosⁿ.
@@ -14,15 +14,15 @@ const LOBE_WIDTH: f32 = 3.5;
 /// A surface that shows images of lamps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Mirror {
-    form: Form,
-    /// How wide a point is smeared, in radians; zero by an ideal mirror.
+    form: MirrorForm,
+    /// The angle by which a point is blurred, in radians; zero by an ideal mirror.
     blur: f32,
     /// Area in m².
     pub(super) area: f32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Form {
+enum MirrorForm {
     Ball(BallMirror),
     Flat(FlatMirror),
 }
@@ -32,15 +32,15 @@ impl Mirror {
     /// mirror. `None` of what shows no image that could be aimed at: the inside of a ball
     /// and what bends one way only.
     pub(super) fn new(primitive: &Primitive, sides: Sides, exponent: f32) -> Option<Self> {
-        let form = match primitive {
-            Primitive::Triangle(triangle) => Form::Flat(FlatMirror::triangle(triangle, sides)?),
-            Primitive::Quad(quad) => Form::Flat(FlatMirror::quad(quad, sides)?),
-            Primitive::Disk(disk) => Form::Flat(FlatMirror::disk(disk, sides)),
-            Primitive::Sphere(sphere) => {
-                let from_outside = sides == Sides::Both || sphere.facing() == Facing::Outward;
-                Form::Ball(from_outside.then(|| BallMirror::new(sphere))?)
+        let form = match primitive.form() {
+            Form::Flat { normal, outline } => {
+                MirrorForm::Flat(FlatMirror::new(normal, outline, sides)?)
             }
-            Primitive::Cone(_) => return None,
+            Form::Ball(sphere) => {
+                let from_outside = sides == Sides::Both || sphere.facing() == Facing::Outward;
+                MirrorForm::Ball(from_outside.then(|| BallMirror::new(&sphere))?)
+            }
+            Form::Bent(_) => return None,
         };
         Some(Self { form, blur: LOBE_WIDTH / exponent.sqrt(), area: primitive.area() })
     }
@@ -54,27 +54,30 @@ impl Mirror {
     /// A point in its middle, or that of the ball.
     pub(super) fn middle(&self) -> Vec3 {
         match &self.form {
-            Form::Ball(ball) => ball.centre(),
-            Form::Flat(flat) => flat.middle(),
+            MirrorForm::Ball(ball) => ball.centre(),
+            MirrorForm::Flat(flat) => flat.middle(),
         }
     }
 
     /// Whether it is flat and some point may see any of another mirror in it.
     pub(super) fn may_show_mirror(&self, other: &Self) -> bool {
         match (&self.form, &other.form) {
-            (Form::Ball(_), Form::Ball(_) | Form::Flat(_)) => false,
-            (Form::Flat(flat), Form::Ball(ball)) => flat.faces_ball(ball.centre(), ball.radius()),
-            (Form::Flat(flat), Form::Flat(other)) => flat.faces(other) && other.faces(flat),
+            (MirrorForm::Ball(_), MirrorForm::Ball(_) | MirrorForm::Flat(_)) => false,
+            (MirrorForm::Flat(flat), MirrorForm::Ball(ball)) => {
+                flat.faces_ball(ball.centre(), ball.radius())
+            }
+            (MirrorForm::Flat(flat), MirrorForm::Flat(other)) => {
+                flat.faces(other) && other.faces(flat)
+            }
         }
     }
 
     /// Whether both are flat and have a corner in common.
     pub(super) fn touches(&self, other: &Self) -> bool {
         match (&self.form, &other.form) {
-            (Form::Flat(flat), Form::Flat(other)) => flat.touches(other),
-            (Form::Ball(_), Form::Ball(_) | Form::Flat(_)) | (Form::Flat(_), Form::Ball(_)) => {
-                false
-            }
+            (MirrorForm::Flat(flat), MirrorForm::Flat(other)) => flat.touches(other),
+            (MirrorForm::Ball(_), MirrorForm::Ball(_) | MirrorForm::Flat(_))
+            | (MirrorForm::Flat(_), MirrorForm::Ball(_)) => false,
         }
     }
 
@@ -86,7 +89,7 @@ impl Mirror {
         lamp: &LightBall,
         from: Vec3,
     ) -> Option<ImageCone> {
-        let Form::Flat(flat) = &self.form else { return None };
+        let MirrorForm::Flat(flat) = &self.form else { return None };
         // As from behind this mirror.
         let image = other.image(lamp, flat.behind(from)?)?.widened(self.blur);
         let (cone, seen_at) = flat.turned(image, from)?;
@@ -96,8 +99,8 @@ impl Mirror {
     /// Whether a point is on the side of it on which the lamp is.
     fn reflects_to(&self, at: Vec3, lamp: &LightBall) -> bool {
         match &self.form {
-            Form::Ball(_) => true,
-            Form::Flat(flat) => flat.are_on_one_side(at, lamp.centre),
+            MirrorForm::Ball(_) => true,
+            MirrorForm::Flat(flat) => flat.are_on_one_side(at, lamp.centre),
         }
     }
 
@@ -107,8 +110,8 @@ impl Mirror {
         let has_extent = self.blur > 0.0 || !lamp.is_point();
         has_extent
             && match &self.form {
-                Form::Ball(ball) => ball.may_show(lamp),
-                Form::Flat(flat) => flat.may_show(lamp),
+                MirrorForm::Ball(ball) => ball.may_show(lamp),
+                MirrorForm::Flat(flat) => flat.may_show(lamp),
             }
     }
 
@@ -116,16 +119,16 @@ impl Mirror {
     #[inline]
     pub(super) fn rises_above(&self, from: Vec3, normal: Vec3) -> bool {
         match &self.form {
-            Form::Ball(ball) => ball.rises_above(from, normal),
-            Form::Flat(_) => true,
+            MirrorForm::Ball(ball) => ball.rises_above(from, normal),
+            MirrorForm::Flat(_) => true,
         }
     }
 
     /// Where a point sees the image of a lamp, if it does.
     pub(super) fn image(&self, lamp: &LightBall, from: Vec3) -> Option<ImageCone> {
         match &self.form {
-            Form::Ball(ball) => ball.image(lamp, self.blur, from),
-            Form::Flat(flat) => flat.image(lamp, self.blur, from),
+            MirrorForm::Ball(ball) => ball.image(lamp, self.blur, from),
+            MirrorForm::Flat(flat) => flat.image(lamp, self.blur, from),
         }
     }
 
@@ -134,23 +137,24 @@ impl Mirror {
         self.blur == 0.0
     }
 
-    /// The same by way of another mirror and then of this one, if this is flat.
+    /// Returns how light of a point arrives by way of another mirror and then of this one, if this
+    /// is flat.
     pub(super) fn reflection_of_reflection(
         &self,
         other: &Self,
         from: Vec3,
         light: Vec3,
     ) -> Option<Reflection> {
-        let Form::Flat(flat) = &self.form else { return None };
+        let MirrorForm::Flat(flat) = &self.form else { return None };
         let behind = other.reflection(flat.behind(from)?, light)?;
         Some(Reflection { toward: flat.mirrored(behind.toward), ..behind })
     }
 
-    /// How light of a point arrives at another by way of it, wherever it ends.
+    /// Returns how light of a point arrives at another by way of it, wherever it ends.
     pub(crate) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
         match &self.form {
-            Form::Ball(ball) => ball.reflection(from, light),
-            Form::Flat(flat) => flat.reflection(from, light),
+            MirrorForm::Ball(ball) => ball.reflection(from, light),
+            MirrorForm::Flat(flat) => flat.reflection(from, light),
         }
     }
 }

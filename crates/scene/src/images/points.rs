@@ -8,8 +8,8 @@ use crate::{Light, LightId};
 use traylib_materials::Material;
 use traylib_math::{DiscreteDistribution, Vec3};
 
-/// Of so many pairs of mirror and light or fewer all are looked at from a point, of more only
-/// one that is drawn.
+/// The number of pairs of mirror and light that are all looked at from a point; of more only one
+/// is, which is drawn.
 const MOST_PAIRS: usize = 32;
 /// No mirror and no light is drawn much more rarely than this part of its share if all were
 /// alike.
@@ -21,17 +21,17 @@ pub(crate) struct MirroredPoints {
     mirrors: Vec<NumberedMirror>,
     mirror_by_area: DiscreteDistribution,
     /// Each seen in a flat one; none where [`MOST_PAIRS`] would not hold them all.
-    rows: Vec<MirrorWay>,
+    rows: Vec<MirrorPath>,
     lights: Vec<LightId>,
     light_by_power: DiscreteDistribution,
 }
 
 /// One mirror, or two of which one is seen in the other.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct MirrorWay {
-    /// What the surface sees.
+pub(crate) struct MirrorPath {
+    /// The mirror that the surface sees.
     pub(crate) seen: NumberedMirror,
-    /// What that shows, if not the light itself.
+    /// The mirror that is seen in it, if not the light itself.
     pub(crate) shown: Option<NumberedMirror>,
 }
 
@@ -67,12 +67,12 @@ impl MirroredPoints {
         Some(Self { mirrors, mirror_by_area, rows, lights, light_by_power })
     }
 
-    /// How many images are looked at.
+    /// Returns the number of images that are looked at.
     pub(crate) fn tries(&self) -> usize {
         self.pairs_tried() + self.rows.len() * self.lights.len()
     }
 
-    /// Of those how many are in one mirror.
+    /// Returns how many of those are in one mirror.
     fn pairs_tried(&self) -> usize {
         if self.tries_all() { self.mirrors.len() * self.lights.len() } else { 1 }
     }
@@ -82,19 +82,19 @@ impl MirroredPoints {
     }
 
     /// An image to look at, and the chance to do so; `u` is uniform.
-    pub(crate) fn image(&self, look: usize, u: [f64; 2]) -> (MirrorWay, LightId, f32) {
+    pub(crate) fn image(&self, attempt: usize, u: [f64; 2]) -> (MirrorPath, LightId, f32) {
         let count = self.lights.len();
-        if let Some(look) = look.checked_sub(self.pairs_tried()) {
-            return (self.rows[look / count], self.lights[look % count], 1.0);
+        if let Some(attempt) = attempt.checked_sub(self.pairs_tried()) {
+            return (self.rows[attempt / count], self.lights[attempt % count], 1.0);
         }
-        let (mirror, light, chance) = self.pair(look, u);
-        (MirrorWay { seen: mirror, shown: None }, light, chance)
+        let (mirror, light, chance) = self.pair(attempt, u);
+        (MirrorPath { seen: mirror, shown: None }, light, chance)
     }
 
-    fn pair(&self, look: usize, u: [f64; 2]) -> (NumberedMirror, LightId, f32) {
+    fn pair(&self, attempt: usize, u: [f64; 2]) -> (NumberedMirror, LightId, f32) {
         let count = self.lights.len();
         if self.tries_all() {
-            return (self.mirrors[look / count], self.lights[look % count], 1.0);
+            return (self.mirrors[attempt / count], self.lights[attempt % count], 1.0);
         }
         // By how much light there may be: many mirrors are parts of one as a rule.
         let (mirror, of_mirrors) = self.mirror_by_area.choose(u[0]);
@@ -102,22 +102,22 @@ impl MirroredPoints {
         (self.mirrors[mirror], self.lights[light], of_mirrors * of_lights)
     }
 
-    /// The way by these surfaces, from the light on, and the chance to look for this light in
+    /// The path by these surfaces, from the light on, and the chance to look for this light in
     /// it; `None` of what is none, or no such light.
-    pub(crate) fn way_of(&self, surfaces: &[u32], light: LightId) -> Option<(MirrorWay, f32)> {
+    pub(crate) fn path_of(&self, surfaces: &[u32], light: LightId) -> Option<(MirrorPath, f32)> {
         match *surfaces {
             [only] => self.pair_of(only, light),
             [shown, seen] => {
-                let is_there = |way: &&MirrorWay| {
-                    way.seen.surface == seen && way.shown.is_some_and(|it| it.surface == shown)
+                let is_there = |path: &&MirrorPath| {
+                    path.seen.surface == seen && path.shown.is_some_and(|it| it.surface == shown)
                 };
-                self.rows.iter().find(is_there).map(|way| (*way, 1.0))
+                self.rows.iter().find(is_there).map(|path| (*path, 1.0))
             }
             _ => None,
         }
     }
 
-    fn pair_of(&self, surface: u32, light: LightId) -> Option<(MirrorWay, f32)> {
+    fn pair_of(&self, surface: u32, light: LightId) -> Option<(MirrorPath, f32)> {
         // Both lists are in order.
         let mirror = self.mirrors.binary_search_by_key(&surface, |it| it.surface).ok()?;
         let light = self.lights.binary_search_by_key(&light.0, |it| it.0).ok()?;
@@ -126,26 +126,26 @@ impl MirroredPoints {
         } else {
             self.mirror_by_area.probability(mirror) * self.light_by_power.probability(light)
         };
-        Some((MirrorWay { seen: self.mirrors[mirror], shown: None }, chance))
+        Some((MirrorPath { seen: self.mirrors[mirror], shown: None }, chance))
     }
 }
 
 /// All mirrors as flat ones show them, if there are no more than this.
-fn rows(mirrors: &[NumberedMirror], most: usize) -> Vec<MirrorWay> {
+fn rows(mirrors: &[NumberedMirror], most: usize) -> Vec<MirrorPath> {
     // Of very many mirrors nobody needs all pairs.
     if mirrors.len() > MOST_PAIRS {
         return Vec::new();
     }
     let shown_in = |seen: NumberedMirror| {
         let others = mirrors.iter().filter(move |other| seen.mirror.may_show_mirror(&other.mirror));
-        others.map(move |&other| MirrorWay { seen, shown: Some(other) })
+        others.map(move |&other| MirrorPath { seen, shown: Some(other) })
     };
-    let rows: Vec<MirrorWay> = mirrors.iter().copied().flat_map(shown_in).collect();
+    let rows: Vec<MirrorPath> = mirrors.iter().copied().flat_map(shown_in).collect();
     if rows.len() <= most { rows } else { Vec::new() }
 }
 
-impl MirrorWay {
-    /// How light of a point arrives at another by this way, wherever mirrors end.
+impl MirrorPath {
+    /// Returns how light of a point arrives at another by this path, wherever mirrors end.
     pub(crate) fn reflection(&self, from: Vec3, light: Vec3) -> Option<Reflection> {
         match &self.shown {
             None => self.seen.mirror.reflection(from, light),
@@ -154,9 +154,9 @@ impl MirrorWay {
     }
 }
 
-/// A surface as an ideal mirror. Relief bends its images as smooth normals do.
+/// A surface as an ideal mirror. A bump map bends its images as smooth normals do.
 fn ideal_mirror(surface: Surface<'_>, materials: &[Material]) -> Option<Mirror> {
-    let has_relief =
+    let is_bumped =
         materials[surface.material()].maps.as_ref().is_some_and(|maps| maps.bump.is_some());
-    super::mirror(surface, materials).filter(|mirror| mirror.is_ideal() && !has_relief)
+    super::mirror(surface, materials).filter(|mirror| mirror.is_ideal() && !is_bumped)
 }

@@ -4,7 +4,9 @@ use super::light_ball::LightBall;
 use super::mirror::Mirror;
 use super::*;
 use crate::PointLight;
-use traylib_geometry::{Disk, Facing, Primitive, Quad, Ray, Sides, Sphere, Triangle};
+use traylib_geometry::{
+    Disk, Facing, Form, Outline, Primitive, Quad, Ray, Sides, Sphere, Triangle,
+};
 use traylib_math::{Rgb, Sampler};
 
 fn quad(corner: [f32; 3], u: [f32; 3], v: [f32; 3]) -> Primitive {
@@ -62,7 +64,30 @@ fn image(mirror: &Primitive, lamp: &Primitive, eye: Vec3) -> Option<ImageCone> {
 
 /// Of directions around the cone, up to twice as wide, all that come to the lamp are in the
 /// cone, but for one in a hundred of a ball, whose images are not round; and of directions in
-/// the cone a good part comes to the lamp.
+/// the cone a good part comes to the lamp. `goes_on` is where a ray from the eye comes after all
+/// mirrors.
+fn holds_the_image_and_not_much_else(
+    (cone, lamp, eye): (ImageCone, &Primitive, Vec3),
+    sampler: &mut Sampler,
+    goes_on: impl Fn(&Ray) -> Option<Ray>,
+    case: &str,
+) {
+    let (mut shown, mut outside, mut inside) = (0, 0, 0);
+    for _ in 0..20_000 {
+        let wide = (4.0 * cone.one_minus_cos).min(2.0);
+        let w = warp::uniform_cone(cone.axis, wide, sampler.next_2d());
+        let in_cone = cone.pdf(w) > 0.0;
+        inside += u32::from(in_cone);
+        let Some(ray) = goes_on(&Ray::new(eye, w)) else { continue };
+        if lamp.intersect(&ray, Sides::Front).is_some() {
+            shown += 1;
+            outside += u32::from(!in_cone);
+        }
+    }
+    assert!(outside * 100 <= shown, "{case}: {shown} {outside} {inside}");
+    assert!(shown * 8 >= inside, "{case}: {shown} {outside} {inside}");
+}
+
 #[test]
 fn cones_hold_the_image_and_not_much_else() {
     let mut sampler = Sampler::numbered(1, 0);
@@ -70,21 +95,9 @@ fn cones_hold_the_image_and_not_much_else() {
         for lamp in lamps() {
             for eye in EYES {
                 let cone = image(&mirror, &lamp, eye).unwrap();
-                let (mut shown, mut outside, mut inside) = (0, 0, 0);
-                for _ in 0..20_000 {
-                    let wide = (4.0 * cone.one_minus_cos).min(2.0);
-                    let w = warp::uniform_cone(cone.axis, wide, sampler.next_2d());
-                    let in_cone = cone.pdf(w) > 0.0;
-                    inside += u32::from(in_cone);
-                    let Some(ray) = reflected(&mirror, &Ray::new(eye, w)) else { continue };
-                    if lamp.intersect(&ray, Sides::Front).is_some() {
-                        shown += 1;
-                        outside += u32::from(!in_cone);
-                    }
-                }
-                let case = format!("{mirror:?} {lamp:?} {eye}: {shown} {outside} {inside}");
-                assert!(outside * 100 <= shown, "{case}");
-                assert!(shown * 8 >= inside, "{case}");
+                let case = format!("{mirror:?} {lamp:?} {eye}");
+                let goes_on = |ray: &Ray| reflected(&mirror, ray);
+                holds_the_image_and_not_much_else((cone, &lamp, eye), &mut sampler, goes_on, &case);
             }
         }
     }
@@ -95,7 +108,7 @@ fn ceiling() -> Primitive {
     quad([-4.0, 3.0, -4.0], [0.0, 0.0, 8.0], [8.0, 0.0, 0.0])
 }
 
-/// The same of the image in another mirror.
+/// Cones hold the image in another mirror as well.
 #[test]
 fn cones_hold_images_of_images() {
     let mut sampler = Sampler::numbered(3, 0);
@@ -109,22 +122,8 @@ fn cones_hold_images_of_images() {
                 };
                 let case = format!("{mirror:?} {lamp:?} {eye}");
                 let cone = pair.seen_in(&seen_in).unwrap().image(eye).expect(&case);
-                let (mut shown, mut outside, mut inside) = (0, 0, 0);
-                for _ in 0..20_000 {
-                    let wide = (4.0 * cone.one_minus_cos).min(2.0);
-                    let w = warp::uniform_cone(cone.axis, wide, sampler.next_2d());
-                    let in_cone = cone.pdf(w) > 0.0;
-                    inside += u32::from(in_cone);
-                    let ray = reflected(&ceiling(), &Ray::new(eye, w));
-                    let ray = ray.and_then(|ray| reflected(&mirror, &ray));
-                    let Some(ray) = ray else { continue };
-                    if lamp.intersect(&ray, Sides::Front).is_some() {
-                        shown += 1;
-                        outside += u32::from(!in_cone);
-                    }
-                }
-                assert!(outside * 100 <= shown, "{case}: {shown} {outside} {inside}");
-                assert!(shown * 8 >= inside, "{case}: {shown} {outside} {inside}");
+                let goes_on = |ray: &Ray| reflected(&mirror, &reflected(&ceiling(), ray)?);
+                holds_the_image_and_not_much_else((cone, &lamp, eye), &mut sampler, goes_on, &case);
             }
         }
     }
@@ -268,17 +267,15 @@ fn scale_does_not_matter() {
         for exponent in [1e3, f32::INFINITY] {
             for eye in EYES {
                 let at = |scale: f32| {
-                    let scaled = |primitive: &Primitive| match primitive {
-                        Primitive::Sphere(s) => {
-                            ball((scale * s.centre()).to_array(), scale * s.radius())
+                    let scaled = |primitive: &Primitive| match primitive.form() {
+                        Form::Ball(s) => ball((scale * s.centre()).to_array(), scale * s.radius()),
+                        Form::Flat {
+                            outline: Outline::Parallelogram { corner, edges }, ..
+                        } => {
+                            let [u, v] = edges.map(|edge| (scale * edge).to_array());
+                            quad((scale * corner).to_array(), u, v)
                         }
-                        Primitive::Quad(q) => {
-                            let [u, v] = q.edges().map(|edge| (scale * edge).to_array());
-                            quad((scale * q.corner()).to_array(), u, v)
-                        }
-                        other @ (Primitive::Triangle(_)
-                        | Primitive::Disk(_)
-                        | Primitive::Cone(_)) => *other,
+                        Form::Flat { .. } | Form::Bent(_) => *primitive,
                     };
                     let lamp = LightBall::of(&area_light(scaled(&lamps()[0]))).unwrap();
                     let mirror = Mirror::new(&scaled(&mirror), Sides::Both, exponent).unwrap();

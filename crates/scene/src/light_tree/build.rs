@@ -46,7 +46,7 @@ impl Builder<'_> {
         (all, Link::Node(self.tree.nodes.len() as u32 - 1))
     }
 
-    /// What stands for a range: one lamp, or a node at this level.
+    /// Returns the link that stands for a range: one lamp, or a node at this level.
     fn child(&mut self, range: Range<usize>, path: u64, level: u32) -> (Cluster, Link) {
         if range.len() > 1 {
             return self.add(range, path, level);
@@ -94,7 +94,7 @@ impl Builder<'_> {
     fn best_plane(&self, range: &Range<usize>) -> Option<Plane> {
         let lamps = || self.order[range.clone()].iter().map(|&lamp| &self.lamps[lamp as usize]);
         let centres = Aabb::around(lamps().map(|lamp| lamp.bounds.centre()));
-        let along = |axis| cheapest_along(Grid::new(&centres, axis)?, lamps());
+        let along = |axis| cheapest_along(AxisBins::new(&centres, axis)?, lamps());
         let planes = (0..3).filter_map(along);
         planes.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, plane)| plane)
     }
@@ -102,7 +102,7 @@ impl Builder<'_> {
 
 /// Equal intervals between the least and the greatest centre along an axis.
 #[derive(Clone, Copy)]
-struct Grid {
+struct AxisBins {
     axis: usize,
     start: f32,
     bins_per_length: f32,
@@ -110,11 +110,11 @@ struct Grid {
 
 /// Between two intervals: what lies in `bin` or beyond goes right.
 struct Plane {
-    grid: Grid,
+    axis: AxisBins,
     bin: usize,
 }
 
-impl Grid {
+impl AxisBins {
     /// `None` if all centres are in one place.
     fn new(centres: &Aabb, axis: usize) -> Option<Self> {
         let length = centres.extent()[axis];
@@ -135,26 +135,26 @@ impl Grid {
 
 impl Plane {
     fn is_right(&self, lamp: &Cluster) -> bool {
-        self.grid.bin(lamp) >= self.bin
+        self.axis.bin(lamp) >= self.bin
     }
 }
 
-/// The plane of a grid with the least cost, and that cost. The first and the last
+/// The plane across an axis with the least cost, and that cost. The first and the last
 /// interval hold a lamp each, so neither side is empty.
 fn cheapest_along<'a>(
-    grid: Grid,
+    axis: AxisBins,
     lamps: impl Iterator<Item = &'a Cluster>,
 ) -> Option<(f64, Plane)> {
     let mut bins = [None; BINS];
     for lamp in lamps {
-        let bin = &mut bins[grid.bin(lamp)];
+        let bin = &mut bins[axis.bin(lamp)];
         *bin = join(*bin, Some(*lamp));
     }
     let left = costs(bins.iter());
     let right = costs(bins.iter().rev());
     let cost = |bin: usize| left[bin - 1] + right[BINS - 1 - bin];
     let bin = (1..BINS).min_by(|&i, &j| cost(i).total_cmp(&cost(j)))?;
-    Some((cost(bin), Plane { grid, bin }))
+    Some((cost(bin), Plane { axis, bin }))
 }
 
 /// The cost of the first interval, the first two, and so on.

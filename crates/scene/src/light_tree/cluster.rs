@@ -1,4 +1,4 @@
-//! What is known of one lamp or of many.
+//! Clusters: what light sampling knows of one lamp, or of many together.
 
 use super::cone::Cone;
 use crate::{Light, PointLight};
@@ -38,9 +38,9 @@ impl Cluster {
         }
     }
 
-    /// How poorly the cluster stands for its lamps: the stronger, the further
-    /// apart, the less of one mind, the worse. The square of the diagonal takes the
-    /// place of the surface, which vanishes for lamps in a row.
+    /// Returns how poorly the cluster stands for its lamps: the stronger, the further apart, the
+    /// less of one mind, the worse. The square of the diagonal takes the place of the surface,
+    /// which vanishes for lamps in a row.
     pub(super) fn cost(&self) -> f64 {
         let diagonal_squared = self.bounds.extent().as_dvec3().length_squared();
         self.intensity * diagonal_squared * self.cone.measure()

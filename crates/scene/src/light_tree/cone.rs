@@ -15,7 +15,7 @@ pub(super) struct Cone {
     pub(super) reach: Reach,
 }
 
-/// How far from its own direction a lamp shines.
+/// The angle from its own direction within which a lamp shines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Reach {
     /// Not at all: `spread` holds all directions it shines into.
@@ -80,8 +80,8 @@ impl Cone {
         }
     }
 
-    /// How many directions lamps in it shine into, each weighted with its cosine,
-    /// in steradians: M_Ω of Conty Estevez and Kulla.
+    /// Returns the measure of the directions that lamps in it shine into, each weighted with its
+    /// cosine, in steradians: M_Ω of Conty Estevez and Kulla.
     pub(super) fn measure(&self) -> f64 {
         let spread = self.spread;
         let end = (spread + self.reach.radians()).min(PI);

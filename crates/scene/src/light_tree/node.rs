@@ -1,4 +1,4 @@
-//! What a point is told of up to four clusters of lamps, side by side.
+//! Nodes of the light tree: up to four clusters of lamps, judged from a point side by side.
 
 use super::cluster::Cluster;
 use super::cone::Reach;
@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use traylib_math::Vec3;
 use traylib_math::glam::{BVec4A, Vec4};
 
-/// How many children a node has at most.
+/// The greatest number of children of a node.
 pub(super) const WIDTH: usize = 4;
 
 /// Room for rounding, in cosines and relative to lengths: some ten operations, each
@@ -27,7 +27,7 @@ pub(super) struct Node {
     radius: Vec4,
     /// The axes of the cones, by coordinate.
     axis: [Vec4; 3],
-    /// How far the box reaches along the axis, from its centre.
+    /// The extent of the box along the axis, from its centre.
     reach_of_box: Vec4,
     /// The cones' angles.
     spread: Angles,
@@ -46,7 +46,7 @@ pub(super) struct Node {
     pub(super) links: [Link; WIDTH],
 }
 
-/// What is below a node.
+/// A link to what is below a node: a lamp, or nodes.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Link {
     /// Another node.
@@ -55,7 +55,7 @@ pub(super) enum Link {
     Lamp(u32),
 }
 
-/// What children may give a point.
+/// The importance of children: what they may give a point.
 pub(super) struct Importance {
     /// Not a number or infinite where squares of distances leave single precision.
     pub(super) value: Vec4,

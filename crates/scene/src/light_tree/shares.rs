@@ -1,4 +1,4 @@
-//! How the children of a node share its choices.
+//! The shares of the children of a node in its choices.
 
 use super::node::{Importance, Node, WIDTH};
 use traylib_math::Vec3;
@@ -23,7 +23,7 @@ pub(super) struct Shares {
 /// One turn of a choice.
 pub(super) struct Turn {
     pub(super) child: usize,
-    /// Of the number that decided it.
+    /// The rest of the number that decided it.
     pub(super) rest: Rest,
 }
 

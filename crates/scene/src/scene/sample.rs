@@ -41,15 +41,15 @@ impl Scene {
             None | Some(Seat::Plain) => {}
             Some(Seat::Masked(surface)) => {
                 let surface = self.surface_of(*surface);
-                point.emitted *= self.coverage(surface, coordinates(surface));
+                point.emitted *= self.opacity(surface, coordinates(surface));
             }
             Some(Seat::Within(site)) => point.site = *site,
         }
     }
 
-    /// How much of a surface is there at these coordinates.
+    /// Returns the part of a surface that is there at these coordinates.
     #[cold]
-    fn coverage(&self, surface: Surface<'_>, at: Vec2) -> f32 {
+    fn opacity(&self, surface: Surface<'_>, at: Vec2) -> f32 {
         self.stage.materials[surface.material()].opacity(|| surface.site_of_textures(at))
     }
 }

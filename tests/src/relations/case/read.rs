@@ -1,7 +1,7 @@
 //! Documents back into plain data.
 
 use crate::relations::scene::{
-    Base, Camera, DrawnScene, Light, Lobes, Map, Material, Mesh, Object, Picture, Relief, Shape,
+    Base, BumpMap, Camera, DrawnScene, Light, Lobes, Map, Material, Mesh, Object, Picture, Shape,
     Spot, Tiling,
 };
 use std::collections::HashMap;
@@ -59,16 +59,16 @@ impl Reader<'_> {
         let map = |texture: &Option<ron::Texture>| {
             texture.as_ref().map(|t| self.map(&t.file, t.lay, t.strength)).transpose()
         };
-        let relief = |relief: &ron::Relief| {
-            let map = self.map(&relief.file, relief.lay, 1.0)?;
-            Ok::<Relief, String>(Relief { map, height: relief.height })
+        let bump = |bump: &ron::BumpMap| {
+            let map = self.map(&bump.file, bump.lay, 1.0)?;
+            Ok::<BumpMap, String>(BumpMap { map, height: bump.height })
         };
         Ok(Material {
             base: base(&textured.base)?,
             diffuse: map(&textured.diffuse)?,
             specular: map(&textured.specular)?,
             opacity: map(&textured.opacity)?,
-            bump: textured.bump.as_ref().map(relief).transpose()?,
+            bump: textured.bump.as_ref().map(bump).transpose()?,
         })
     }
 
@@ -233,6 +233,7 @@ fn add_flat(objects: &mut Vec<(usize, Object)>, material: usize, flat: Object) {
     }
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "relations read what they have drawn")]
 fn shape(shape: &ron_scene::Shape) -> Result<Shape, String> {
     use ron_scene::Shape as Ron;
     Ok(match shape {
@@ -250,10 +251,11 @@ fn shape(shape: &ron_scene::Shape) -> Result<Shape, String> {
         },
         Ron::Triangle(s) => Shape::Triangle([s.a.into(), s.b.into(), s.c.into()]),
         Ron::Box(s) => Shape::Box([s.min.into(), s.max.into()]),
-        Ron::Mesh(_) => return Err("a mesh in a mesh".into()),
+        _ => return Err("a shape that relations do not draw here".into()),
     })
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "relations read what they have drawn")]
 fn base(material: &ron::Material) -> Result<Base, String> {
     let lobes = |lobes: &ron::Lobes| Lobes {
         diffuse: lobes.diffuse.into(),
@@ -272,7 +274,7 @@ fn base(material: &ron::Material) -> Result<Base, String> {
         ron::Material::Sheet(m) => Base::Sheet(lobes(&m.reflection), lobes(&m.transmission)),
         ron::Material::Glass(m) => Base::Glass(m.index),
         ron::Material::Pane(m) => Base::Pane(m.reflectance.into(), m.through.into()),
-        ron::Material::Textured(_) => return Err("pictures on pictures".into()),
+        _ => return Err("a material that relations do not draw here".into()),
     })
 }
 

@@ -8,7 +8,7 @@ use traylib_math::Vec3;
 /// Pixels along either side of the film.
 const PIXELS: u32 = 16;
 
-/// In a space, outside of all boxes around small things, looking at one of them.
+/// In a space, outside of all boxes around small objects, looking at one of them.
 pub(super) fn within(dice: &mut Dice, space: &Enclosure, objects: &[Object]) -> Camera {
     let mut position = space.place(dice);
     for _ in 0..20 {

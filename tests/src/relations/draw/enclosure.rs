@@ -6,7 +6,7 @@ use crate::relations::scene::{Material, Mesh, Object, Shape};
 use traylib_geometry::Sides;
 use traylib_math::Vec3;
 
-/// A block of space that things are put into.
+/// A block of space that objects are put into.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Enclosure {
     pub(super) min: Vec3,

@@ -1,10 +1,10 @@
 //! Materials of any kind.
 
 use super::{Dice, picture};
-use crate::relations::scene::{Base, Lobes, Map, Material, Relief, Shape, Tiling};
+use crate::relations::scene::{Base, BumpMap, Lobes, Map, Material, Shape, Tiling};
 use traylib_math::{Vec2, Vec3};
 
-/// What a thing of this shape is made of; with pictures where it shows them.
+/// The material of an object of this shape; with pictures where it shows them.
 pub(super) fn any(dice: &mut Dice, shape: &Shape) -> Material {
     let base = match dice.below(16) {
         0..=6 => Base::Lambert(colour(dice, 0.9)),
@@ -78,7 +78,7 @@ fn dressed(dice: &mut Dice, plain: Material) -> Material {
     }
     if dice.chance(0.3) {
         let map = map(dice, 255);
-        material.bump = Some(Relief { map, height: dice.pick(&[0.01, 0.05, 0.2]) });
+        material.bump = Some(BumpMap { map, height: dice.pick(&[0.01, 0.05, 0.2]) });
     }
     material
 }

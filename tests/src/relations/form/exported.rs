@@ -69,14 +69,14 @@ fn mgf_would_say(object: &Object) -> Object {
 
 /// Round shapes first, then a mesh for each material.
 fn in_order_of_mgf(objects: &[Object]) -> Vec<Object> {
-    let mut looks: Vec<(&Material, Vec3, Sides)> = Vec::new();
+    let mut surfaces: Vec<(&Material, Vec3, Sides)> = Vec::new();
     let mut round = Vec::new();
     let mut flat: BTreeMap<(usize, bool), Object> = BTreeMap::new();
     for object in objects {
-        let look = (&object.material, object.emission, object.sides);
-        let number = looks.iter().position(|known| *known == look).unwrap_or(looks.len());
-        if number == looks.len() {
-            looks.push(look);
+        let surface = (&object.material, object.emission, object.sides);
+        let number = surfaces.iter().position(|known| *known == surface).unwrap_or(surfaces.len());
+        if number == surfaces.len() {
+            surfaces.push(surface);
         }
         let Some(mesh) = as_mesh(&object.shape) else {
             round.push(object.clone());

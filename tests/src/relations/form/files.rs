@@ -9,8 +9,8 @@ use std::path::Path;
 use traylib_math::Vec3;
 use traylib_math::glam::DMat3;
 
-/// How a scene file places the shapes of other files: scaled, then turned about one
-/// axis by right angles, then moved.
+/// The placement of the shapes of other files by a scene file: scaled, then turned about one axis
+/// by right angles, then moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// Metres a unit of the file.

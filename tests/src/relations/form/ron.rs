@@ -3,7 +3,7 @@
 use super::files::vector;
 use super::{Files, Placement};
 use crate::relations::scene::{
-    Base, Camera, DrawnScene, Light, Lobes, Map, Material, Object, Relief, Shape, Tiling,
+    Base, BumpMap, Camera, DrawnScene, Light, Lobes, Map, Material, Object, Shape, Tiling,
 };
 use std::fmt::Write;
 use traylib_geometry::Sides;
@@ -49,12 +49,12 @@ pub(super) fn scene(scene: &DrawnScene, entries: &[Entry<'_>], files: &mut Files
                 let (shape, emission) = (shape(&object.shape, files), object.emission);
                 let emits = format!(", emission: {}", vector(emission));
                 let emits = if object.is_light() { emits.as_str() } else { "" };
-                format!("(shape: {shape}, {}{emits})", looks(object, &mut names))
+                format!("(shape: {shape}, {}{emits})", material_and_sides(object, &mut names))
             }
             Entry::Whole(file) => format!("(shape: Mesh(file: \"{file}\"))"),
             Entry::Lamp(file, glow, object) => {
-                let looks = looks(object, &mut names);
-                format!("(shape: Mesh(file: \"{file}\", glow: {glow}), {looks})")
+                let material_and_sides = material_and_sides(object, &mut names);
+                format!("(shape: Mesh(file: \"{file}\", glow: {glow}), {material_and_sides})")
             }
         };
         let _ = writeln!(objects, "        {text},");
@@ -87,8 +87,8 @@ impl<'a> Names<'a> {
     }
 }
 
-/// Material and sides.
-fn looks<'a>(object: &'a Object, names: &mut Names<'a>) -> String {
+/// The fields of an object that name its material and its sides.
+fn material_and_sides<'a>(object: &'a Object, names: &mut Names<'a>) -> String {
     let sides = match object.sides {
         Sides::Both => "",
         Sides::Front => ", sides: Front",
@@ -154,7 +154,7 @@ fn material(material: &Material, files: &mut Files) -> String {
                 write!(text, ", {field}: ({}, strength: {})", lay(layer, files), layer.strength);
         }
     }
-    if let Some(Relief { map, height }) = &material.bump {
+    if let Some(BumpMap { map, height }) = &material.bump {
         let _ = write!(text, ", bump: ({}, height: {height})", lay(map, files));
     }
     text + ")"

@@ -18,7 +18,7 @@ const NEARLY: Law = Law::SameMean(2e-5);
 /// What it may shift where they do not.
 const ROUGHLY: Law = Law::SameMean(5e-5);
 
-/// What rounding may shift where coordinates are others: each end of the smallest thing
+/// What rounding may shift where coordinates are others: each end of the smallest object
 /// is known to half a unit in the last place of the largest coordinate, which counts twice
 /// in its area.
 fn rounded(moved: &DrawnScene) -> Law {
@@ -26,7 +26,7 @@ fn rounded(moved: &DrawnScene) -> Law {
     Law::SameMean(f64::from(of_the_smallest).max(2e-5))
 }
 
-/// What is done to the scene.
+/// The changes that are made to a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Change {
     /// Moved by halves of a metre.
@@ -237,7 +237,7 @@ pub(super) fn claims(
 }
 
 /// Any method; where walks from lamps see other surfaces than walks from the camera,
-/// what they lack depends on weights, and these on where things are.
+/// what they lack depends on weights, and these on where objects are.
 fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
     let any = scene.fronts_are_alike() || law == Law::SameBits;
     let mut methods = methods::beginning_with(&[methods::PURE_MC, methods::COMBINED]);
@@ -248,7 +248,7 @@ fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
 }
 
 /// As far as the camera looks, but, where that is at a sun, no further than leaves the
-/// smallest thing its digits.
+/// smallest object its digits.
 fn stride(scene: &DrawnScene) -> f32 {
     let away = (scene.camera.target - scene.camera.position).length();
     away.min(1000.0 * scene.finest())

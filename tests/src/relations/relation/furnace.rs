@@ -1,4 +1,4 @@
-//! Things under a sky of radiance 1 that takes all light that arrives.
+//! Objects under a sky of radiance 1 that takes all light that arrives.
 
 use super::{Subject, name, side};
 use crate::methods;
@@ -121,7 +121,7 @@ pub(super) fn no_gain(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
     }])
 }
 
-/// The things of a scene without those that shut its camera in, none of them a
+/// The objects of a scene without those that shut its camera in, none of them a
 /// lamp: light that never gets out would never be known.
 fn under_the_sky(subject: &Subject<'_>) -> Result<Option<DrawnScene>, Trouble> {
     let mut scene = subject.drawn.clone();

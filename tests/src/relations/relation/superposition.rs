@@ -63,7 +63,7 @@ fn brightest_of_all(subject: &Subject<'_>, parts: &[Part]) -> Result<f64, Troubl
     Ok(RARITY * subject.built.scene.lights().len() as f64 * mean)
 }
 
-/// The scene with one thing that shines, for each of them.
+/// The scene with one object that shines, for each of them.
 fn each_alone(scene: &DrawnScene) -> Vec<DrawnScene> {
     let mut dark = scene.clone();
     dark.lights.clear();

@@ -1,4 +1,4 @@
-//! What `trace` sees: light that comes from a point light by way of one surface.
+//! The light that `trace` sees: light that comes from a point light by way of one surface.
 
 use super::who::part;
 use super::{Subject, name};
@@ -10,7 +10,7 @@ use traylib_math::Vec3;
 
 /// Without other lamps it is what path tracing finds with two edges.
 ///
-/// Both take the same places in the pixel, so of one point light on opaque things they
+/// Both take the same places in the pixel, so of one point light on opaque objects they
 /// find the same sample by sample.
 pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
     let mut scene = subject.drawn.clone();

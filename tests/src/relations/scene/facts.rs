@@ -1,11 +1,11 @@
-//! What is in a scene, as far as relations depend on it.
+//! Facts of a scene that relations depend on.
 
 use super::{Base, DrawnScene, Material, Object, Shape};
 use traylib_geometry::Sides;
 use traylib_math::Vec3;
 
 /// A flat piece: its plane and a box around it.
-struct Flat {
+struct PlanarPiece {
     normal: Vec3,
     offset: f64,
     bounds: traylib_geometry::Aabb,
@@ -64,10 +64,10 @@ impl DrawnScene {
     /// Tells whether two flat surfaces lie in one plane and may overlap: which of them is
     /// met is decided by their order or by rounding.
     pub fn has_coplanar(&self) -> bool {
-        let flats: Vec<Vec<Flat>> =
-            self.objects.iter().map(|object| flats(&object.shape)).collect();
-        flats.iter().enumerate().any(|(index, first)| {
-            flats[index + 1..]
+        let planar_pieces: Vec<Vec<PlanarPiece>> =
+            self.objects.iter().map(|object| planar_pieces(&object.shape)).collect();
+        planar_pieces.iter().enumerate().any(|(index, first)| {
+            planar_pieces[index + 1..]
                 .iter()
                 .any(|second| first.iter().any(|a| second.iter().any(|b| are_coplanar(a, b))))
         })
@@ -137,7 +137,7 @@ impl DrawnScene {
         })
     }
 
-    /// The size of the smallest thing.
+    /// The size of the smallest object.
     pub fn finest(&self) -> f32 {
         let size = |object: &Object| object.shape.bounds().extent().max_element();
         self.objects.iter().map(size).fold(f32::INFINITY, f32::min)
@@ -159,7 +159,7 @@ fn surface_at(point: Vec3, shape: &Shape, off: f32) -> Option<Vec3> {
         let away = point - centre;
         return ((away.length() / radius - 1.0).abs() < off).then_some(away);
     }
-    flats(shape).iter().find_map(|flat| {
+    planar_pieces(shape).iter().find_map(|flat| {
         let size = flat.bounds.extent().length();
         let away = flat.normal.as_dvec3().dot(point.as_dvec3()) - flat.offset;
         let is_near = away.abs() < f64::from(off * size);
@@ -168,10 +168,10 @@ fn surface_at(point: Vec3, shape: &Shape, off: f32) -> Option<Vec3> {
     })
 }
 
-fn flats(shape: &Shape) -> Vec<Flat> {
+fn planar_pieces(shape: &Shape) -> Vec<PlanarPiece> {
     let flat = |corner: Vec3, u: Vec3, v: Vec3, piece: Shape| {
         let normal = u.as_dvec3().cross(v.as_dvec3()).normalize_or_zero();
-        Flat {
+        PlanarPiece {
             normal: normal.as_vec3(),
             offset: normal.dot(corner.as_dvec3()),
             bounds: piece.bounds(),
@@ -184,15 +184,15 @@ fn flats(shape: &Shape) -> Vec<Flat> {
             let u = normal.any_orthogonal_vector();
             vec![flat(centre, u, normal.cross(u), shape.clone())]
         }
-        Shape::Box(_) => super::sides_of_box(shape).iter().flat_map(flats).collect(),
+        Shape::Box(_) => super::sides_of_box(shape).iter().flat_map(planar_pieces).collect(),
         Shape::Mesh(mesh) => {
-            mesh.corners().flat_map(|corners| flats(&Shape::Triangle(corners))).collect()
+            mesh.corners().flat_map(|corners| planar_pieces(&Shape::Triangle(corners))).collect()
         }
         Shape::Cone { .. } | Shape::Sphere { .. } => Vec::new(),
     }
 }
 
-fn are_coplanar(a: &Flat, b: &Flat) -> bool {
+fn are_coplanar(a: &PlanarPiece, b: &PlanarPiece) -> bool {
     let along = a.normal.dot(b.normal);
     if along.abs() < 0.999_99 {
         return false;

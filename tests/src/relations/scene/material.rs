@@ -1,11 +1,11 @@
-//! What surfaces are made of.
+//! The materials of surfaces that are drawn.
 
 use traylib_math::{Vec2, Vec3};
 
 /// A material, which every object has for itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// How it scatters light where no picture says otherwise.
+    /// The way it scatters light where no picture says otherwise.
     pub base: Base,
     /// Picture of the diffuse part.
     pub diffuse: Option<Map>,
@@ -14,7 +14,7 @@ pub struct Material {
     /// Picture of how much is there.
     pub opacity: Option<Map>,
     /// Picture of height.
-    pub bump: Option<Relief>,
+    pub bump: Option<BumpMap>,
 }
 
 /// The models of scene files.
@@ -52,9 +52,9 @@ pub struct Lobes {
 pub struct Map {
     /// The picture.
     pub picture: Picture,
-    /// What is beyond its edges.
+    /// The values beyond its edges.
     pub tiling: Tiling,
-    /// How often it fits along u and v.
+    /// The number of times that it fits along u and v.
     pub scale: Vec2,
     /// Share over the base.
     pub strength: f32,
@@ -62,14 +62,14 @@ pub struct Map {
 
 /// A picture whose luminance is height.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Relief {
+pub struct BumpMap {
     /// The picture, at full strength.
     pub map: Map,
     /// Height of white over black in lengths of a unit of u.
     pub height: f32,
 }
 
-/// What is beyond the edges of a picture.
+/// The values beyond the edges of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tiling {
     /// The picture again.

@@ -20,7 +20,7 @@ fn pictures(techniques: Techniques) -> Rendering {
 
 /// Tells whether the raw picture of a technique must stay as it is. Whether a
 /// connection is tried depends on what the camera path has found by other
-/// techniques (`Worth`), so connections are left out; light samples are, where
+/// techniques (connection roulette), so connections are left out; light samples are, where
 /// only some lamps are sampled.
 fn must_stay(technique: Technique, techniques: Techniques) -> bool {
     let Technique { s, t, weighted, .. } = technique;

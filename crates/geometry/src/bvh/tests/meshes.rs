@@ -115,7 +115,7 @@ fn a_fast_hit_lies_between_the_depths_of_the_corners() {
     for i in 0..100_u8 {
         let origin = Vec3::new(-4.0, -2.0, -6.5e13 - 1e10 * f32::from(i));
         let ray = Ray::new(origin, Vec3::new(0.0, 3.0, 2.2e20));
-        let flat = Shear::along(&ray.direction).flat(&corners, &ray);
+        let flat = Shear::along(&ray.direction).apply(&corners, &ray);
         assert!(!flat.is_settled());
         // From so far away all corners are equally far in single precision.
         assert_eq!(bvh.nearest(&ray).map(|hit| hit.t), Some(flat.depths[0]), "{ray:?}");

@@ -91,7 +91,7 @@ fn floor(axis: usize, height: f32, random: &mut Random) -> Mesh {
     Mesh::new(positions, cells).unwrap()
 }
 
-/// Rays that leave a triangle, one after the other and in batches, whole fans among
+/// Rays that leave a triangle, one after the other and in batches, whole packets among
 /// them: nothing is met, neither the triangle nor its neighbours.
 #[test]
 fn rays_leave_meshes_in_every_kernel() {
@@ -107,8 +107,8 @@ fn rays_leave_meshes_in_every_kernel() {
             for side in [1.0, -1.0] {
                 let out = leaving(side * site.normal, &mut random);
                 let beside = out.cross(site.normal) * 1e-3;
-                let fan = (0..8_u8).map(|i| out + f32::from(i) * beside);
-                rays.extend(fan.map(|out| Ray::new(site.ray_origin(out), out)));
+                let packet = (0..8_u8).map(|i| out + f32::from(i) * beside);
+                rays.extend(packet.map(|out| Ray::new(site.ray_origin(out), out)));
             }
         }
         let (mut nearest, mut any) = (vec![None; rays.len()], vec![false; rays.len()]);

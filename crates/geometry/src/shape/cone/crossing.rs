@@ -12,7 +12,7 @@ const LONGER: f64 = 2.0 * f32::EPSILON as f64;
 pub(super) struct Crossing {
     /// Where along the ray, in units of its direction's length.
     pub(super) t: f64,
-    /// How far along the axis: 0 at the first end, 1 at the second.
+    /// The place along the axis: 0 at the first end, 1 at the second.
     height: f64,
     /// −1 where the ray goes in, 1 where it comes out: the sign of its cosine
     /// with the outward normal.
@@ -74,7 +74,7 @@ pub(super) fn crossings(cone: &Cone, ray: &Ray) -> Option<[Crossing; 2]> {
 /// From so many lengths of its axis a cone is looked at from nearer.
 const FAR: f64 = (1 << 22) as f64;
 
-/// How far along a ray to start instead, and where that is from the first end.
+/// Returns how far along a ray to start instead, and where that is from the first end.
 ///
 /// Far away digits are lost that tell the line from its neighbours. Where it comes
 /// nearest they are there again: the way there is rounded to single precision, so that it

@@ -34,7 +34,7 @@ fn product([a, b]: Complex, [c, d]: Complex) -> Complex {
 }
 
 impl SphericalRectangle {
-    /// What `from` sees of the front; `None` of what is not a rectangle, where the view is
+    /// Returns the front as `from` sees it; `None` of what is not a rectangle, where the view is
     /// too narrow to be parted evenly, and where sampling by area is as good.
     #[inline]
     pub(crate) fn seen(quad: &Quad, from: Vec3) -> Option<Self> {

@@ -1,7 +1,7 @@
 use crate::precise::DVec3;
 use crate::testing::Random;
 use crate::testing::shape::{distance, scaled};
-use crate::{Primitive, Quad, Triangle, Vec2, Vec3};
+use crate::{Form, Primitive, Quad, Triangle, Vec2, Vec3};
 use std::f64::consts::{PI, TAU};
 
 fn rectangle(corner: Vec3, u: Vec3, v: Vec3) -> Primitive {
@@ -46,15 +46,11 @@ fn solid_angles_of_a_cube() {
 
 /// The corners in order around a flat shape, from the viewpoint.
 fn corners(shape: &Primitive, from: Vec3) -> Vec<DVec3> {
-    let corners = match shape {
-        Primitive::Triangle(triangle) => triangle.corners().map(Vec3::as_dvec3).to_vec(),
-        Primitive::Quad(quad) => {
-            let (corner, [u, v]) = (quad.corner().as_dvec3(), quad.edges().map(Vec3::as_dvec3));
-            vec![corner, corner + u, corner + u + v, corner + v]
-        }
-        Primitive::Sphere(_) | Primitive::Disk(_) | Primitive::Cone(_) => Vec::new(),
+    let corners = match shape.form() {
+        Form::Flat { outline, .. } => outline.corners(),
+        Form::Ball(_) | Form::Bent(_) => Vec::new(),
     };
-    corners.into_iter().map(|corner| corner - from.as_dvec3()).collect()
+    corners.into_iter().map(|corner| corner.as_dvec3() - from.as_dvec3()).collect()
 }
 
 /// The solid angle of the polygon with these corners: the angles at them, less what they were

@@ -24,7 +24,7 @@ pub(crate) struct SphericalTriangle {
 }
 
 impl SphericalTriangle {
-    /// What `from` sees of the front; `None` where the view is too narrow to be parted
+    /// Returns the front as `from` sees it; `None` where the view is too narrow to be parted
     /// evenly, and where sampling by area is as good.
     #[inline]
     pub(crate) fn seen(triangle: &Triangle, from: Vec3) -> Option<Self> {

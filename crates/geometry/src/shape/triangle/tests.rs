@@ -100,9 +100,9 @@ fn a_ray_that_passes_far_beyond_an_edge_misses() {
     ];
     let origin = Vec3::new(-65.84417, 1.1488686, -99.046616);
     let ray = Ray::new(origin, Vec3::new(17.017536, 19.390957, 50.237778));
-    let flat = Shear::along(&ray.direction).flat(&corners, &ray);
-    let is_passed = flat.is_passed(f32::INFINITY);
-    assert!(is_passed && flat.edges[0] == 0.0 && flat.edges[1] == 0.0, "{flat:?}");
+    let sheared = Shear::along(&ray.direction).apply(&corners, &ray);
+    let may_meet = sheared.may_meet(f32::INFINITY);
+    assert!(may_meet && sheared.edges[0] == 0.0 && sheared.edges[1] == 0.0, "{sheared:?}");
     let [a, b, c] = corners;
     let triangle = Triangle::new(a, b, c).unwrap();
     assert_eq!(triangle.intersect(&ray, Sides::Both), None);

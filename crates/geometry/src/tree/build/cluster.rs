@@ -48,16 +48,16 @@ fn merge(clusters: &[u32], plan: &Plan, tree: &mut Binary, made: usize, mut left
     let (known, mut bounds) = tree.bounds.split_at_mut(count + made);
     let (done, mut inner) = tree.inner.split_at_mut(made);
     let mut number = count + made;
-    let mut tasks = Vec::with_capacity(plan.tallies.len());
-    for (chunk, tally) in plan.tallies.iter().enumerate() {
+    let mut tasks = Vec::with_capacity(plan.counts.len());
+    for (chunk, counts) in plan.counts.iter().enumerate() {
         tasks.push(Task {
             first: chunk * CHUNK,
             number: number as u32,
-            bounds: cut(&mut bounds, tally.pairs),
-            inner: cut(&mut inner, tally.pairs),
-            left: cut(&mut left, tally.left),
+            bounds: cut(&mut bounds, counts.pairs),
+            inner: cut(&mut inner, counts.pairs),
+            left: cut(&mut left, counts.left),
         });
-        number += tally.pairs;
+        number += counts.pairs;
     }
     let height = |node: u32| (node as usize).checked_sub(count).map_or(0, |i| done[i].height);
     let unite = |children: [u32; 2]| {

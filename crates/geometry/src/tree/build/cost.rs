@@ -1,4 +1,4 @@
-//! What a ray pays for boxes and leaves, in units of a node.
+//! The cost that boxes and leaves have for a ray, in units of a node.
 
 use crate::tree::node::{BlockKind, LEAF, WIDTH};
 
@@ -16,7 +16,7 @@ const SHAPE: f32 = 0.5;
 /// The least cost for 1, 2, …, 7 places.
 pub(super) type Costs = [f32; WIDTH - 1];
 
-/// What items are; only like goes with like into a leaf.
+/// The kind of an item; only like goes with like into a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Block(BlockKind),
@@ -24,7 +24,7 @@ pub(super) enum Kind {
     Mixed,
 }
 
-/// What has to be known of a subtree to put it below something.
+/// A summary of a subtree: what has to be known to put it below something.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summary {
     pub(super) count: u32,

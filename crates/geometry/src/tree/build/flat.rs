@@ -28,32 +28,32 @@ pub(super) struct FlatNode {
 
 /// A binary tree in depth-first order.
 #[derive(Debug)]
-pub(super) struct Flat {
+pub(super) struct FlatTree {
     pub(super) nodes: Vec<FlatNode>,
     /// Nodes of the binary tree that are items.
     pub(super) items: Vec<u32>,
 }
 
-impl Flat {
+impl FlatTree {
     pub(super) fn new(tree: &Binary, kind: impl Fn(u32) -> Kind + Sync) -> Self {
         let none = FlatNode { node: 0, split: 0, costs: [0.0; 7], is_leaf: false };
         // Every thread gets its share of fresh memory.
         let mut nodes = parallel::map(tree.count() - 1, GRAIN, |_| none);
         let mut items = vec![0; tree.count()];
-        let sizes = Sizes::of(tree, tree.root);
+        let counts = ItemCounts::of(tree, tree.root);
         let out = Out { nodes: &mut nodes, items: &mut items };
-        Flattener { tree, kind }.tall(tree.root, &sizes, out);
+        Flattener { tree, kind }.tall(tree.root, &counts, out);
         Self { nodes, items }
     }
 }
 
 /// The number of items below a node, and of each child if the node is tall.
-struct Sizes {
+struct ItemCounts {
     count: usize,
-    children: Option<Box<[Sizes; 2]>>,
+    children: Option<Box<[ItemCounts; 2]>>,
 }
 
-impl Sizes {
+impl ItemCounts {
     fn of(tree: &Binary, node: u32) -> Self {
         match tree.inner(node) {
             Some(inner) if inner.height > SERIAL_HEIGHT => {
@@ -82,19 +82,19 @@ struct Flattener<'a, K> {
 }
 
 impl<K: Fn(u32) -> Kind + Sync> Flattener<'_, K> {
-    fn tall(&self, node: u32, sizes: &Sizes, mut out: Out) -> Summary {
-        let (Some([a, b]), Some(sizes)) = (self.tree.children(node), &sizes.children) else {
+    fn tall(&self, node: u32, counts: &ItemCounts, mut out: Out) -> Summary {
+        let (Some([a, b]), Some(counts)) = (self.tree.children(node), &counts.children) else {
             return self.short(node, &mut out);
         };
         let slot = &mut cut(&mut out.nodes, 1)[0];
         let first = Out {
-            nodes: cut(&mut out.nodes, sizes[0].count - 1),
-            items: cut(&mut out.items, sizes[0].count),
+            nodes: cut(&mut out.nodes, counts[0].count - 1),
+            items: cut(&mut out.items, counts[0].count),
         };
         let (a, b) = parallel::join(
             true,
-            || self.tall(a, &sizes[0], first),
-            || self.tall(b, &sizes[1], out),
+            || self.tall(a, &counts[0], first),
+            || self.tall(b, &counts[1], out),
         );
         self.unite(node, &a, &b, slot)
     }

@@ -11,9 +11,9 @@ const CELLS: f32 = (1 << 21) as f32;
 /// equal, in the order of their numbers.
 pub(super) fn order(boxes: &[Aabb], items: &[u32]) -> Vec<u32> {
     let centre = |i: usize| boxes[items[i] as usize].centre();
-    let grid = Grid::around(centres(items.len(), centre));
+    let cells = MortonCells::around(centres(items.len(), centre));
     // As one number, which is compared without a jump.
-    let key = |i: usize| u128::from(grid.code(centre(i))) << u32::BITS | u128::from(items[i]);
+    let key = |i: usize| u128::from(cells.code(centre(i))) << u32::BITS | u128::from(items[i]);
     let mut keys = parallel::map(items.len(), GRAIN, key);
     parallel::sort(&mut keys);
     parallel::map(keys.len(), GRAIN, |i| keys[i] as u32)
@@ -26,12 +26,12 @@ fn centres(count: usize, centre: impl Fn(usize) -> Vec3 + Send + Sync) -> Aabb {
 }
 
 /// Cubic cells, as many as fit along the longest axis.
-struct Grid {
+struct MortonCells {
     start: Vec3,
     cells_per_length: f32,
 }
 
-impl Grid {
+impl MortonCells {
     fn around(centres: Aabb) -> Self {
         Self { start: centres.min, cells_per_length: CELLS / centres.extent().max_element() }
     }

@@ -14,18 +14,18 @@ pub(super) struct Plan<'a> {
     /// The choice of each cluster; itself where there is none.
     choices: &'a [u32],
     /// One a chunk.
-    pub(super) tallies: Vec<Tally>,
+    pub(super) counts: Vec<ChunkCounts>,
 }
 
 /// For a chunk of clusters, how many are left afterwards, and how many of these are
 /// pairs.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Tally {
+pub(super) struct ChunkCounts {
     pub(super) left: usize,
     pub(super) pairs: usize,
 }
 
-/// What becomes of a cluster.
+/// The fate of a cluster in a round.
 pub(super) enum Fate {
     Stays,
     MergesWith(usize),
@@ -45,8 +45,8 @@ impl<'a> Plan<'a> {
             // Of boxes that lie in each other like the coats of an onion, hardly any
             // two choose each other.
             if plan.pairs() * FEWEST >= plan.count() {
-                let tallies = plan.tallies;
-                return Self { choices, tallies };
+                let counts = plan.counts;
+                return Self { choices, counts };
             }
         }
         choice::next(choices);
@@ -54,20 +54,20 @@ impl<'a> Plan<'a> {
     }
 
     fn of(choices: &'a [u32]) -> Self {
-        let mut plan = Self { choices, tallies: Vec::new() };
-        plan.tallies = parallel::map(choices.len().div_ceil(CHUNK), 1, |i| plan.tally(i));
+        let mut plan = Self { choices, counts: Vec::new() };
+        plan.counts = parallel::map(choices.len().div_ceil(CHUNK), 1, |i| plan.counts(i));
         plan
     }
 
-    fn tally(&self, chunk: usize) -> Tally {
+    fn counts(&self, chunk: usize) -> ChunkCounts {
         let first = chunk * CHUNK;
-        let mut tally = Tally::default();
+        let mut counts = ChunkCounts::default();
         for i in first..self.count().min(first + CHUNK) {
             let fate = self.fate(i);
-            tally.left += usize::from(!matches!(fate, Fate::Goes));
-            tally.pairs += usize::from(matches!(fate, Fate::MergesWith(_)));
+            counts.left += usize::from(!matches!(fate, Fate::Goes));
+            counts.pairs += usize::from(matches!(fate, Fate::MergesWith(_)));
         }
-        tally
+        counts
     }
 
     #[inline]
@@ -88,6 +88,6 @@ impl<'a> Plan<'a> {
     }
 
     pub(super) fn pairs(&self) -> usize {
-        self.tallies.iter().map(|tally| tally.pairs).sum()
+        self.counts.iter().map(|counts| counts.pairs).sum()
     }
 }

@@ -40,7 +40,7 @@ pub(super) fn improve(tree: &mut Binary, candidates: impl IntoIterator<Item = us
 struct Optimiser<'a> {
     tree: &'a mut Binary,
     parents: Vec<u32>,
-    /// What has changed in this round.
+    /// The nodes that have changed in this round.
     touched: Vec<bool>,
 }
 
@@ -54,7 +54,7 @@ impl Optimiser<'_> {
         moves.iter().filter(|m| self.apply(m)).count()
     }
 
-    /// What each subtree gains where it would gain most.
+    /// Finds for each subtree the move by which most is gained.
     fn moves(&self, candidates: &[u32]) -> Vec<Move> {
         let chunks = candidates.chunks(CHUNK).collect::<Vec<_>>();
         let found = parallel::map(chunks.len(), 1, |i| {

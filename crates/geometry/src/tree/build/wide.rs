@@ -2,7 +2,7 @@
 
 use super::binary::Binary;
 use super::cost::{self, Costs, Kind};
-use super::flat::{Flat, FlatNode};
+use super::flat::{FlatNode, FlatTree};
 use super::{GRAIN, Tree};
 use crate::Aabb;
 use crate::tree::node::{BlockKind, Child, LEAF, Node, WIDTH};
@@ -14,7 +14,7 @@ const SERIAL: usize = 1 << 12;
 /// The tree that costs least among those that leave out nodes of the binary one.
 /// `item` is the number and the kind of each node that is an item.
 pub(super) fn tree(binary: &Binary, item: impl Fn(u32) -> (u32, Kind) + Sync) -> Tree {
-    let flat = Flat::new(binary, |node| item(node).1);
+    let flat = FlatTree::new(binary, |node| item(node).1);
     let widener = Widener { binary, flat, item };
     let all = Part { node: 0, first: 0, count: binary.count() };
     let size = widener.size(all);
@@ -45,7 +45,7 @@ struct Part {
     count: usize,
 }
 
-/// How much there is below something.
+/// The numbers of nodes, blocks and items below a node.
 #[derive(Default)]
 struct Size {
     nodes: usize,
@@ -70,7 +70,7 @@ fn add(blocks: &mut [usize; 4], others: &[usize; 4]) {
     blocks.iter_mut().zip(others).for_each(|(count, other)| *count += other);
 }
 
-/// How much of the tree lies before something.
+/// The part of the tree that lies before a subtree.
 #[derive(Clone, Copy, Default)]
 struct Used {
     nodes: usize,
@@ -124,12 +124,12 @@ impl<'a> Out<'a> {
 
 struct Widener<'a, I> {
     binary: &'a Binary,
-    flat: Flat,
+    flat: FlatTree,
     item: I,
 }
 
 impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
-    /// How much a part needs if it gets one place.
+    /// Returns the size that a part has if it gets one place.
     fn size(&self, part: Part) -> Size {
         if self.is_leaf(part) {
             return match self.kind(part) {
@@ -259,7 +259,7 @@ impl<I: Fn(u32) -> (u32, Kind) + Sync> Widener<'_, I> {
         self.binary.bounds[node as usize].into()
     }
 
-    /// What the first item is, and in a leaf all.
+    /// Returns the kind of the first item, and in a leaf of all.
     fn kind(&self, part: Part) -> Kind {
         (self.item)(self.flat.items[part.first]).1
     }

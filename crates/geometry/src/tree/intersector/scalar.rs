@@ -1,7 +1,8 @@
 //! The kernel for any machine, which is what the others are checked against.
 
 use super::{
-    ChildIntersector, FARTHER, NEARER, Passed, TriangleIntersector, greater, lesser, push,
+    ChildIntersector, FARTHER, FilteredTriangles, NEARER, TriangleIntersector, greater, lesser,
+    push,
 };
 use crate::Ray;
 use crate::f32_filter::Shear;
@@ -88,17 +89,17 @@ impl TriangleIntersector for Scalar<'_> {
     }
 
     #[inline]
-    fn pass(&self, block: &Block, limit: f32) -> Passed {
+    fn filter(&self, block: &Block, limit: f32) -> FilteredTriangles {
         let none = [[0.0; LEAF]; 3];
-        let mut passed = Passed { mask: 0, edges: none, depths: none };
+        let mut filtered = FilteredTriangles { mask: 0, edges: none, depths: none };
         for lane in 0..LEAF {
-            let flat = self.shear.flat(&block.triangle(lane), self.ray);
-            passed.mask |= u32::from(flat.is_passed(limit)) << lane;
+            let triangle = self.shear.apply(&block.triangle(lane), self.ray);
+            filtered.mask |= u32::from(triangle.may_meet(limit)) << lane;
             for corner in 0..3 {
-                passed.edges[corner][lane] = flat.edges[corner];
-                passed.depths[corner][lane] = flat.depths[corner];
+                filtered.edges[corner][lane] = triangle.edges[corner];
+                filtered.depths[corner][lane] = triangle.depths[corner];
             }
         }
-        passed
+        filtered
     }
 }

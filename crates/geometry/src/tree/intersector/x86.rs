@@ -1,6 +1,6 @@
 //! The kernels for x86-64: AVX2, and SSE4.1 for older machines.
 //!
-//! BatchQuery type exists only where its instructions do: that is the promise of its
+//! A type exists only where its instructions do: that is the promise of its
 //! `new`, and what makes its methods sound. They are inlined into a function that
 //! is compiled for those instructions.
 

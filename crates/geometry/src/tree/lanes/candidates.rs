@@ -15,7 +15,7 @@ struct Reach {
     corners: Corners,
     /// Along the longest coordinate.
     nearest: [f32; LEAF],
-    /// How far edge functions may be off by rounding.
+    /// The bound on the rounding error of edge functions.
     error_bound: [f32; LEAF],
     /// One bit for each that is not behind.
     in_front: u32,
@@ -65,7 +65,7 @@ impl<E: Simd> PacketTriangles<E> {
         }
     }
 
-    /// How far edge functions of triangles may be off by rounding: of what a ray sees, see
+    /// Bounds the rounding error of edge functions of triangles: of what a ray sees, see
     /// [`candidates`](crate::tree::intersector::TriangleIntersector::candidates).
     #[inline(always)]
     fn error_bound(&self, size: E::F32x4, depth: E::F32x4) -> E::F32x4 {

@@ -50,7 +50,7 @@ impl<E: Simd> PacketTriangles<E> {
         })
     }
 
-    /// How rays see a corner, in double precision.
+    /// Returns a corner as rays see it, in double precision.
     #[inline(always)]
     fn corner(&self, corner: [f32; 3], direction: [F64x8Of<E>; 3]) -> Corner<F64x8Of<E>> {
         let [x, y, depth] = [0, 1, 2].map(|i| f64::from(corner[i]) - f64::from(self.origin[i]));

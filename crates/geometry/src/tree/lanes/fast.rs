@@ -5,8 +5,8 @@ use crate::tree::intersector::Hits;
 use crate::tree::simd::{F32x8, Float, PACKET, Simd};
 
 impl<E: Simd> PacketTriangles<E> {
-    /// [`Flat::meet`](crate::f32_filter::Flat::meet) for each ray that has a bit and a triangle of
-    /// a block; and those rays that pass it where rounding decides.
+    /// [`ShearedTriangle::meet`](crate::f32_filter::ShearedTriangle::meet) for each ray that has a
+    /// bit and a triangle of a block; and those rays that pass it where rounding decides.
     #[inline(always)]
     pub(crate) fn meet_fast(
         &self,
@@ -24,8 +24,8 @@ impl<E: Simd> PacketTriangles<E> {
         let (first, last) = (E::F32x8::least([a, b, c]), E::F32x8::greatest([a, b, c]));
         let (least, greatest) = (E::F32x8::least(edges), E::F32x8::greatest(edges));
         let inside = zero.at_most(least) | greatest.at_most(zero);
-        let passed = inside & zero.below(last) & first.below(limits) & active;
-        if passed == 0 {
+        let filtered = inside & zero.below(last) & first.below(limits) & active;
+        if filtered == 0 {
             return None;
         }
         let settled = zero.below(least) | greatest.below(zero);
@@ -35,11 +35,11 @@ impl<E: Simd> PacketTriangles<E> {
         let t = last.lesser(first.greater(sum * reciprocal));
         let counts = zero.below(t) & t.below(limits);
         let hits = Hits {
-            mask: passed & settled & counts,
+            mask: filtered & settled & counts,
             t: t.to_array(),
             u: (of_b * reciprocal).to_array(),
             v: (of_c * reciprocal).to_array(),
         };
-        Some((hits, passed & !settled))
+        Some((hits, filtered & !settled))
     }
 }

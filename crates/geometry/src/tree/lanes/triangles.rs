@@ -13,7 +13,7 @@ pub(crate) struct PacketTriangles<E: Simd> {
     pub(super) axes: [usize; 3],
     pub(super) origin: [f32; 3],
     pub(super) direction: [E::F32x8; 3],
-    /// How fast the rays move along the two that stay.
+    /// The slopes of the rays along the two that stay.
     slope: [E::F32x8; 2],
     /// From depth to t.
     pub(super) reciprocal: E::F32x8,
@@ -64,7 +64,8 @@ impl<E: Simd> PacketTriangles<E> {
         self.simd.load_four(row) - self.simd.splat_four(self.origin[i])
     }
 
-    /// The edge functions of a triangle for each ray: see [`Flat`](crate::f32_filter::Flat).
+    /// The edge functions of a triangle for each ray: see
+    /// [`ShearedTriangle`](crate::f32_filter::ShearedTriangle).
     #[inline(always)]
     pub(super) fn edges(
         &self,

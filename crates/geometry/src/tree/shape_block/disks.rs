@@ -57,8 +57,8 @@ impl ShapeBlock for DiskBlock {
         let exact = dot(from_centre, normals) * simd.splat_four_doubles(-1.0) / slope;
         let t = exact.narrow();
         let front = slope.narrow().below(simd.splat_four(0.0));
-        let ahead = contained(simd, t, limit) & (front | self.two_sided);
-        if ahead == 0 {
+        let in_range = contained(simd, t, limit) & (front | self.two_sided);
+        if in_range == 0 {
             return hits_at(0, t);
         }
         let [x, y, z] = line.direction.map(|d| exact * d);
@@ -67,6 +67,6 @@ impl ShapeBlock for DiskBlock {
         let square = dot(place, place);
         let [least, most] = self.squares.map(|row| simd.load_four_doubles(row));
         let inside = least.at_most(square) & square.at_most(most);
-        hits_at(ahead & inside, t)
+        hits_at(in_range & inside, t)
     }
 }

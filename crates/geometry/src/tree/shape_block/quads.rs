@@ -72,8 +72,8 @@ impl ShapeBlock for QuadBlock {
         let t = (dot(from_corner, across) * reciprocal).narrow();
         let front = slope.narrow().below(simd.splat_four(0.0));
         // Most boxes that a ray comes to are those it leaves, or hold what is not there for it.
-        let ahead = contained(simd, t, limit) & (front | self.two_sided);
-        if ahead == 0 {
+        let in_range = contained(simd, t, limit) & (front | self.two_sided);
+        if in_range == 0 {
             return hits_at(0, t);
         }
         let moment = scaled(cross(line.direction, from_corner), reciprocal);
@@ -84,7 +84,7 @@ impl ShapeBlock for QuadBlock {
         };
         let inside = within(minus_u, self.minus_u) & within(v, self.v);
         Hits {
-            mask: ahead & inside,
+            mask: in_range & inside,
             t: t.to_array(),
             u: minus_u.to_array().map(|minus_u| (-minus_u).clamp(0.0, 1.0)),
             v: v.to_array().map(|v| v.clamp(0.0, 1.0)),

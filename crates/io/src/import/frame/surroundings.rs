@@ -1,4 +1,4 @@
-//! Whether things are a room or an object.
+//! Tells whether what is in a file is a room or an object.
 //!
 //! Rays from the middle tell. In a room they meet fronts almost everywhere, most of them
 //! near the sides of the box around everything; in a closed object (a car, a fish) they
@@ -25,13 +25,13 @@ const NEAR_A_SIDE: f32 = 0.9;
 const MOST_BACKS: f32 = 0.4;
 
 /// Part of the light that must reach the middle for it to be lit from within; of a lamp
-/// all around that shines to both sides it is a half.
+/// all around that shines to both sides it is one half.
 const MOSTLY: f64 = 0.6;
 
 /// All that rays can meet, from both sides wherever there is one surface for both.
 pub(super) type Tree = Bvh<Shapes<Vec<SidedPrimitive>>>;
 
-/// The tree of all things; `None` if coordinates are too large for one.
+/// The tree of all objects; `None` if coordinates are too large for one.
 pub(super) fn tree(items: &[ImportedObject]) -> Option<Tree> {
     let seen = |item: &ImportedObject| {
         let sides = if item.side == ModelSide::Whole { Sides::Both } else { item.sides };

@@ -4,7 +4,7 @@ use crate::import::place::Place;
 use crate::import::textures::{Meaning, Textures, Usage};
 use crate::report::Problems;
 use crate::ron_scene::Material;
-use crate::ron_scene::material::{Lay, Lobes, Pane, Relief, Sheet, Texture, Textured, Tiling};
+use crate::ron_scene::material::{BumpMap, Lay, Lobes, Pane, Sheet, Texture, Textured, Tiling};
 use crate::source::Location;
 use traylib_materials::{self as materials, Bump, Error, Lambert, Layer, Maps, SurfaceModel};
 use traylib_math::glam::Affine2;
@@ -114,12 +114,12 @@ impl Maker<'_> {
             .map(|layer| Layer { strength: texture.strength, ..layer })
     }
 
-    fn bump(&mut self, place: &Place, relief: &Relief) -> Option<Bump> {
-        if !relief.height.is_finite() {
+    fn bump(&mut self, place: &Place, map: &BumpMap) -> Option<Bump> {
+        if !map.height.is_finite() {
             self.problems.push(place.field("height").problem("the height must be finite"));
         }
-        let layer = self.lay(place, &relief.file, relief.lay, Meaning::Amount)?;
-        Some(Bump { layer, height: relief.height })
+        let layer = self.lay(place, &map.file, map.lay, Meaning::Amount)?;
+        Some(Bump { layer, height: map.height })
     }
 
     fn lay(&mut self, place: &Place, file: &str, lay: Lay, meaning: Meaning) -> Option<Layer> {

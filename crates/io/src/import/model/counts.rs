@@ -1,4 +1,4 @@
-//! What a file of meshes holds, in figures.
+//! Counts of what a file of meshes holds.
 
 use super::{Format, ModelFile};
 use crate::import::counter::Counter;

@@ -51,7 +51,7 @@ impl Format {
         }
     }
 
-    /// The direction that is up in a file of these things.
+    /// The direction that is up in a file of this format.
     pub(in crate::import) fn up(self, items: &[ImportedObject], bounds: &Aabb) -> Vec3 {
         match self {
             Self::Mgf => frame::up(items, bounds),

@@ -17,7 +17,7 @@ use traylib_geometry::{self as geometry, Cone, Disk, Facing, Primitive, Sides, S
 use traylib_math::Vec3;
 use traylib_math::glam::DVec3;
 use traylib_scene::ObjectShape;
-use triangles::Triangles;
+use triangles::MeshBuilders;
 
 pub(super) fn read(
     path: &Path,
@@ -43,11 +43,11 @@ pub(super) fn parts(
     counter: &mut Counter,
 ) -> Result<Vec<ModelPart>, geometry::Error> {
     let mut parts = Vec::new();
-    let mut triangles = Triangles::default();
+    let mut triangles = MeshBuilders::default();
     for surface in surfaces {
         let material = surface.material;
         let shape = place::placed(&surface.shape, placement);
-        for &side in halves(&shape, &materials[material]) {
+        for &side in sides(&shape, &materials[material]) {
             let turned = (side == ModelSide::Back).then(|| place::turned(&shape));
             let shape = turned.as_ref().unwrap_or(&shape);
             match primitive(shape) {
@@ -65,7 +65,7 @@ pub(super) fn parts(
 }
 
 /// Both sides of a lamp emit if both are there to be seen.
-fn halves(shape: &Shape, material: &ImportedMaterial) -> &'static [ModelSide] {
+fn sides(shape: &Shape, material: &ImportedMaterial) -> &'static [ModelSide] {
     let closed = matches!(shape, Shape::Sphere { .. } | Shape::Torus { .. } | Shape::Prism { .. });
     if closed || material.emission.is_black() || material.sides == Sides::Front {
         &[ModelSide::Whole]

@@ -1,4 +1,4 @@
-//! What has no material.
+//! The material of shapes that have none.
 
 use crate::import::imported_material::ImportedMaterial;
 use traylib_geometry::Sides;

@@ -5,7 +5,7 @@ use std::fs;
 use traylib_geometry::{Facing, Primitive};
 use traylib_scene::ObjectShape;
 
-/// The parts of an MGF text, its looks and what was dropped.
+/// The parts of an MGF text, its materials and what was dropped.
 fn parts_of(test: &str, text: &str) -> (Vec<ModelPart>, Vec<ImportedMaterial>, usize) {
     let path = std::env::temp_dir().join(format!("traylib-{}-{test}.mgf", std::process::id()));
     fs::write(&path, text).unwrap();
@@ -44,10 +44,10 @@ fn round_shapes_stay_round_and_flat_ones_are_a_mesh_for_each_material() {
 #[test]
 fn lamps_of_two_sides_are_two_surfaces_unless_closed() {
     let text = format!("{POINTS}m lamp =\n ed 100\nf a b c d\nring e 0 1\nsph a 1\n");
-    let (parts, _, _) = parts_of("halves", &text);
-    let halves: Vec<ModelSide> = parts.iter().map(|part| part.side).collect();
+    let (parts, _, _) = parts_of("sides", &text);
+    let sides: Vec<ModelSide> = parts.iter().map(|part| part.side).collect();
     assert_eq!(
-        halves,
+        sides,
         [ModelSide::Front, ModelSide::Back, ModelSide::Whole, ModelSide::Front, ModelSide::Back]
     );
     let normal = |part: &ModelPart| match &part.shape {

@@ -78,7 +78,7 @@ fn a_file_without_a_lamp_is_refused_or_lit_from_the_camera() {
 }
 
 /// The light at the camera shows surfaces as they are, so that nothing is to be exposed
-/// for; small things that glow do not take its place where lamps with an area do not count.
+/// for; small objects that glow do not take its place where lamps with an area do not count.
 #[test]
 fn what_glows_a_little_is_lit_from_the_camera_where_only_points_count() {
     let dark = "v c =\n p 0 0 1\nm grey =\n rd .5\nsph c 1\n";

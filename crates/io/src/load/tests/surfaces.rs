@@ -1,4 +1,4 @@
-//! What surfaces look like once they are loaded, and what there is to warn of.
+//! Surfaces as they are once they are loaded, and what there is to warn of.
 
 use super::*;
 use traylib_geometry::Ray;
@@ -115,12 +115,12 @@ fn the_remedy_is_that_of_the_file() {
         found
     };
     let found = of("mesh", objects);
-    // The paper alone: solid glass has both sides, and so has a lamp of two halves.
+    // The paper alone: solid glass has both sides, and so has a lamp of two sides.
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(found[0].starts_with("scene.ron: material `paper` lets"), "{found:?}");
     assert!(found[0].ends_with("give the object `sides: Both`"), "{found:?}");
     assert_eq!(of("healed", &objects.replace("\"))", "\"), sides: Both)")), [""; 0]);
-    // One half of the lamp, and the glass.
+    // One side of the lamp, and the glass.
     let fronts = of("fronts", &objects.replace("\"))", "\"), sides: Front)"));
     assert_eq!(fronts.len(), 3, "{fronts:?}");
     let path = std::env::temp_dir().join(format!("traylib-{}-whole.mgf", std::process::id()));

@@ -2,7 +2,7 @@
 
 use crate::mgf::Vertex;
 use crate::mgf::shape::newell;
-use crate::polygon::{Flat, turn};
+use crate::polygon::{Projection, turn};
 use traylib_math::glam::DVec2;
 
 /// One polygon for an outline and its holes.
@@ -12,16 +12,16 @@ use traylib_math::glam::DVec2;
 /// loops do not.
 pub(super) fn joined(outline: &[Vertex], holes: &[Vec<Vertex>]) -> Vec<Vertex> {
     let normal = newell(outline);
-    let flat = Flat::along(normal);
+    let projection = Projection::along(normal);
     let mut order: Vec<(usize, &Vec<Vertex>)> =
-        holes.iter().map(|hole| (rightmost(hole, flat), hole)).collect();
-    let right = |&(index, hole): &(usize, &Vec<Vertex>)| flat.point(hole[index].position).x;
+        holes.iter().map(|hole| (rightmost(hole, projection), hole)).collect();
+    let right = |&(index, hole): &(usize, &Vec<Vertex>)| projection.point(hole[index].position).x;
     order.retain(|(_, hole)| !hole.is_empty());
     order.sort_by(|a, b| right(b).total_cmp(&right(a)));
     let mut polygon = outline.to_vec();
     for (start, hole) in order {
-        let points: Vec<DVec2> = polygon.iter().map(|v| flat.point(v.position)).collect();
-        let end = seen_from(&points, flat.point(hole[start].position));
+        let points: Vec<DVec2> = polygon.iter().map(|v| projection.point(v.position)).collect();
+        let end = seen_from(&points, projection.point(hole[start].position));
         let around = around(hole, start, newell(hole).dot(normal) > 0.0);
         let seam = around.into_iter().chain(polygon.get(end).copied()).collect::<Vec<_>>();
         let after = (end + 1).min(polygon.len());
@@ -30,8 +30,8 @@ pub(super) fn joined(outline: &[Vertex], holes: &[Vec<Vertex>]) -> Vec<Vertex> {
     polygon
 }
 
-fn rightmost(hole: &[Vertex], flat: Flat) -> usize {
-    let x = |index: &usize| flat.point(hole[*index].position).x;
+fn rightmost(hole: &[Vertex], projection: Projection) -> usize {
+    let x = |index: &usize| projection.point(hole[*index].position).x;
     (0..hole.len()).max_by(|a, b| x(a).total_cmp(&x(b))).unwrap_or(0)
 }
 

@@ -4,7 +4,7 @@ use crate::obj::WarningKind;
 use crate::warning_counts::WarningCounts;
 use traylib_math::Vec2;
 
-/// What a map is for.
+/// The property that a map is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum MapKind {
     /// `map_Kd`.

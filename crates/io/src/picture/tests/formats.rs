@@ -1,4 +1,4 @@
-//! What other readers find in files of each format.
+//! Files of each format as other readers find them.
 
 use super::*;
 

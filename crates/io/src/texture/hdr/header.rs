@@ -1,4 +1,4 @@
-//! What the lines before the picture say of its values.
+//! The header of a Radiance file: what it says of the values of its pixels.
 
 use super::reader::Reader;
 use crate::chromaticities::{Chromaticities, Conversion};

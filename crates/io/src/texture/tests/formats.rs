@@ -1,4 +1,4 @@
-//! What is found in files made for it.
+//! Readers of each format against files made for it.
 
 use super::*;
 use image::codecs::png::PngEncoder;

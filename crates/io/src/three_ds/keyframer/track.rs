@@ -1,10 +1,10 @@
-//! Tracks: the keys of one thing that changes.
+//! Tracks: the keys of one property that changes over time.
 
 use super::super::chunk::Reader;
 use super::super::{WarningKind, Warnings};
 use traylib_math::Vec3;
 
-/// What a track changes.
+/// The property that a track changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TrackKind {
     /// Where it is, in its parent's coordinates.
@@ -67,10 +67,10 @@ impl TrackKind {
     }
 }
 
-/// One thing that changes over time.
+/// The keys of one property of a node, in the order of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// What changes.
+    /// The property that changes.
     pub kind: TrackKind,
     /// Marks as stored: how it repeats, and which axes are locked.
     pub flags: u16,
@@ -83,7 +83,7 @@ pub struct Track {
 pub struct Key {
     /// The frame.
     pub frame: u32,
-    /// How values before and after are led here.
+    /// The spline by which values before and after are led here.
     pub spline: Spline,
     /// The value, of the kind that belongs to the track.
     pub value: Value,

@@ -3,8 +3,8 @@ use super::*;
 
 fn decoded(chunks: &[Vec<u8>]) -> Material {
     let mut warnings = Warnings::default();
-    let mut room = Room::new(crate::three_ds::Limits::default());
-    let material = decode(Reader::new(&chunks.concat()), &mut warnings, &mut room);
+    let mut remaining = Remaining::new(crate::three_ds::Limits::default());
+    let material = decode(Reader::new(&chunks.concat()), &mut warnings, &mut remaining);
     assert_eq!(warnings, Warnings::default());
     material
 }

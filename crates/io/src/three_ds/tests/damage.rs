@@ -105,7 +105,7 @@ fn lists_that_claim_more_than_there_is() {
 #[test]
 fn a_mesh_of_nothing_and_one_of_vertices_alone_keep_their_names() {
     let document = decode(&file(&[], &[])).unwrap();
-    assert_eq!((document.meshes[0].name.as_str(), document.warnings.iter().count()), ("thing", 0));
+    assert_eq!((document.meshes[0].name.as_str(), document.warnings.iter().count()), ("plate", 0));
     let many = vec![[0.5; 3]; usize::from(u16::MAX)];
     let (counts, _) = counted(&[&vertices(&many)], WarningKind::ListCut);
     assert_eq!((counts.meshes, counts.vertices, counts.faces), (1, 65_535, 0));
@@ -160,7 +160,7 @@ fn files_of_other_machines_with_the_same_ending_are_refused() {
 #[test]
 fn keys_and_parents_without_sense_leave_the_mesh_placed() {
     let place = still(0xb020, &[f32::NAN, 0.0, 0.0]);
-    let nodes = chunk(0xb000, &[&node(b"thing", 0, 0, &[&place])]);
+    let nodes = chunk(0xb000, &[&node(b"plate", 0, 0, &[&place])]);
     let bytes = chunk(0x4d4d, &[&file(&[&vertices(&SQUARE)], &[])[6..], &nodes]);
     let document = decode(&bytes).unwrap();
     let placed = pose::at_start(&document);

@@ -43,7 +43,7 @@ pub(in crate::three_ds) fn material(name: &[u8]) -> Vec<u8> {
 
 /// A file with one object of these triangle chunks, and other chunks after it.
 pub(in crate::three_ds) fn file(triangles: &[&[u8]], after: &[&[u8]]) -> Vec<u8> {
-    let object = chunk(0x4000, &[b"thing\0", &chunk(0x4100, triangles)]);
+    let object = chunk(0x4000, &[b"plate\0", &chunk(0x4100, triangles)]);
     chunk(0x4d4d, &[&chunk(0x3d3d, &[&object, &after.concat()])])
 }
 

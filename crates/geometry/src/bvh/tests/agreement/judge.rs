@@ -5,7 +5,7 @@ use crate::Primitive;
 use crate::testing::shape::{Line, crossings, thickness};
 use traylib_math::glam::DVec3;
 
-/// What is certain of a line and a shape.
+/// The verdict on a line and a shape, as far as it is certain.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Verdict {
     /// They meet at t, give or take.

@@ -9,7 +9,7 @@ struct Change {
     enters: bool,
 }
 
-/// How far a point of the ray is from the axis beyond the radius there.
+/// Returns how far a point of the ray is from the axis beyond the radius there.
 fn beyond(cone: &Cone, ray: &Ray, t: f64) -> f64 {
     let axis = cone.axis();
     let from_end = difference(ray.origin, cone.ends[0]) + t * ray.direction.as_dvec3();

@@ -76,9 +76,9 @@ impl Audit<'_> {
         self.depth = self.depth.max(level);
         let node = &self.tree.nodes[index];
         let mut all = Aabb::EMPTY;
-        let used = lanes(node).count();
+        let used = boxes(node).count();
         assert!((2..=WIDTH).contains(&used));
-        for (i, (bounds, child)) in lanes(node).enumerate() {
+        for (i, (bounds, child)) in boxes(node).enumerate() {
             assert_eq!(bounds, self.visit(child, level + 1, kind), "box {i} of {index}");
             all = all.union(bounds);
         }
@@ -88,10 +88,10 @@ impl Audit<'_> {
 }
 
 /// The boxes of a node that are not empty.
-pub(super) fn lanes(node: &Node) -> impl Iterator<Item = (Aabb, Child)> {
+pub(super) fn boxes(node: &Node) -> impl Iterator<Item = (Aabb, Child)> {
     let [x, x1, y, y1, z, z1] = node.planes;
-    let lane =
+    let bounds =
         move |i: usize| Aabb { min: [x[i], y[i], z[i]].into(), max: [x1[i], y1[i], z1[i]].into() };
     let used = x.iter().take_while(|&&x| x < f32::INFINITY).count();
-    (0..used).map(move |i| (lane(i), node.children[i]))
+    (0..used).map(move |i| (bounds(i), node.children[i]))
 }

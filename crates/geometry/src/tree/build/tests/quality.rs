@@ -1,6 +1,6 @@
-//! What rays would pay.
+//! The cost of trees of each quality, as rays would pay it.
 
-use super::audit::lanes;
+use super::audit::boxes;
 use super::{QUALITIES, crowd, tree};
 use crate::Aabb;
 use crate::tree::build::cost::Kind;
@@ -13,12 +13,12 @@ fn cost(tree: &Tree) -> f64 {
     let all = tree
         .nodes
         .first()
-        .map_or(Aabb::EMPTY, |root| lanes(root).fold(Aabb::EMPTY, |all, lane| all.union(lane.0)));
-    let lane = |(bounds, child): (Aabb, Child)| {
+        .map_or(Aabb::EMPTY, |root| boxes(root).fold(Aabb::EMPTY, |all, child| all.union(child.0)));
+    let weigh = |(bounds, child): (Aabb, Child)| {
         let weight = if matches!(child.open(), Content::Node(_)) { 1.0 } else { 0.6 };
         weight * f64::from(bounds.surface_area())
     };
-    let sum: f64 = tree.nodes.iter().flat_map(lanes).map(lane).sum();
+    let sum: f64 = tree.nodes.iter().flat_map(boxes).map(weigh).sum();
     1.0 + sum / f64::from(all.surface_area())
 }
 

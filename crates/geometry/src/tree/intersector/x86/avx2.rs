@@ -3,7 +3,7 @@
 use super::boxes::{PLANES, RayBoxes};
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::intersector::{ChildIntersector, Hits, Passed, TriangleIntersector};
+use crate::tree::intersector::{ChildIntersector, FilteredTriangles, Hits, TriangleIntersector};
 use crate::tree::node::{Child, LEAF, Node, WIDTH};
 use crate::tree::simd::Avx2Simd;
 use crate::tree::stack::Stack;
@@ -18,12 +18,12 @@ pub(crate) struct Avx2<T> {
     octant: i32,
     /// See [`PLANES`].
     planes: [usize; 6],
-    /// How far the order of its octant is shifted, in all places.
+    /// The shift of the order of its octant, in all places.
     order_shift: __m256i,
     triangles: T,
 }
 
-/// For each set of intersector the numbers of those in it, one a byte, lowest first.
+/// For each set of boxes the numbers of those in it, one a byte, lowest first.
 static PACK: [u64; 256] = {
     let mut table = [0; 256];
     let mut mask = 0;
@@ -64,7 +64,7 @@ impl<T: Copy> Avx2<T> {
 }
 
 /// The boxes of a node that a ray meets.
-struct Met {
+struct MetBoxes {
     /// Where the ray enters, by box.
     enter: __m256,
     /// Which box comes at which place, the farthest first; `None` for box by box.
@@ -75,7 +75,7 @@ struct Met {
 
 impl<T: Copy> Avx2<T> {
     #[inline(always)]
-    fn meet(&self, node: &Node, limit: f32, in_order: bool) -> Met {
+    fn meet(&self, node: &Node, limit: f32, in_order: bool) -> MetBoxes {
         // SAFETY: `self` shows that the machine has AVX2; a node is aligned to 64
         // bytes and has six rows of 32, at whose starts the offsets are.
         unsafe {
@@ -104,15 +104,15 @@ impl<T: Copy> Avx2<T> {
             };
             let order = in_order.then(of_octant);
             let met = order.map_or(met, |order| _mm256_permutevar8x32_ps(met, order));
-            Met { enter, order, mask: _mm256_movemask_ps(met) as u32 }
+            MetBoxes { enter, order, mask: _mm256_movemask_ps(met) as u32 }
         }
     }
 
     /// Writes the boxes that are met where the stack goes on, without taking them
     /// over.
     #[inline(always)]
-    fn write(names: &[Child; WIDTH], met: &Met, stack: &mut Stack) {
-        // SAFETY: a `Met` shows that the machine has AVX2; names are 32 bytes, and there
+    fn write(names: &[Child; WIDTH], met: &MetBoxes, stack: &mut Stack) {
+        // SAFETY: a `MetBoxes` shows that the machine has AVX2; names are 32 bytes, and there
         // is spare room for eight numbers each.
         unsafe {
             let packed = _mm_cvtsi64_si128(PACK[met.mask as usize & 0xff].cast_signed());
@@ -188,8 +188,8 @@ impl<T: TriangleIntersector> TriangleIntersector for Avx2<T> {
     }
 
     #[inline(always)]
-    fn pass(&self, block: &Block, limit: f32) -> Passed {
-        self.triangles.pass(block, limit)
+    fn filter(&self, block: &Block, limit: f32) -> FilteredTriangles {
+        self.triangles.filter(block, limit)
     }
 
     #[inline(always)]

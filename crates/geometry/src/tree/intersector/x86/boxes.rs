@@ -4,7 +4,7 @@ use crate::Ray;
 use crate::tree::intersector::{FARTHER, NEARER};
 use std::arch::x86_64::*;
 
-/// What a direction tells of boxes, in registers: through memory, where numbers would be
+/// A direction as boxes are tested by it, in registers: through memory, where numbers would be
 /// written one by one and read together, it takes longer than all the rest.
 #[derive(Clone, Copy)]
 pub(super) struct RayBoxes {

@@ -56,17 +56,12 @@ impl<const FUSED: bool> TriangleRay<FUSED> {
             let counts =
                 _mm_and_ps(_mm_cmpgt_ps(t, _mm_setzero_ps()), _mm_cmplt_ps(t, _mm_set1_ps(limit)));
             let mask = _mm256_movemask_pd(inside) & _mm_movemask_ps(counts);
-            let intersector = |row: __m128| {
-                let mut intersector = [0.0; LEAF];
-                _mm_storeu_ps(intersector.as_mut_ptr(), row);
-                intersector
+            let to_array = |row: __m128| {
+                let mut array = [0.0; LEAF];
+                _mm_storeu_ps(array.as_mut_ptr(), row);
+                array
             };
-            Hits {
-                mask: mask as u32 & candidates,
-                t: intersector(t),
-                u: intersector(u),
-                v: intersector(v),
-            }
+            Hits { mask: mask as u32 & candidates, t: to_array(t), u: to_array(u), v: to_array(v) }
         }
     }
 

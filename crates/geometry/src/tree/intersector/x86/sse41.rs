@@ -3,7 +3,7 @@
 use super::boxes::{PLANES, RayBoxes};
 use crate::Ray;
 use crate::tree::block::Block;
-use crate::tree::intersector::{ChildIntersector, Passed, TriangleIntersector, push};
+use crate::tree::intersector::{ChildIntersector, FilteredTriangles, TriangleIntersector, push};
 use crate::tree::node::{Child, Node, WIDTH};
 use crate::tree::simd::Sse41Simd;
 use crate::tree::stack::Stack;
@@ -103,7 +103,7 @@ impl<T: TriangleIntersector> TriangleIntersector for Sse41<T> {
     }
 
     #[inline(always)]
-    fn pass(&self, block: &Block, limit: f32) -> Passed {
-        self.triangles.pass(block, limit)
+    fn filter(&self, block: &Block, limit: f32) -> FilteredTriangles {
+        self.triangles.filter(block, limit)
     }
 }

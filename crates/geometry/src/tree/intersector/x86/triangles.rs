@@ -4,7 +4,9 @@ use crate::Ray;
 use crate::f32_filter::Shear;
 use crate::tree::block::Block;
 use crate::tree::extents::{CLASS_SHIFT, ERROR_BY_DEPTH, ERROR_BY_SIZE, QuantisedExtents};
-use crate::tree::intersector::{FARTHER, Hits, Passed, TriangleIntersector, meet_in_turn};
+use crate::tree::intersector::{
+    FARTHER, FilteredTriangles, Hits, TriangleIntersector, meet_in_turn,
+};
 use crate::tree::node::LEAF;
 use std::arch::x86_64::*;
 
@@ -26,7 +28,7 @@ pub(crate) struct TriangleRay<const FUSED: bool> {
     greatest: __m128i,
 }
 
-/// Four triangles as a ray sees them: [`Shear::flat`] of each.
+/// Four triangles as a ray sees them: [`Shear::apply`] of each.
 struct Seen {
     edges: [__m128; 3],
     depths: [__m128; 3],
@@ -128,9 +130,10 @@ impl<const FUSED: bool> TriangleIntersector for TriangleRay<FUSED> {
         }
     }
 
-    /// [`Flat::is_passed`](crate::f32_filter::Flat::is_passed) for the triangles of a block.
+    /// [`ShearedTriangle::may_meet`](crate::f32_filter::ShearedTriangle::may_meet) for the
+    /// triangles of a block.
     #[inline(always)]
-    fn pass(&self, block: &Block, limit: f32) -> Passed {
+    fn filter(&self, block: &Block, limit: f32) -> FilteredTriangles {
         // SAFETY: `self` shows that the machine has SSE4.1.
         unsafe {
             let Seen { edges, depths } = self.see(block, rounded_twice);
@@ -142,17 +145,17 @@ impl<const FUSED: bool> TriangleIntersector for TriangleRay<FUSED> {
                 _mm_cmplt_ps(least(depths), _mm_set1_ps(limit)),
             );
             let mask = _mm_movemask_ps(_mm_and_ps(inside, reached)) as u32;
-            let intersector = |row: __m128| {
-                let mut intersector = [0.0; LEAF];
-                _mm_storeu_ps(intersector.as_mut_ptr(), row);
-                intersector
+            let to_array = |row: __m128| {
+                let mut array = [0.0; LEAF];
+                _mm_storeu_ps(array.as_mut_ptr(), row);
+                array
             };
-            Passed { mask, edges: edges.map(intersector), depths: depths.map(intersector) }
+            FilteredTriangles { mask, edges: edges.map(to_array), depths: depths.map(to_array) }
         }
     }
 }
 
-/// a − b c as [`Shear::flat`] has it.
+/// a − b c as [`Shear::apply`] has it.
 #[inline(always)]
 fn rounded_twice(a: __m128, [b, c]: [__m128; 2]) -> __m128 {
     // SAFETY: every x86-64 machine has SSE.

@@ -1,4 +1,4 @@
-//! What becomes of glTF files, held against what they mean.
+//! The scenes that glTF files become, held against what the files mean.
 
 use super::*;
 use crate::import::imported_material::ImportedMaterial;

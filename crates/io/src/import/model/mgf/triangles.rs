@@ -13,16 +13,16 @@ use traylib_scene::ObjectShape;
 /// has 40 × 40 quads. Corners lie on the shape and have its normals.
 const DIVISIONS: u32 = 2 * DEFAULT_DIVISIONS;
 
-/// What triangles are kept together by: material, half, and whether they have
+/// What triangles are kept together by: material, side, and whether they have
 /// normals.
 type Key = (usize, ModelSide, bool);
 
 #[derive(Default)]
-pub(super) struct Triangles {
+pub(super) struct MeshBuilders {
     meshes: BTreeMap<Key, Builder>,
 }
 
-impl Triangles {
+impl MeshBuilders {
     pub(super) fn add(&mut self, shape: &Shape, material: usize, side: ModelSide) {
         for corners in tessellate::triangles(shape, DIVISIONS) {
             let smooth = corners[0].normal.is_some();

@@ -1,4 +1,4 @@
-//! What becomes of OBJ files, held against what they mean.
+//! The scenes that OBJ files become, held against what the files mean.
 
 use super::super::{Format, ModelFile};
 use super::*;

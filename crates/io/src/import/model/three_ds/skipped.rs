@@ -1,4 +1,4 @@
-//! What a 3DS file has and a scene has not.
+//! Warnings about what a 3DS file has and a scene has not.
 
 use crate::three_ds::{Document, Light, Motion};
 
@@ -28,8 +28,8 @@ fn is_odd_spot(light: &Light) -> bool {
 fn motion(Motion { changing_nodes: nodes, shift }: Motion) -> Option<String> {
     let over_time = match nodes {
         0 => None,
-        1 => Some("1 thing moves or changes over time".to_string()),
-        _ => Some(format!("{nodes} things move or change over time")),
+        1 => Some("1 node moves or changes over time".to_string()),
+        _ => Some(format!("{nodes} nodes move or change over time")),
     };
     let at_start =
         (shift > 0.0).then(|| format!("frame 0 has vertices up to {shift} units elsewhere"));
@@ -68,10 +68,10 @@ mod tests {
     fn motion_is_told_with_how_much_of_it() {
         let said = |changing_nodes, shift| motion(Motion { changing_nodes, shift });
         assert_eq!(said(0, 0.0), None);
-        let both = "animation skipped, everything stands as stored: 2 things move or change over \
+        let both = "animation skipped, everything stands as stored: 2 nodes move or change over \
                     time, frame 0 has vertices up to 1.5 units elsewhere";
         assert_eq!(said(2, 1.5).as_deref(), Some(both));
-        assert!(said(1, 0.0).unwrap().ends_with(": 1 thing moves or changes over time"));
+        assert!(said(1, 0.0).unwrap().ends_with(": 1 node moves or changes over time"));
         assert!(said(0, 2.0).unwrap().ends_with(": frame 0 has vertices up to 2 units elsewhere"));
     }
 }

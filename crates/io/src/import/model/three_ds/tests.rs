@@ -18,7 +18,7 @@ fn file(document: Document) -> (ModelFile, Vec<String>) {
     (file, counter.into_warnings("f").map(|warning| warning.to_string()).collect())
 }
 
-/// Two squares' halves that meet at a right angle along x.
+/// Two triangles that meet at a right angle along x.
 fn bent(smoothing: [u32; 2], materials: [Option<usize>; 2]) -> Mesh {
     let corners = [[0, 1, 2], [0, 3, 1]];
     let face = |i: usize| Face {
@@ -71,7 +71,7 @@ fn faces_are_split_by_material() {
     assert_eq!(sides, [(1, Sides::Both), (1, Sides::Front)]);
 }
 
-/// The look of a material, and whether there was something to warn of.
+/// The material as it is imported, and whether there was something to warn of.
 fn imported(material: Material) -> (ImportedMaterial, Vec<String>) {
     let document = Document { materials: vec![material], ..Document::default() };
     let (file, warnings) = file(document);

@@ -1,4 +1,4 @@
-//! One method's picture for a reference, with what is needed to doubt it.
+//! One method's picture for a reference, with what is needed to judge it.
 
 use crate::picture::{Picture, double, grey, single};
 use serde::{Deserialize, Serialize};
@@ -12,9 +12,9 @@ use traylib_statistics::Sample;
 /// Tiles across the picture.
 const TILES_ACROSS: usize = 8;
 
-/// A picture with its noise.
+/// The picture that one method makes, with its noise: one of two that become a reference.
 #[derive(Clone, Debug)]
-pub struct Half {
+pub struct MethodReference {
     /// Mean radiance.
     pub picture: Picture,
     /// Variance of each mean.
@@ -23,7 +23,7 @@ pub struct Half {
     pub numbers: Numbers,
 }
 
-impl Half {
+impl MethodReference {
     /// Rounds to the precision in which pictures are kept.
     pub(super) fn like_stored(self) -> Self {
         let rounded = |picture: &Picture| double(&single(picture));
@@ -31,7 +31,7 @@ impl Half {
     }
 }
 
-/// What is known of such a picture beside its pixels.
+/// The figures of such a picture beside its pixels.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Numbers {
     /// Who made it.
@@ -53,7 +53,7 @@ impl Numbers {
     }
 }
 
-/// What a half is rendered from.
+/// What a reference by one method is rendered from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Order<'a> {
     /// The scene.
@@ -75,7 +75,7 @@ impl Order<'_> {
     ///
     /// # Errors
     /// The system refuses threads.
-    pub(super) fn render(&self, method: Method) -> Result<Option<Half>, ThreadError> {
+    pub(super) fn render(&self, method: Method) -> Result<Option<MethodReference>, ThreadError> {
         let start = Instant::now();
         let mut tiles = Tiles::new(self.masked);
         let settings = Settings {
@@ -101,8 +101,8 @@ impl Order<'_> {
         };
         let picture = rendering.film.mean();
         let variance = rendering.film.variance_of_mean();
-        let half = variance.map(|variance| Half { picture, variance, numbers });
-        Ok(half.filter(|_| !self.stop.is_cancelled()))
+        let reference = variance.map(|variance| MethodReference { picture, variance, numbers });
+        Ok(reference.filter(|_| !self.stop.is_cancelled()))
     }
 }
 

@@ -1,4 +1,4 @@
-//! F12: relief on a glossy plate. It tilts the shading normal alone, so a method that
+//! F12: a bump map on a glossy plate. It tilts the shading normal alone, so a method that
 //! walks from the light must carry the other cosines than one that walks from the
 //! camera; one that does not makes another picture.
 
@@ -31,18 +31,18 @@ fn hills() -> Bump {
 fn bumpy_plate() -> Scene {
     let view = camera_of_size(Vec3::new(0.0, -2.6, 1.6), Vec3::new(0.0, 0.0, 0.3), 45.0, [48, 36]);
     let maps = Maps { bump: Some(hills()), ..Maps::default() };
-    let relief = Material { maps: Some(Box::new(maps)), ..phong(0.4, 0.4, 20.0).into() };
+    let bumped = Material { maps: Some(Box::new(maps)), ..phong(0.4, 0.4, 20.0).into() };
     let plate = rectangle(Vec3::new(-1.0, -1.0, 0.3), 2.0 * Vec3::X, 2.0 * Vec3::Y);
     let lamp = rectangle(Vec3::new(-0.5, -0.2, 1.5), 0.8 * Vec3::Y, 0.8 * Vec3::X);
     Stage::new(view)
         .surface(floor(), lambert(0.5))
-        .surface(plate, relief)
+        .surface(plate, bumped)
         .light(lamp, 5.0, lambert(0.3))
         .build()
 }
 
 /// `walks` passes of `puremc`, the noisiest, go with one of `bdpt`.
-fn relief_agrees(looks: &[u32], walks: u32, promise: f64) {
+fn bump_map_agrees(looks: &[u32], walks: u32, promise: f64) {
     let scene = bumpy_plate();
     let other = |method, passes| Other { method, passes, promise };
     let others = [
@@ -53,16 +53,16 @@ fn relief_agrees(looks: &[u32], walks: u32, promise: f64) {
         other(PARTICLE, 4),
     ];
     let budget = Budget { tile: 12, looks: looks.to_vec() };
-    settle(&agree(&Subject { name: "relief", scene: &scene }, &others, &budget).findings);
+    settle(&agree(&Subject { name: "bump map", scene: &scene }, &others, &budget).findings);
 }
 
 #[test]
-fn relief_is_the_same_from_the_light_and_from_the_camera() {
-    relief_agrees(&[96], 12, 0.04);
+fn a_bump_map_is_the_same_from_the_light_and_from_the_camera() {
+    bump_map_agrees(&[96], 12, 0.04);
 }
 
 #[test]
 #[ignore = "at length: cargo xtask prove"]
-fn relief_is_the_same_at_length() {
-    relief_agrees(&[128, 512, 2048], 32, 5e-3);
+fn a_bump_map_is_the_same_at_length() {
+    bump_map_agrees(&[128, 512, 2048], 32, 5e-3);
 }

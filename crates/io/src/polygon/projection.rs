@@ -1,16 +1,16 @@
-//! Polygons seen along an axis.
+//! Polygons projected along an axis of coordinates.
 
 use traylib_math::glam::{DVec2, DVec3};
 
 /// The two axes that keep most of a plane, ordered so that what is
 /// counter-clockwise seen from its front stays so.
 #[derive(Clone, Copy)]
-pub(crate) struct Flat {
+pub(crate) struct Projection {
     u: usize,
     v: usize,
 }
 
-impl Flat {
+impl Projection {
     /// Leaves out the axis nearest to the normal. Coordinates stay as they are,
     /// so what coincides still does.
     pub(crate) fn along(normal: DVec3) -> Self {

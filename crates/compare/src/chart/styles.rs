@@ -1,4 +1,4 @@
-//! Which method looks how, everywhere on the page.
+//! The style of each method, the same everywhere on the page.
 
 use crate::chart::colour::{METHODS, method};
 use crate::chart::marker::SHAPES;
@@ -34,11 +34,11 @@ impl Style {
 
 /// All methods of a comparison, in the order in which they first appear.
 #[derive(Debug)]
-pub(crate) struct Palette {
+pub(crate) struct MethodStyles {
     names: Vec<String>,
 }
 
-impl Palette {
+impl MethodStyles {
     /// Gives colours to the methods of all scenes and of the oracle.
     pub(crate) fn of(results: &Results) -> Self {
         let methods = results.scenes.iter().flat_map(|scene| &scene.methods).map(|m| &m.name);
