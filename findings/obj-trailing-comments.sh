@@ -6,9 +6,8 @@
 # The guess: a comment behind the corners of a face is skipped.
 # Observed: only Mitsuba reads `f 1 2 3 # left wall` as one triangle. three and
 # loaders.gl take the three words of the comment for corners and give four
-# triangles, three of them with corners that are not numbers, without an error: the
-# bounding box of the mesh is lost with them. trimesh, meshio and Assimp refuse the
-# file.
+# triangles, three of them with corners that are not numbers, without an error.
+# trimesh, meshio and Assimp refuse the file.
 #
 # Why the input is valid: Wavefront, Advanced Visualizer manual, appendix B1,
 # comments: they may stand anywhere in the file.
