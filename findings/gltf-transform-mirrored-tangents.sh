@@ -38,7 +38,10 @@ const baked = (scale) => {
     return (name, place) => mesh.getAttribute(name).getElement(place, []);
 };
 const minus = (a, b) => a.map((value, axis) => value - b[axis]);
-const cross = (a, b) => [0, 1, 2].map((axis) => a[(axis + 1) % 3] * b[(axis + 2) % 3] - a[(axis + 2) % 3] * b[(axis + 1) % 3]);
+const cross = (a, b) => [0, 1, 2].map((axis) => {
+    const [second, third] = [(axis + 1) % 3, (axis + 2) % 3];
+    return a[second] * b[third] - a[third] * b[second];
+});
 const text = (vector) => vector.map((value) => value + 0).join(' ');
 
 for (const [scale, kept] of [[[1, 1, 1], true], [[-1, -1, 1], true], [[-1, 1, 1], false], [[1, 1, -1], false]]) {

@@ -55,7 +55,12 @@ cat > check.mjs <<'JS'
 import { readFileSync } from 'node:fs';
 import { MTLLoader } from 'three/examples/jsm/loaders/MTLLoader.js';
 
-for (const [name, expected] of [['0.5_0.5_0.5', '0.214 0.214 0.214'], ['0.5', '0.214 NaN NaN'], ['xyz_0.2_0.2_0.2', 'NaN 0.033 0.033']]) {
+const colours = {
+    '0.5_0.5_0.5': '0.214 0.214 0.214',
+    '0.5': '0.214 NaN NaN',
+    'xyz_0.2_0.2_0.2': 'NaN 0.033 0.033',
+};
+for (const [name, expected] of Object.entries(colours)) {
     const { color } = new MTLLoader().parse(readFileSync(`${name}.mtl`, 'utf8'), '').create('paint');
     const found = color.toArray().map((value) => value.toFixed(3)).join(' ');
     console.log(`${name}: three ${found}`);

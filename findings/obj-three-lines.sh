@@ -23,7 +23,8 @@ const look = (name, text) => {
     group.updateMatrixWorld(true);
     const ray = new Raycaster(new Vector3(3, 1.5, 5), new Vector3(0, 0, -1));
     ray.params.Line.threshold = 1e-3;
-    const found = `${group.children.map(({ type }) => type).join(' ')}, hits ${ray.intersectObject(group, true).length}`;
+    const kinds = group.children.map(({ type }) => type).join(' ');
+    const found = `${kinds}, hits ${ray.intersectObject(group, true).length}`;
     console.log(`${name}: ${found}`);
     return found;
 };
