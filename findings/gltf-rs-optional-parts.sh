@@ -6,7 +6,7 @@
 # Found: a scene without nodes, an attribute `_BATCHID`, and an accessor of zeros, without
 # a view and without sparse values, are each an error of the whole file; the same file
 # without them is read.
-# Valid: glTF 2.0: scene.nodes is optional (5.25), application-specific attribute names begin
+# Valid: glTF 2.0: scene.nodes is optional (5.27.1), application-specific attribute names begin
 # with an underscore (3.7.2.1), and an accessor without bufferView is all zeros (3.6.2.3).
 # shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
