@@ -5,7 +5,7 @@ mod half;
 mod pair;
 
 pub use half::Half;
-pub use pair::{Making, make};
+pub use pair::{Making, find, make};
 
 use crate::picture::Picture;
 use crate::results::ReferenceResults;
