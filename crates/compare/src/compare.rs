@@ -2,9 +2,11 @@
 
 mod field;
 mod outcome;
+mod part;
 
 use crate::csv;
 use crate::how::build_key;
+use crate::judge::Entry;
 use crate::lengths::lengths;
 use crate::method::suits;
 use crate::options::{ORACLE, Options};
@@ -20,7 +22,10 @@ use crate::results::{How, LengthShare, Results, SceneResults};
 use crate::run::Race;
 use crate::store::{Store, key_of};
 use crate::techniques::technique_pictures;
+pub use part::{references, runs};
+
 use outcome::{finished, shown, told, told_without};
+use std::ops::Range;
 use std::path::Path;
 use std::time::Instant;
 use traylib_demos::{Failure, say};
@@ -98,7 +103,7 @@ impl<'a> Work<'a> {
             references: store(options.folder().join("references"))?,
             runs: store(options.folder().join("runs"))?,
             build,
-            key: key_of(&(build, &how.processor)),
+            key: key_of(&(build, &how.processor, how.threads)),
             stop,
             start: Instant::now(),
         })
@@ -142,22 +147,7 @@ impl<'a> Work<'a> {
             return Ok(Some((results, pictures, String::new())));
         }
         let methods = self.methods_on(prepared);
-        let field = Field {
-            race: Race {
-                scene: &prepared.loaded.scene,
-                reference: &reference,
-                budgets: &self.budgets,
-                threads: self.options.threads,
-                points: self.options.sampler,
-                stop: self.stop,
-            },
-            key: key_of(&(self.key, prepared.key, reference.picture.values())),
-            methods: &methods,
-            seeds: self.options.seeds(),
-            first_seed: self.options.first_seed,
-            store: &self.runs,
-        };
-        let all = race(&field, plan)?;
+        let all = self.runs(prepared, &reference, 0..self.options.seeds(), plan)?;
         let first_seed = self.options.first_seed;
         let lines = csv::lines(&prepared.loaded.name, &all, &reference, first_seed);
         let entries = finished(&prepared.loaded.name, all);
@@ -170,31 +160,67 @@ impl<'a> Work<'a> {
         Ok(results.map(|results| (results, pictures, lines)))
     }
 
+    /// So many runs of each method, as far as they are not done yet.
+    fn runs(
+        &self,
+        prepared: &Prepared,
+        reference: &Reference,
+        turns: Range<u32>,
+        plan: &Plan,
+    ) -> Result<Vec<Entry>, Failure> {
+        let field = Field {
+            race: Race {
+                scene: &prepared.loaded.scene,
+                reference,
+                budgets: &self.budgets,
+                threads: self.options.threads,
+                points: self.options.sampler,
+                stop: self.stop,
+            },
+            key: key_of(&(self.key, prepared.key, reference.picture.values())),
+            methods: &self.methods_on(prepared),
+            turns,
+            first_seed: self.options.first_seed,
+            store: &self.runs,
+        };
+        race(&field, plan)
+    }
+
     fn methods_on(&self, prepared: &Prepared) -> Vec<Method> {
         self.methods.iter().copied().filter(|&method| suits(method, &prepared.facts)).collect()
     }
 
     fn reference(&self, prepared: &Prepared, plan: &Plan) -> Result<Option<Reference>, Failure> {
+        if let Some(known) = self.known_reference(prepared)? {
+            return Ok(Some(known));
+        }
+        let tell = |method| plan.detail(&format!("reference by {method}"));
+        let made = make(&self.making(prepared), &tell);
+        plan.done(2.0 * self.reference_seconds());
+        made.map_err(Failure::output)
+    }
+
+    /// One that needs no rendering.
+    fn known_reference(&self, prepared: &Prepared) -> Result<Option<Reference>, Failure> {
         let size = prepared.size();
         if let (Some(given), Some(file)) = (&prepared.given, &self.options.reference) {
             outside::same_size(file, given, size)?;
             let origin = format!("the picture {}", file.display());
             return Ok(Some(Reference::given(double(given), origin)));
         }
-        if let Some(radiance) = prepared.closed_form() {
-            return Ok(Some(Reference::constant(size.0, size.1, radiance)));
-        }
-        let making = Making {
+        let radiance = prepared.closed_form();
+        Ok(radiance.map(|radiance| Reference::constant(size.0, size.1, radiance)))
+    }
+
+    fn making<'s>(&'s self, prepared: &'s Prepared) -> Making<'s> {
+        Making {
             scene: &prepared.loaded.scene,
             scene_key: key_of(&(self.build, prepared.key)),
             seconds: self.reference_seconds(),
             threads: self.options.threads,
             stop: self.stop,
             store: &self.references,
-        };
-        let made = make(&making, &|method| plan.detail(&format!("reference by {method}")));
-        plan.done(2.0 * self.reference_seconds());
-        made.map_err(Failure::output)
+        }
     }
 
     fn reference_seconds(&self) -> f64 {
@@ -237,12 +263,18 @@ impl<'a> Work<'a> {
 
     /// What everything is planned to take.
     fn seconds(&self) -> f64 {
+        self.references_seconds() + self.runs_seconds(self.options.seeds())
+    }
+
+    fn references_seconds(&self) -> f64 {
+        2.0 * self.reference_seconds() * self.scenes.len() as f64
+    }
+
+    /// What so many runs of each method are planned to take.
+    fn runs_seconds(&self, turns: u32) -> f64 {
         let longest = self.budgets.last().copied().unwrap_or(0.0);
-        let runs = f64::from(self.options.seeds()) * longest * OVERHEAD;
-        let scene = |prepared: &Prepared| {
-            2.0 * self.reference_seconds() + runs * self.methods_on(prepared).len() as f64
-        };
-        self.scenes.iter().map(scene).sum()
+        let methods: usize = self.scenes.iter().map(|scene| self.methods_on(scene).len()).sum();
+        f64::from(turns) * longest * OVERHEAD * methods as f64
     }
 
     fn stopped(&self) -> bool {

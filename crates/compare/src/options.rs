@@ -4,7 +4,7 @@ use crate::method::by_default;
 use clap::Parser;
 use std::path::PathBuf;
 use std::time::Duration;
-use traylib_demos::{Failure, parse_duration, parse_resolution, parse_threads};
+use traylib_demos::{Failure, Shard, parse_duration, parse_resolution, parse_threads};
 use traylib_integrators::{Method, PointSet};
 
 /// Which method reaches which error in which time: renders each scene by each of
@@ -76,6 +76,15 @@ pub struct Options {
     /// there find again [default: target/compare]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+
+    /// Render the references and nothing else: the first step of runs in parts
+    #[arg(long, conflicts_with_all = ["shard", "open"])]
+    pub references_only: bool,
+
+    /// Make only part I, from 0 on, of N of the runs, against references that are there,
+    /// and no page: the same command without this finds all runs and shows them
+    #[arg(long, value_name = "I/N", conflicts_with = "open")]
+    pub shard: Option<Shard>,
 
     /// Show the page when it is done
     #[arg(long)]

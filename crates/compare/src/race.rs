@@ -7,6 +7,7 @@ use crate::picture::{Picture, double, single};
 use crate::progress::Plan;
 use crate::run::{Race, Record};
 use crate::store::{Store, key_of};
+use std::ops::Range;
 use std::time::Duration;
 use traylib_demos::Failure;
 use traylib_integrators::Method;
@@ -26,9 +27,9 @@ pub struct Field<'a> {
     pub key: u64,
     /// Who runs.
     pub methods: &'a [Method],
-    /// Runs of each.
-    pub seeds: u32,
-    /// Seed of the first.
+    /// Which runs of each.
+    pub turns: Range<u32>,
+    /// Seed of run 0.
     pub first_seed: u64,
     /// Where finished runs are.
     pub store: &'a Store,
@@ -42,13 +43,13 @@ pub fn race(field: &Field<'_>, plan: &Plan) -> Result<Vec<Entry>, Failure> {
     let entry = |&method: &Method| Entry { method, records: Vec::new(), pictures: Vec::new() };
     let mut entries: Vec<Entry> = field.methods.iter().map(entry).collect();
     let mut warm = false;
-    for turn in 0..field.seeds {
+    for turn in field.turns.clone() {
         // Nobody always follows the same neighbour.
         for place in 0..entries.len() {
             let number = entries.len();
             let entry = &mut entries[(place + turn as usize) % number];
             let seed = field.first_seed + u64::from(turn);
-            plan.detail(&format!("{}, run {} of {}", entry.method, turn + 1, field.seeds));
+            plan.detail(&format!("{}, run {} of {}", entry.method, turn + 1, field.turns.end));
             let Some((record, picture)) = field.one(entry.method, seed, &mut warm)? else {
                 return Ok(entries);
             };

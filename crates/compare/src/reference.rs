@@ -5,7 +5,7 @@ mod method_reference;
 mod pair;
 
 pub use method_reference::MethodReference;
-pub use pair::{Making, make};
+pub use pair::{Making, find, make};
 
 use crate::picture::Picture;
 use crate::results::ReferenceResults;

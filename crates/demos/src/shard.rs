@@ -33,7 +33,7 @@ impl Shard {
 
     /// Its passes, of so many. Parts begin and end at multiples of a power of two, so that
     /// films of parts are small.
-    pub(crate) fn passes(self, spp: u32) -> Range<u32> {
+    pub fn passes(self, spp: u32) -> Range<u32> {
         let most = u64::from(spp) / (u64::from(BLOCKS) * u64::from(self.count));
         let block = most.checked_ilog2().map_or(1, |log| 1 << log);
         let blocks = u64::from(spp).div_ceil(block);

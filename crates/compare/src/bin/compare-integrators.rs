@@ -3,10 +3,11 @@
 use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::sync::{Arc, OnceLock};
-use traylib_compare::compare::compare;
+use traylib_compare::compare::{compare, references, runs};
 use traylib_compare::folder;
 use traylib_compare::how::how;
 use traylib_compare::options::Options;
+use traylib_compare::results::How;
 use traylib_compare::table::table;
 use traylib_demos::{Failure, Signal, conclude, on_interrupt, parse, say, tell, tell_name};
 use traylib_integrators::Control;
@@ -29,7 +30,15 @@ fn run(options: &Options) -> Result<(), Failure> {
         raised.cancel();
         say(format_args!("{}: what is done will be shown; once more stops at once", word(signal)));
     });
-    let comparison = compare(options, how(options, &arguments), &stop)?;
+    let how = how(options, &arguments);
+    if let Some((folder, is_done)) = part(options, &how, &stop)? {
+        if is_done {
+            return tell_name(&options.folder().join(folder));
+        }
+        let what = "; what was done is kept, and the same command goes on from there";
+        return Err(interrupted(signal.get().copied(), what));
+    }
+    let comparison = compare(options, how, &stop)?;
     if comparison.results.is_empty() {
         let what = " before any scene was done; finished runs are kept, nothing else is \
                     written, and the same command goes on from there";
@@ -48,6 +57,20 @@ fn run(options: &Options) -> Result<(), Failure> {
     }
     let what = "; what was done is kept and shown, and the same command goes on from there";
     Err(interrupted(signal.get().copied(), what))
+}
+
+/// Makes what is wanted of a comparison in parts: the folder of what was made, and whether it
+/// was not stopped; `None` if the whole is wanted.
+fn part(
+    options: &Options,
+    how: &How,
+    stop: &Control,
+) -> Result<Option<(&'static str, bool)>, Failure> {
+    if options.references_only {
+        return Ok(Some(("references", references(options, how, stop)?)));
+    }
+    let Some(shard) = options.shard else { return Ok(None) };
+    Ok(Some(("runs", runs(options, shard, how, stop)?)))
 }
 
 fn interrupted(signal: Option<Signal>, what: &str) -> Failure {

@@ -77,6 +77,17 @@ impl From<StoreError> for MakeError {
     }
 }
 
+/// Finds the reference of a scene in the store; `None` if it is not whole there.
+pub fn find(making: &Making<'_>) -> Option<Reference> {
+    let seen = mirrors(making.scene);
+    let none = seen.map(|_| false);
+    let second = making.chosen_second()?;
+    let masked = if second == LAST_RESORT { &seen } else { &none };
+    let a = making.found(making.half_key(FIRST, masked, 0))?;
+    let b = making.found(making.half_key(second, masked, 1))?;
+    Some(join(&a, &b, masked))
+}
+
 /// Makes the reference of a scene, or takes it from the store; `None` if it was
 /// stopped. `tell` is called with what is being done.
 ///
@@ -102,7 +113,7 @@ impl Making<'_> {
         masked: &Grid<bool>,
         index: usize,
     ) -> Result<Option<MethodReference>, MakeError> {
-        let key = key_of(&(self.scene_key, method.to_string(), masked.values(), SEEDS[index]));
+        let key = self.key_of(method, masked, index);
         if let Some(reference) = self.found(key) {
             return Ok(Some(reference));
         }
@@ -117,6 +128,10 @@ impl Making<'_> {
         Ok(reference)
     }
 
+    fn key_of(&self, method: Method, masked: &Grid<bool>, index: usize) -> u64 {
+        key_of(&(self.scene_key, method.to_string(), masked.values(), SEEDS[index]))
+    }
+
     fn found(&self, key: u64) -> Option<MethodReference> {
         let numbers: Numbers = self.store.numbers(key)?;
         let picture = self.store.picture(key, "mean")?;
@@ -129,12 +144,21 @@ impl Making<'_> {
         Order { scene, masked, seconds, seed, threads, stop }
     }
 
+    fn second_key(&self) -> u64 {
+        key_of(&(self.scene_key, "second method"))
+    }
+
+    /// What [`Self::choose_second`] has found before.
+    fn chosen_second(&self) -> Option<Method> {
+        let index: usize = self.store.numbers(self.second_key())?;
+        [SECOND, LAST_RESORT].get(index).copied()
+    }
+
     /// Which method the first is checked by: known from last time, or found by short
     /// renders of all three, compared where no mirror is seen.
     fn choose_second(&self, mirrors: &Grid<bool>) -> Result<Option<Method>, MakeError> {
-        let key = key_of(&(self.scene_key, "second method"));
-        if let Some(index) = self.store.numbers::<usize>(key) {
-            return Ok([SECOND, LAST_RESORT].get(index).copied());
+        if let Some(second) = self.chosen_second() {
+            return Ok(Some(second));
         }
         let mut costs = Vec::new();
         let mut scale = None;
@@ -148,7 +172,7 @@ impl Making<'_> {
             );
         }
         let hopeless = costs[1] > HOPELESS * costs[0] && costs[2] < costs[1];
-        self.store.keep(key, &usize::from(hopeless), &[])?;
+        self.store.keep(self.second_key(), &usize::from(hopeless), &[])?;
         Ok(Some(if hopeless { LAST_RESORT } else { SECOND }))
     }
 }

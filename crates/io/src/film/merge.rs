@@ -82,11 +82,12 @@ pub fn merge_films(
     let written = write_file_by(path, None, &mut |out| {
         out.write_all(&header.encode())?;
         let mut writer = StripeWriter::default();
+        let mut bytes = Vec::new();
         for start in (0..pixels).step_by(STRIPE) {
             let stripe = start..(start + STRIPE).min(pixels);
             let mut sum = Film::of_sequences(stripe.len() as u32, 1, sequences);
             for (number, film) in films.iter_mut().enumerate() {
-                let part = film.read_stripe(&stripe).map_err(|error| {
+                let part = film.read_stripe(&stripe, &mut bytes).map_err(|error| {
                     fault = Some(error);
                     io::ErrorKind::InvalidData
                 })?;

@@ -21,7 +21,6 @@ pub struct FilmReader {
     file: Option<File>,
     /// Where in the file the next byte is, if it is open.
     at: u64,
-    bytes: Vec<u8>,
 }
 
 impl FilmReader {
@@ -45,7 +44,7 @@ impl FilmReader {
         };
         let (file, header) = open().map_err(|cause| error(path, cause))?;
         let at = header.bytes;
-        Ok(Self { path: path.to_path_buf(), header, file: Some(file), at, bytes: Vec::new() })
+        Ok(Self { path: path.to_path_buf(), header, file: Some(file), at })
     }
 
     /// Its file.
@@ -78,11 +77,16 @@ impl FilmReader {
         self.file = None;
     }
 
-    /// A stripe of pixels as a film of one row.
-    pub(super) fn read_stripe(&mut self, pixels: &Range<usize>) -> Result<Film, Error> {
-        self.fetch(pixels)?;
+    /// A stripe of pixels as a film of one row. `bytes` is room for what is in the file: of
+    /// thousands of films, only one at a time needs it.
+    pub(super) fn read_stripe(
+        &mut self,
+        pixels: &Range<usize>,
+        bytes: &mut Vec<u8>,
+    ) -> Result<Film, Error> {
+        self.fetch(pixels, bytes)?;
         let mut blocks = self.blank_blocks(pixels.len(), 1);
-        self.decode_into(&mut blocks, &(0..pixels.len()));
+        decode_into(&mut blocks, bytes, &(0..pixels.len()));
         Ok(self.film_of(blocks, pixels.len() as u32, 1))
     }
 
@@ -90,11 +94,12 @@ impl FilmReader {
     fn read_whole(mut self) -> Result<(Film, FilmAbout), Error> {
         let [width, height] = self.size();
         let pixels = self.header.pixels() as usize;
+        let mut bytes = Vec::new();
         let mut blocks = self.blank_blocks(width as usize, height as usize);
         for start in (0..pixels).step_by(STRIPE) {
             let stripe = start..(start + STRIPE).min(pixels);
-            self.fetch(&stripe)?;
-            self.decode_into(&mut blocks, &stripe);
+            self.fetch(&stripe, &mut bytes)?;
+            decode_into(&mut blocks, &bytes, &stripe);
         }
         Ok((self.film_of(blocks, width, height), self.header.about))
     }
@@ -120,14 +125,6 @@ impl FilmReader {
             .collect()
     }
 
-    /// Puts the stripe that was fetched last into these pixels of blocks.
-    fn decode_into(&self, blocks: &mut [(usize, FilmBlock)], pixels: &Range<usize>) {
-        let planes = blocks.iter_mut().flat_map(|(_, block)| planes_mut(block));
-        for (plane, bytes) in planes.zip(self.bytes.chunks_exact(BYTES_OF_PIXEL * pixels.len())) {
-            decode(bytes, &mut plane.values_mut()[pixels.clone()]);
-        }
-    }
-
     fn film_of(&self, blocks: Vec<(usize, FilmBlock)>, width: u32, height: u32) -> Film {
         let sequences = self.header.shape.sequences().len() as u32;
         let mut film = Film::of_sequences(width, height, sequences);
@@ -139,20 +136,21 @@ impl FilmReader {
     }
 
     /// Reads the bytes of a stripe and holds them against their checksum.
-    fn fetch(&mut self, pixels: &Range<usize>) -> Result<(), Error> {
+    fn fetch(&mut self, pixels: &Range<usize>, bytes: &mut Vec<u8>) -> Result<(), Error> {
         let begin = self.header.offset(pixels.start as u64);
-        let length = self.header.offset(pixels.end as u64) - begin;
-        let fetched = self.fetch_bytes(begin, length as usize);
+        let end = self.header.offset(pixels.end as u64);
+        bytes.resize((end - begin) as usize, 0);
+        let fetched = self.fetch_bytes(begin, bytes);
         fetched.map_err(|cause| error(&self.path, cause.into()))?;
-        let checksum = self.bytes.split_off(self.bytes.len() - 4);
-        if crc32fast::hash(&self.bytes).to_le_bytes() == checksum[..] {
+        let checksum = bytes.split_off(bytes.len() - 4);
+        if crc32fast::hash(bytes).to_le_bytes() == checksum[..] {
             Ok(())
         } else {
             Err(error(&self.path, FilmFault::Pixels(pixels.start as u64)))
         }
     }
 
-    fn fetch_bytes(&mut self, begin: u64, length: usize) -> std::io::Result<()> {
+    fn fetch_bytes(&mut self, begin: u64, bytes: &mut [u8]) -> std::io::Result<()> {
         let file = match &mut self.file {
             Some(file) => file,
             closed => {
@@ -163,9 +161,8 @@ impl FilmReader {
         if self.at != begin {
             file.seek(SeekFrom::Start(begin))?;
         }
-        self.bytes.resize(length, 0);
-        file.read_exact(&mut self.bytes)?;
-        self.at = begin + length as u64;
+        file.read_exact(bytes)?;
+        self.at = begin + bytes.len() as u64;
         Ok(())
     }
 }
@@ -176,6 +173,14 @@ impl FilmReader {
 /// [`Error::ReadFilm`].
 pub fn load_film(path: &Path) -> Result<(Film, FilmAbout), Error> {
     FilmReader::open(path)?.read_whole()
+}
+
+/// Puts the bytes of a stripe into these pixels of blocks.
+fn decode_into(blocks: &mut [(usize, FilmBlock)], bytes: &[u8], pixels: &Range<usize>) {
+    let planes = blocks.iter_mut().flat_map(|(_, block)| planes_mut(block));
+    for (plane, bytes) in planes.zip(bytes.chunks_exact(BYTES_OF_PIXEL * pixels.len())) {
+        decode(bytes, &mut plane.values_mut()[pixels.clone()]);
+    }
 }
 
 /// What is read of a block, in this order.

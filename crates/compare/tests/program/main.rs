@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
 
+mod parts;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use traylib_compare::results::Results;
