@@ -83,8 +83,8 @@ pub fn find(making: &Making<'_>) -> Option<Reference> {
     let none = seen.map(|_| false);
     let second = making.chosen_second()?;
     let masked = if second == LAST_RESORT { &seen } else { &none };
-    let a = making.found(making.half_key(FIRST, masked, 0))?;
-    let b = making.found(making.half_key(second, masked, 1))?;
+    let a = making.found(making.render_key(FIRST, masked, 0))?;
+    let b = making.found(making.render_key(second, masked, 1))?;
     Some(join(&a, &b, masked))
 }
 
@@ -113,7 +113,7 @@ impl Making<'_> {
         masked: &Grid<bool>,
         index: usize,
     ) -> Result<Option<MethodReference>, MakeError> {
-        let key = self.key_of(method, masked, index);
+        let key = self.render_key(method, masked, index);
         if let Some(reference) = self.found(key) {
             return Ok(Some(reference));
         }
@@ -128,7 +128,7 @@ impl Making<'_> {
         Ok(reference)
     }
 
-    fn key_of(&self, method: Method, masked: &Grid<bool>, index: usize) -> u64 {
+    fn render_key(&self, method: Method, masked: &Grid<bool>, index: usize) -> u64 {
         key_of(&(self.scene_key, method.to_string(), masked.values(), SEEDS[index]))
     }
 
