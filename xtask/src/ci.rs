@@ -3,6 +3,8 @@
 
 mod apart;
 
+#[cfg(unix)]
+use crate::engines;
 use crate::{layers, package, workspace};
 use anyhow::{Context, Result, ensure};
 use std::time::Instant;
@@ -25,6 +27,8 @@ pub(crate) fn run() -> Result<()> {
     step("check", || bdpt(&["--check"]))?;
     step("picture", picture)?;
     step("compare", compare)?;
+    #[cfg(unix)]
+    step("engines", engines::run)?;
     println!("ci: all steps passed, {:.1} s", start.elapsed().as_secs_f64());
     Ok(())
 }

@@ -65,9 +65,9 @@ fn seconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64()
 }
 
-/// Builds the programs as the tests do, and says where they are.
+/// Builds the programs with all that the tests of the workspace have built, and says where they are.
 fn programs() -> Result<PathBuf> {
-    workspace::finish(&mut workspace::cargo(&["build", "--package", "traylib-demos"]))?;
+    workspace::finish(&mut workspace::cargo(&["build", "--bin", PROGRAM, "--bin", "film"]))?;
     let own = std::env::current_exe()?;
     let target = own.ancestors().nth(2).context("this program is in no folder of cargo's")?;
     Ok(target.join("debug"))

@@ -61,8 +61,8 @@ Usage: cargo xtask TASK [ARGUMENTS]
   package  packs the libraries, builds the packages, and tries to publish them
            in their order, all but the upload
   ci       format, clippy, layers, licences, other features and systems, tests,
-           docs, packages, a first picture and a comparison; stops at the first
-           step that fails
+           docs, packages, a first picture, a comparison, engines; stops at the
+           first step that fails
 
 Exit status: 0 done, 1 a task failed, 2 the command line was not understood;
 of compare-integrators, needs, costs and scaling also 3 a scene or picture makes no sense, 4 nothing can

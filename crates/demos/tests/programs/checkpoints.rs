@@ -1,32 +1,16 @@
 //! Renderings that are interrupted, and go on.
 
-use crate::common::{Dice, Folder, MODES, Run, SCENE};
+use crate::common::{Folder, MODES, Run, SCENE, files};
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 use traylib_io::{load_film, save_film};
 
 const SIZE: &str = "spheres --resolution 24x18 -q -o a.exr -o a.png";
 
-/// All files of a folder and of those in it.
-fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut files = BTreeMap::new();
-    for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
-        let name = entry.file_name().into_string().unwrap();
-        if entry.path().is_dir() {
-            let inner = self::files(&entry.path());
-            files.extend(inner.into_iter().map(|(file, bytes)| (format!("{name}/{file}"), bytes)));
-        } else {
-            files.insert(name, fs::read(entry.path()).unwrap());
-        }
-    }
-    files
-}
-
 /// What a run leaves that nothing disturbs, but for the checkpoint before the last.
-fn undisturbed(program: &str, options: &str) -> BTreeMap<String, Vec<u8>> {
+pub(crate) fn undisturbed(program: &str, options: &str) -> BTreeMap<String, Vec<u8>> {
     let folder = Folder::new();
     let run = folder.run(program, &format!("{options} --checkpoint a.film"));
     assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{program} {options}");
@@ -39,7 +23,11 @@ fn without_previous(mut files: BTreeMap<String, Vec<u8>>) -> BTreeMap<String, Ve
 }
 
 #[track_caller]
-fn assert_same(found: BTreeMap<String, Vec<u8>>, expected: &BTreeMap<String, Vec<u8>>, what: &str) {
+pub(crate) fn assert_same(
+    found: BTreeMap<String, Vec<u8>>,
+    expected: &BTreeMap<String, Vec<u8>>,
+    what: &str,
+) {
     let found = without_previous(found);
     assert!(found.keys().eq(expected.keys()), "{what}: {:?}", found.keys());
     let differ: Vec<_> = found.keys().filter(|name| found[*name] != expected[*name]).collect();
@@ -252,7 +240,7 @@ fn damaged_and_foreign_files_are_told_and_stay() {
     assert!(folder.bytes("a.film") == whole);
 }
 
-/// Files of 512 bytes at most stand for a full disk.
+/// Files of 512 bytes at most stand for a full disk; what goes on afterwards has lost nothing.
 #[test]
 fn a_full_disk_leaves_the_checkpoint_before() {
     let folder = Folder::new();
@@ -272,6 +260,10 @@ fn a_full_disk_leaves_the_checkpoint_before() {
         assert!(run.err.starts_with(&said) && run.err.lines().count() == 1, "{}", run.err);
         assert!((folder.bytes("a.film"), folder.names()) == before, "{options}");
     }
+    let run = folder.run("puremc", &format!("{options} --spp 4 -o b.png"));
+    assert_eq!((run.status, run.err.as_str()), (Some(0), ""));
+    let expected = undisturbed("puremc", "cornell --resolution 64x48 -q --spp 4 -o b.png");
+    assert!(["a.film", "b.png"].iter().all(|name| folder.bytes(name) == expected[*name]));
     let run = folder.run("puremc", "cornell --resolution 8x6 --checkpoint none/a.film -q");
     assert_eq!(run.status, Some(4));
     assert_eq!(run.err, "error: none/a.film: cannot be written: there is no such folder\n");
@@ -293,46 +285,4 @@ fn a_folder_that_vanishes_is_an_error() {
     assert_eq!(run.status, Some(4), "{}", run.err);
     assert!(run.err.starts_with("error: b/a.film: cannot be written: "), "{}", run.err);
     load_film(&folder.path().join("c/a.film")).unwrap();
-}
-
-/// Kills each program at so many moments, most of them while it writes a checkpoint, and lets
-/// it go on; the last run is left alone.
-#[expect(clippy::print_stdout, reason = "how hard the test was")]
-fn survive(kills: u64, spp: u32, longest: Duration) {
-    let mut dice = Dice(kills);
-    let (mut met, mut writing) = (0, 0);
-    for (program, mode) in MODES {
-        let size = "spheres --resolution 48x36 -q -o a.exr -o a.png";
-        let options = format!("{size} {mode} --spp {spp}");
-        let expected = undisturbed(program, &options);
-        let folder = Folder::new();
-        let every = "--checkpoint a.film --resume --checkpoint-every 0.001s";
-        for kill in 0..kills {
-            let mut child = folder.command(program, &format!("{options} {every}"));
-            let mut child = child.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
-            std::thread::sleep(Duration::from_micros(dice.below(longest.as_micros() as u64)));
-            child.kill().unwrap();
-            let run = Run::from(child.wait_with_output().unwrap());
-            assert!(matches!(run.status, None | Some(0)), "{program} {kill}: {}", run.err);
-            met += u64::from(run.status.is_none());
-            writing += u64::from(folder.names().iter().any(|name| name.contains(".part")));
-        }
-        let run = folder.run(program, &format!("{options} {every}"));
-        assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{program} {mode}");
-        assert_same(files(folder.path()), &expected, &format!("{program} {mode}"));
-    }
-    let all = kills * MODES.len() as u64;
-    println!("{met} of {all} kills met a program at work, {writing} one that wrote a file");
-}
-
-#[test]
-fn whoever_is_killed_goes_on() {
-    survive(5, 40, Duration::from_millis(60));
-}
-
-/// Some minutes.
-#[test]
-#[ignore = "long"]
-fn whoever_is_killed_a_hundred_times_goes_on() {
-    survive(100, 400, Duration::from_millis(400));
 }

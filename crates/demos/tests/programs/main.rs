@@ -8,6 +8,8 @@ mod black;
 mod checkpoints;
 mod common;
 mod convert;
+#[cfg(unix)]
+mod disturbances;
 mod errors;
 mod film;
 #[cfg(unix)]

@@ -1,22 +1,35 @@
 //! Renderings in parts.
 
-use crate::common::{Dice, Folder, MODES};
+use crate::common::{Dice, Folder, MODES, files};
+use std::process::Stdio;
+use std::time::Duration;
 use traylib_io::{load_film, save_film};
 
 const SIZE: &str = "spheres --resolution 16x12 --spp 23 -q";
 
-/// Renders all parts of a mode, some of them in several runs, and merges them in some order.
-fn merged(folder: &Folder, program: &str, mode: &str, parts: u32, dice: &mut Dice) {
+/// Renders all parts, some of them in several runs, and merges them in some order.
+fn merged(folder: &Folder, program: &str, rendering: &str, parts: u32, dice: &mut Dice) {
     let mut files: Vec<String> = (0..parts).map(|part| format!("{part}.film")).collect();
     for (part, file) in files.iter().enumerate() {
-        let options = format!("{SIZE} {mode} --shard {part}/{parts} --checkpoint {file}");
-        if dice.below(4) == 0 {
-            // It may be too short for a pass.
-            let run = folder.run(program, &format!("{options} --time-limit 0.03s"));
-            assert!(matches!(run.status, Some(0 | 4)), "{}", run.err);
+        let options = format!("{rendering} --shard {part}/{parts} --checkpoint {file}");
+        match dice.below(6) {
+            0 => {
+                // It may be too short for a pass.
+                let run = folder.run(program, &format!("{options} --time-limit 0.03s"));
+                assert!(matches!(run.status, Some(0 | 4)), "{}", run.err);
+            }
+            1 => {
+                let often = "--checkpoint-every 0.001s";
+                let mut child = folder.command(program, &format!("{options} {often}"));
+                let mut child = child.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+                std::thread::sleep(Duration::from_millis(dice.below(60)));
+                child.kill().unwrap();
+                child.wait().unwrap();
+            }
+            _ => {}
         }
         let run = folder.run(program, &format!("{options} --resume"));
-        assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{program} {mode}");
+        assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{program} {rendering}");
         assert_eq!(run.out, format!("{file}\n"));
     }
     for place in (1..files.len()).rev() {
@@ -26,32 +39,76 @@ fn merged(folder: &Folder, program: &str, mode: &str, parts: u32, dice: &mut Dic
     assert_eq!((run.status, run.out.as_str()), (Some(0), "all.film\n"), "{}", run.err);
 }
 
+/// Renders a whole, and again in so many parts each time: all files have the same bytes, those
+/// that the program makes of the merged film and those that `film` does.
+fn parts_make_the_whole(program: &str, rendering: &str, counts: &[u32], dice: &mut Dice) {
+    let whole = Folder::new();
+    let outputs = "--checkpoint all.film -o a.exr -o a.png";
+    let run = whole.run(program, &format!("{rendering} {outputs}"));
+    assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{program} {rendering}");
+    let mut expected = files(whole.path());
+    expected.remove("all.film.previous");
+    for &parts in counts {
+        let what = format!("{program} {rendering} in {parts} parts");
+        let folder = Folder::new();
+        merged(&folder, program, rendering, parts, dice);
+        assert!(folder.bytes("all.film") == expected["all.film"], "{what}");
+        for picture in ["a.exr", "a.png"] {
+            let run = folder.run("film", &format!("convert all.film {picture}"));
+            assert_eq!(run.status, Some(0), "{}", run.err);
+            assert!(folder.bytes(picture) == expected[picture], "{what}: {picture}");
+        }
+        let run = folder.run(program, &format!("{rendering} {outputs} --resume"));
+        assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{what}");
+        let found = files(folder.path());
+        for (name, bytes) in &expected {
+            assert!(found[name] == *bytes, "{what}: {name}");
+        }
+    }
+}
+
 #[test]
 fn parts_make_the_bytes_of_the_whole() {
     let mut dice = Dice(3);
     for (program, mode) in MODES {
-        let whole = Folder::new();
-        let files = "--checkpoint all.film -o a.exr -o a.png";
-        let run = whole.run(program, &format!("{SIZE} {mode} {files}"));
-        assert_eq!((run.status, run.err.as_str()), (Some(0), ""), "{program} {mode}");
         let many = if mode.contains("sobol --max") { 100 } else { 11 };
-        for parts in [1, 2, 3, 7, many] {
-            let folder = Folder::new();
-            merged(&folder, program, mode, parts, &mut dice);
-            assert!(
-                folder.bytes("all.film") == whole.bytes("all.film"),
-                "{program} {mode} {parts}"
-            );
-            for picture in ["a.exr", "a.png"] {
-                let run = folder.run("film", &format!("convert all.film {picture}"));
-                assert_eq!(run.status, Some(0), "{}", run.err);
-                assert!(
-                    folder.bytes(picture) == whole.bytes(picture),
-                    "{program} {mode} {picture}"
-                );
-            }
-        }
+        parts_make_the_whole(program, &format!("{SIZE} {mode}"), &[1, 2, 3, 7, many], &mut dice);
     }
+}
+
+/// Some minutes: no part is empty.
+#[test]
+#[ignore = "long"]
+fn a_hundred_parts_make_the_bytes_of_the_whole() {
+    let mut dice = Dice(100);
+    let size = "spheres --resolution 48x36 -q";
+    for (program, mode) in MODES {
+        let rendering = format!("{size} --spp 131 {mode}");
+        parts_make_the_whole(program, &rendering, &[1, 2, 3, 7, 100], &mut dice);
+    }
+}
+
+/// A plan is made once, and handed to all parts; or each makes it anew, and it is the same.
+#[test]
+fn parts_by_a_plan_make_the_bytes_of_the_whole() {
+    let size = "plates --resolution 96x72 --spp 64 -q";
+    let planned = Folder::new().run("bdpt", &format!("{size} --auto --explain json --check"));
+    let end = planned.out.rfind('}').unwrap();
+    let plan: serde_json::Value = serde_json::from_str(&planned.out[..=end]).unwrap();
+    let plan = plan["plan"].as_str().unwrap();
+    let whole = Folder::new();
+    let run = whole.run("bdpt", &format!("{size} --auto --checkpoint all.film -o a.exr"));
+    assert_eq!((run.status, run.err.as_str()), (Some(0), ""));
+    let folder = Folder::new();
+    for (part, how) in
+        [["--plan", plan].as_slice(), &["--auto"], &["--plan", plan]].iter().enumerate()
+    {
+        let options = format!("{size} --shard {part}/3 --checkpoint {part}.film");
+        let output = folder.command("bdpt", &options).args(*how).output().unwrap();
+        assert!(output.status.success(), "{how:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    assert_eq!(folder.run("film", "merge 1.film 2.film 0.film -o all.film").status, Some(0));
+    assert!(folder.bytes("all.film") == whole.bytes("all.film"));
 }
 
 #[test]
