@@ -126,22 +126,15 @@ impl<'a> Checkpoint<'a> {
         }
     }
 
-    /// Writes the film if it is time to; the statistics are those of this run.
-    ///
-    /// # Errors
-    /// It cannot be written. The file is as it was.
-    pub(crate) fn after_pass(
-        &mut self,
-        film: &Film,
-        statistics: Statistics,
-    ) -> Result<(), Failure> {
-        let is_due = self.last.is_none_or(|(when, cost)| {
+    /// Tells whether it is time to write a film.
+    pub(crate) fn is_due(&self, film: &Film) -> bool {
+        let is_time = self.last.is_none_or(|(when, cost)| {
             when.elapsed() >= self.every.unwrap_or_else(|| EVERY.max(TIMES_COST * cost))
         });
-        if is_due { self.save(film, statistics) } else { Ok(()) }
+        film.passes() > 0 && is_time
     }
 
-    /// Writes the film unless the file has it.
+    /// Writes the film unless the file has it; the statistics are those of this run.
     ///
     /// # Errors
     /// It cannot be written. The file is as it was.

@@ -9,10 +9,12 @@ use crate::memory;
 use crate::outcome::Failure;
 use crate::plan::Plan;
 use crate::progress::Line;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 use std::time::Duration;
-use traylib_integrators::{Integrator, Part, Progress, Rendering, Settings, render_part};
+use traylib_integrators::{
+    Control, Integrator, Progress, Renderer, Rendering, ThreadPool, thread_pool,
+};
 use traylib_io::Loaded;
 use traylib_scene::Film;
 
@@ -51,35 +53,29 @@ pub(crate) fn render_job(
         rejected: checkpoint.rejected_before(),
     });
     let title = format!("{} {}", job.program, loaded.name);
-    let settings = Settings {
-        spp: plan.passes.len() as u32,
-        seed: options.seed,
-        threads: options.threads,
-        points: options.sampler,
-    };
     let stop = Arc::new(Stop::default());
     let passes_before = before.unwrap_or_default().passes;
     let line = Line::new(&title, &stop, passes_before, options);
     stop.on_interrupt(line.answer_to_interrupt());
     options.time_limit.map_or(Ok(()), |time| stop.after(time))?;
-    let (mut is_full, mut fault) = (false, None);
-    let observe = &mut |progress: &Progress<'_>| {
-        line.update(progress);
-        if let Some(checkpoint) = &mut checkpoint {
-            fault = checkpoint.after_pass(progress.film, progress.statistics).err();
-        }
-        is_full = !memory::has_room(job, loaded.scene.camera(), progress.film.passes());
-        let is_over = is_full || fault.is_some();
-        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let part = Part { passes: plan.passes.clone(), film };
-    let rendering = render_part(&loaded.scene, integrator, &settings, part, &stop.control, observe)
-        .map_err(Failure::output)?;
-    line.clear();
-    if let Some(fault) = fault {
-        return Err(fault);
+    let pool = thread_pool(options.threads).map_err(Failure::output)?;
+    let mut renderer = Renderer::new(&loaded.scene, integrator, options.seed, options.sampler);
+    if let Some(film) = film {
+        renderer = renderer.going_on_from(film);
     }
-    let end = if rendering.film.passes() == settings.spp {
+    let mut is_full = false;
+    let spp = plan.passes.len() as u32;
+    let after_pass = |Rendering { film, statistics, .. }: &Rendering| {
+        line.update(&Progress { film, statistics: *statistics, spp });
+        is_full = !memory::has_room(job, loaded.scene.camera(), film.passes());
+        if is_full { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let passes = Passes { wanted: plan.passes.clone(), pool: &pool, control: &stop.control };
+    let done = passes.render(&mut renderer, checkpoint.as_mut(), after_pass);
+    line.clear();
+    done?;
+    let rendering = renderer.finish();
+    let end = if rendering.film.passes() == spp {
         End::Spp
     } else if is_full {
         End::Memory
@@ -93,4 +89,48 @@ pub(crate) fn render_job(
         checkpoint.save(&rendering.film, rendering.statistics)?;
     }
     Ok(Outcome { rendering, elapsed: line.elapsed(), end, before })
+}
+
+/// Passes to render.
+struct Passes<'a> {
+    wanted: Range<u32>,
+    pool: &'a ThreadPool,
+    control: &'a Control,
+}
+
+impl Passes<'_> {
+    /// Renders those that the film lacks, in the order of their numbers, until `after_pass` says
+    /// stop; a checkpoint that is due is written while the next pass is rendered.
+    ///
+    /// # Errors
+    /// The checkpoint cannot be written.
+    fn render(
+        self,
+        renderer: &mut Renderer<'_>,
+        mut checkpoint: Option<&mut Checkpoint<'_>>,
+        mut after_pass: impl FnMut(&Rendering) -> ControlFlow<()>,
+    ) -> Result<(), Failure> {
+        let Self { wanted, pool, control } = self;
+        for pass in wanted {
+            let film = &renderer.rendering().film;
+            if film.has_pass(pass) {
+                continue;
+            }
+            let due = checkpoint.as_deref_mut().filter(|checkpoint| checkpoint.is_due(film));
+            let mut kept = Ok(());
+            let is_whole = renderer.render_pass_beside(pass, control, pool, |rendering| {
+                let Some(checkpoint) = due else { return };
+                kept = checkpoint.save(&rendering.film, rendering.statistics);
+                if kept.is_err() {
+                    // Nobody wants what cannot be kept.
+                    control.cancel();
+                }
+            });
+            kept?;
+            if !is_whole || after_pass(renderer.rendering()).is_break() {
+                break;
+            }
+        }
+        Ok(())
+    }
 }

@@ -103,7 +103,8 @@ pub use particle::Particle;
 pub use pass::{Pass, RenderChunk};
 pub use puremc::PureMc;
 pub use render::{
-    Part, Progress, Renderer, Rendering, Settings, ThreadError, render, render_part, render_to_end,
+    Progress, Renderer, Rendering, Settings, ThreadError, ThreadPool, render, render_to_end,
+    thread_pool,
 };
 pub use trace::Trace;
 pub use tracer::Statistics;

@@ -86,7 +86,7 @@ pub fn plan(
     let safe = Plan { method: Method::BDPT.up_to(request.max_depth), evidence: None };
     let samples = samples(scene, request);
     let Some(probes) = affordable(samples) else { return Ok(Some(safe)) };
-    let pool = crate::render::pool(request.threads)?;
+    let pool = crate::thread_pool(request.threads)?;
     Ok(pool.install(|| {
         let probes = Probes::spread(scene, probes, request.seed, control);
         let passes = Passes { points: request.points, count: TRIAL_PASSES, spp: request.spp };
@@ -120,7 +120,7 @@ pub fn forecasts(
     seed: u64,
 ) -> Result<Vec<f64>, ThreadError> {
     let control = Control::default();
-    let pool = crate::render::pool(0)?;
+    let pool = crate::thread_pool(0)?;
     Ok(pool.install(|| {
         let probes = Probes::spread(scene, probes, seed, &control);
         let (points, count) = (PointSet::Independent, PILOT_PASSES);
@@ -136,7 +136,7 @@ pub fn forecasts(
 /// [`ThreadError`] if the system refuses the threads.
 pub fn work(scene: &Scene, method: Method, points: PointSet) -> Result<Work, ThreadError> {
     let control = Control::default();
-    let pool = crate::render::pool(0)?;
+    let pool = crate::thread_pool(0)?;
     let probes = Probes::spread(scene, MOST_PROBES, 0, &control);
     Ok(pool.install(|| Counted::default().of(&probes, method, points)))
 }

@@ -5,7 +5,8 @@ mod renderer;
 pub use renderer::Renderer;
 
 use crate::{Control, Integrator, PointSet, Statistics};
-use std::ops::{ControlFlow, Range};
+pub use rayon::ThreadPool;
+use std::ops::ControlFlow;
 use traylib_scene::{Film, Scene};
 
 /// How to render, whatever the algorithm.
@@ -72,53 +73,15 @@ pub fn render(
     control: &Control,
     observe: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Rendering, ThreadError> {
-    let part = Part { passes: 0..settings.spp, film: None };
-    render_part(scene, integrator, settings, part, control, observe)
-}
-
-/// Passes of a rendering, some of which may be done.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// The numbers of the passes that are wanted.
-    pub passes: Range<u32>,
-    /// What there is of them; nothing if it is `None`.
-    pub film: Option<Film>,
-}
-
-/// [`render`] of a part: the passes that its film does not have, in the order of their numbers,
-/// whatever `settings.spp` is. The film is that of the part, the counters those of the passes that
-/// were rendered here. Films of all parts make that of the whole by [`Film::merge`].
-///
-/// # Errors
-/// As `render`.
-///
-/// # Panics
-/// If the film has another size than the scene's pictures, or other sequences than the
-/// points.
-pub fn render_part(
-    scene: &Scene,
-    integrator: &dyn Integrator,
-    settings: &Settings,
-    part: Part,
-    control: &Control,
-    observe: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
-) -> Result<Rendering, ThreadError> {
-    let pool = pool(settings.threads)?;
+    let pool = thread_pool(settings.threads)?;
     let mut renderer = Renderer::new(scene, integrator, settings.seed, settings.points);
-    if let Some(film) = part.film {
-        renderer = renderer.going_on_from(film);
-    }
-    let spp = part.passes.len() as u32;
-    for pass in part.passes {
-        if renderer.rendering().film.has_pass(pass) {
-            continue;
-        }
+    for pass in 0..settings.spp {
         // A pass that was given up leaves no trace.
         if !pool.install(|| renderer.render_pass(pass, control)) {
             break;
         }
         let Rendering { film, statistics, .. } = renderer.rendering();
-        let progress = Progress { film, statistics: *statistics, spp };
+        let progress = Progress { film, statistics: *statistics, spp: settings.spp };
         if observe(&progress).is_break() {
             break;
         }
@@ -126,8 +89,11 @@ pub fn render_part(
     Ok(renderer.finish())
 }
 
-/// Threads of its own, so that the number asked for is kept; 0 for one a processor.
-pub(crate) fn pool(threads: usize) -> Result<rayon::ThreadPool, ThreadError> {
+/// Makes threads to render on, so many as asked for; 0 is one a processor.
+///
+/// # Errors
+/// [`ThreadError`] if the system refuses them.
+pub fn thread_pool(threads: usize) -> Result<ThreadPool, ThreadError> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.map_err(|error| ThreadError(error.to_string()))
 }

@@ -11,14 +11,14 @@ use pace::Pace;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use traylib_demos::Failure;
-use traylib_integrators::{Control, Method, Renderer, Rendering};
+use traylib_integrators::{Control, Method, Renderer, Rendering, ThreadPool, thread_pool};
 use traylib_scene::{Camera, CameraSettings};
 
 /// Draws one view after the other.
 #[derive(Debug)]
 pub(crate) struct Artist {
     stage: Arc<Stage>,
-    pool: rayon::ThreadPool,
+    pool: ThreadPool,
     /// The method that was used last, and how fast it was.
     pace: (Method, Pace),
 }
@@ -34,12 +34,7 @@ impl Artist {
     /// The system refuses the threads.
     pub(crate) fn new(stage: Arc<Stage>) -> Result<Self, Failure> {
         let threads = stage.options().threads;
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|error| {
-            Failure::output(format_args!(
-                "cannot start threads: {error}; ask for fewer with --threads"
-            ))
-        })?;
+        let pool = thread_pool(threads).map_err(Failure::output)?;
         let pace = (stage.options().method, Pace::default());
         Ok(Self { stage, pool, pace })
     }

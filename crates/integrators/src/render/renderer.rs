@@ -4,6 +4,7 @@ use super::Rendering;
 use crate::{
     Chunk, ChunkOutput, Control, Dimensions, Integrator, Pass, PointSet, RenderChunk, Statistics,
 };
+use rayon::ThreadPool;
 use rayon::prelude::*;
 use std::ops::Range;
 use traylib_scene::{Film, PassImage, Scene};
@@ -79,9 +80,35 @@ impl<'a> Renderer<'a> {
     /// # Panics
     /// If the film has this pass.
     pub fn render_pass(&mut self, number: u32, control: &Control) -> bool {
+        let sums = self.pass_sums(number, control);
+        self.add(number, sums)
+    }
+
+    /// [`render_pass`](Self::render_pass) on the threads of `pool`, while the thread that calls
+    /// it does something else with what came of the passes before.
+    ///
+    /// # Panics
+    /// If the film has this pass.
+    pub fn render_pass_beside(
+        &mut self,
+        number: u32,
+        control: &Control,
+        pool: &ThreadPool,
+        meanwhile: impl FnOnce(&Rendering),
+    ) -> bool {
+        let (renderer, mut sums) = (&*self, None);
+        pool.in_place_scope(|scope| {
+            scope.spawn(|_| sums = renderer.pass_sums(number, control));
+            meanwhile(&renderer.rendering);
+        });
+        self.add(number, sums)
+    }
+
+    /// The light of a pass that is not in the film yet; `None` if it was given up.
+    fn pass_sums(&self, number: u32, control: &Control) -> Option<PassSums> {
         assert!(!self.rendering.film.has_pass(number), "pass {number} is rendered");
         if control.is_cancelled() {
-            return false;
+            return None;
         }
         let chunks = self.chunks(number, control);
         // Whoever waits can see how far it is.
@@ -90,20 +117,23 @@ impl<'a> Renderer<'a> {
         let pass = Pass::new(self.scene, &chunks);
         let with_memory = self.integrator.begin_pass(self.scene, &pass);
         let light_work = pass.into_statistics();
-        let mut sums = PassSums::new(self.scene);
+        let mut sums = PassSums::new(self.scene, light_work);
         for chunks in chunks.chunks(CHUNKS_IN_FLIGHT * rayon::current_num_threads()) {
             // By any thread in any order; sums are formed in the order of the chunks.
             let outputs: Option<Vec<ChunkOutput>> = chunks
                 .par_iter()
                 .map(|chunk| self.render_chunk(chunk, with_memory.as_ref()))
                 .collect();
-            let Some(outputs) = outputs else { return false };
-            sums.add(outputs);
+            sums.add(outputs?);
         }
-        let PassSums { image, notes, statistics } = sums;
+        Some(sums)
+    }
+
+    /// Adds a pass to what came of those before, and tells whether there is one.
+    fn add(&mut self, number: u32, sums: Option<PassSums>) -> bool {
+        let Some(PassSums { image, notes, statistics }) = sums else { return false };
         self.rendering.film.add_pass(number, image);
         self.rendering.notes.extend(notes);
-        self.rendering.statistics += light_work;
         self.rendering.statistics += statistics;
         true
     }
@@ -162,9 +192,10 @@ struct PassSums {
 }
 
 impl PassSums {
-    fn new(scene: &Scene) -> Self {
+    /// No light yet, and the work that was done for all chunks together.
+    fn new(scene: &Scene, statistics: Statistics) -> Self {
         let image = PassImage::new(scene.camera().width(), scene.camera().height());
-        Self { image, notes: Vec::new(), statistics: Statistics::default() }
+        Self { image, notes: Vec::new(), statistics }
     }
 
     fn add(&mut self, outputs: Vec<ChunkOutput>) {

@@ -92,6 +92,28 @@ fn films_of_parts_make_that_of_the_whole() {
     }
 }
 
+/// What is done meanwhile sees the passes before, and changes nothing.
+#[test]
+fn passes_beside_other_work_are_the_same() {
+    let scene = room();
+    let (bdpt, control) = (Bdpt::default(), Control::default());
+    let pool = thread_pool(2).unwrap();
+    let mut renderer = Renderer::new(&scene, &bdpt, 5, PointSet::Independent);
+    let mut seen = Vec::new();
+    for pass in 0..3 {
+        let look = |rendering: &Rendering| seen.push(rendering.film.passes());
+        assert!(renderer.render_pass_beside(pass, &control, &pool, look));
+    }
+    assert_eq!(seen, [0, 1, 2]);
+    let film = film_of(0..3, &scene, 1);
+    assert_eq!(renderer.rendering().film.mean(), film.mean());
+    // Cancelled by the other work, a pass is given up before its end or is whole.
+    let before = renderer.rendering().statistics;
+    let is_whole = renderer.render_pass_beside(3, &control, &pool, |_| control.cancel());
+    assert_eq!(renderer.rendering().film.has_pass(3), is_whole);
+    assert_eq!(renderer.rendering().statistics == before, !is_whole);
+}
+
 /// Within a ball that keeps all light.
 fn white() -> Scene {
     let settings = CameraSettings {
