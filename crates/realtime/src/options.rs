@@ -4,7 +4,7 @@ use clap::Parser;
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 use traylib_demos::{VERSION, parse_exposure, parse_limit, parse_resolution, parse_threads};
-use traylib_integrators::{Method, PointSet};
+use traylib_integrators::{Method, PointSet, Trace};
 use traylib_io::{Headlight, Limit, LoadOptions, ReadLimits};
 
 const EXAMPLES: &str = "\
@@ -104,14 +104,10 @@ impl Options {
     /// After how many passes a picture by this method is done: what draws nothing by chance
     /// has one alone.
     pub(crate) fn passes(&self, method: Method) -> u32 {
-        match method {
-            Method::Trace(trace) if !trace.jitter => 1,
-            Method::Trace(_)
-            | Method::PureMc(_)
-            | Method::DirectLight(_)
-            | Method::Particle(_)
-            | Method::Bdpt(_) => self.spp.map_or(u32::MAX, NonZeroU32::get),
+        if let Method::Trace(Trace { jitter: false }) = method {
+            return 1;
         }
+        self.spp.map_or(u32::MAX, NonZeroU32::get)
     }
 }
 

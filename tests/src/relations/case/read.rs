@@ -233,7 +233,11 @@ fn add_flat(objects: &mut Vec<(usize, Object)>, material: usize, flat: Object) {
     }
 }
 
-#[expect(clippy::wildcard_enum_match_arm, reason = "relations read what they have drawn")]
+#[allow(
+    clippy::wildcard_enum_match_arm,
+    clippy::match_wildcard_for_single_variants,
+    reason = "relations read what they have drawn, however many more there are"
+)]
 fn shape(shape: &ron_scene::Shape) -> Result<Shape, String> {
     use ron_scene::Shape as Ron;
     Ok(match shape {
@@ -255,7 +259,11 @@ fn shape(shape: &ron_scene::Shape) -> Result<Shape, String> {
     })
 }
 
-#[expect(clippy::wildcard_enum_match_arm, reason = "relations read what they have drawn")]
+#[allow(
+    clippy::wildcard_enum_match_arm,
+    clippy::match_wildcard_for_single_variants,
+    reason = "relations read what they have drawn, however many more there are"
+)]
 fn base(material: &ron::Material) -> Result<Base, String> {
     let lobes = |lobes: &ron::Lobes| Lobes {
         diffuse: lobes.diffuse.into(),
