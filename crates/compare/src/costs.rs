@@ -3,7 +3,7 @@
 
 mod fit;
 
-pub use fit::{Engine, fit};
+pub use fit::fit;
 
 use traylib_integrators::planner::{Work, work};
 use traylib_integrators::{Integrator, Method, MethodError, PointSet, ThreadError};

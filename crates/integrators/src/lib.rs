@@ -97,7 +97,7 @@ pub use control::Control;
 pub use directlight::DirectLight;
 pub use found_path::FoundPath;
 pub use limits::{Limits, Roulette};
-pub use method::{Method, MethodError, MethodOption, MethodSetting, OptionValues};
+pub use method::{Engine, Method, MethodError, MethodOption, MethodSetting, OptionValues};
 pub use numbers::{Dimensions, PathSampler, PointSet};
 pub use particle::Particle;
 pub use pass::{Pass, RenderChunk};

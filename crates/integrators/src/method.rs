@@ -3,12 +3,14 @@
 //! A [`Method`] is data. Its spelling is a command line without a scene, as
 //! `directlight --combine`; [`Method::build`] makes the [`Integrator`].
 
+mod engine;
 mod given;
 mod option;
 mod spelling;
 #[cfg(test)]
 mod tests;
 
+pub use engine::Engine;
 pub use option::{MethodOption, MethodSetting, OptionValues};
 pub use spelling::MethodError;
 
@@ -173,8 +175,18 @@ impl Method {
         }
     }
 
+    /// The loop that it is, on which the prices of its work depend.
+    pub fn engine(self) -> Engine {
+        match self {
+            Self::Trace(_) | Self::PureMc(_) => Engine::PureMc,
+            Self::DirectLight(_) => Engine::DirectLight,
+            Self::Particle(_) => Engine::Particle,
+            Self::Bdpt(_) => Engine::Bdpt,
+        }
+    }
+
     /// Limits that hold where none are given.
-    fn default_limits(self) -> Limits {
+    pub(crate) fn default_limits(self) -> Limits {
         match self {
             Self::PureMc(_) | Self::DirectLight(_) => Limits::OF_CAMERA_WALKS,
             Self::Trace(_) | Self::Particle(_) | Self::Bdpt(_) => Limits::NONE,
@@ -301,6 +313,17 @@ impl Method {
             }
         }
         settings
+    }
+
+    /// Returns the method with one setting changed; `None` if that means nothing to it.
+    #[must_use]
+    pub fn and(self, setting: MethodSetting) -> Option<Self> {
+        let option = setting.option();
+        let mut settings = self.settings();
+        settings.retain(|other| other.option() != option);
+        settings.push(setting);
+        let is_known = self.options().contains(&option);
+        self.with(&settings).ok().filter(|_| is_known)
     }
 
     /// Returns the method with these settings, and what is not among them by default. They are

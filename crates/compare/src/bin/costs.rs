@@ -2,9 +2,9 @@
 
 use clap::Parser;
 use std::process::ExitCode;
-use traylib_compare::costs::{Engine, Sample, fit, measure};
+use traylib_compare::costs::{Sample, fit, measure};
 use traylib_demos::{Failure, conclude, parse, say, tell};
-use traylib_integrators::planner::growth;
+use traylib_integrators::{Engine, planner::growth};
 use traylib_io::{LoadOptions, load_scene_with};
 
 /// The table of prices by which plans count: every method's work on scenes, timed on one

@@ -1,36 +1,8 @@
 //! Prices from times.
 
 use super::Sample;
-use traylib_integrators::Method;
+use traylib_integrators::Engine;
 use traylib_integrators::planner::Work;
-
-/// Methods that share a loop, and so prices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Engine {
-    /// `puremc`.
-    PureMc,
-    /// `directlight`.
-    DirectLight,
-    /// `particle`.
-    Particle,
-    /// `bdpt`.
-    Bdpt,
-}
-
-impl Engine {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::PureMc, Self::DirectLight, Self::Particle, Self::Bdpt];
-
-    /// That of a method.
-    pub fn of(method: Method) -> Self {
-        match method {
-            Method::Trace(_) | Method::PureMc(_) => Self::PureMc,
-            Method::DirectLight(_) => Self::DirectLight,
-            Method::Particle(_) => Self::Particle,
-            Method::Bdpt(_) => Self::Bdpt,
-        }
-    }
-}
 
 /// What is multiplied with prices: the sample itself, a camera path's further rays and shadow
 /// rays, and the same of light paths.
@@ -44,7 +16,7 @@ fn quantities(work: &Work) -> [f64; 6] {
 pub fn fit(samples: &[Sample], engine: Engine, size: impl Fn(usize) -> f64) -> ([f64; 6], f64) {
     let rows: Vec<[f64; 6]> = samples
         .iter()
-        .filter(|sample| Engine::of(sample.method) == engine)
+        .filter(|sample| sample.method.engine() == engine)
         .map(|sample| {
             let scale = size(sample.primitives) / sample.nanoseconds;
             quantities(&sample.work).map(|quantity| quantity * scale)
@@ -72,6 +44,7 @@ fn without(row: &[f64; 6], prices: &[f64; 6], left_out: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use traylib_integrators::Method;
 
     #[test]
     fn prices_of_made_up_times_are_found() {

@@ -1,7 +1,7 @@
 //! The options of methods: how they are spelled, and how their values are read.
 
 use super::Method;
-use crate::{MayLose, PathsPerPixel, Roulette};
+use crate::{Limits, MayLose, PathsPerPixel, Roulette};
 use std::fmt;
 use traylib_math::Heuristic;
 
@@ -115,10 +115,8 @@ impl MethodOption {
     /// The value that holds for a method where it is not given, if there is one.
     pub fn default_value(self, method: Method) -> Option<&'static str> {
         match self {
-            Self::Roulette => Some(match method {
-                Method::PureMc(_) | Method::DirectLight(_) => "4",
-                Method::Trace(_) | Method::Particle(_) | Method::Bdpt(_) => "3",
-            }),
+            Self::Roulette if method.default_limits() == Limits::OF_CAMERA_WALKS => Some("4"),
+            Self::Roulette => Some("3"),
             Self::Heuristic => Some("power"),
             Self::LightPaths => Some("1"),
             Self::Jitter

@@ -1,6 +1,8 @@
 //! The methods that a plan chooses from.
 
-use crate::{BdptSettings, BlindSpot, DirectLight, Method, PathsPerPixel, SceneFacts};
+use crate::{
+    BdptSettings, BlindSpot, DirectLight, Method, MethodSetting, PathsPerPixel, SceneFacts,
+};
 use traylib_math::Heuristic;
 
 const HEURISTICS: [Heuristic; 2] = [Heuristic::Power, Heuristic::Balance];
@@ -56,16 +58,7 @@ fn with(settings: BdptSettings, thousandths: u32) -> Method {
 /// The method without images of lamps in mirrors, if it loses no light by that and is another.
 pub(super) fn without_images(method: Method, facts: SceneFacts) -> Option<Method> {
     // Images of points are the only way to some of their light.
-    if facts.point_lights {
-        return None;
-    }
-    match method {
-        Method::DirectLight(own) => {
-            Some(Method::DirectLight(DirectLight { no_images: true, ..own }))
-        }
-        Method::Bdpt(own) => Some(Method::Bdpt(BdptSettings { no_images: true, ..own })),
-        Method::Trace(_) | Method::PureMc(_) | Method::Particle(_) => None,
-    }
+    if facts.point_lights { None } else { method.and(MethodSetting::NoImages) }
 }
 
 #[cfg(test)]

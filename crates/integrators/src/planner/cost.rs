@@ -4,7 +4,7 @@
 //! and fits these numbers; only their ratios matter. A plan never looks at a clock.
 
 use super::work::Work;
-use crate::Method;
+use crate::{Engine, Method};
 use traylib_scene::Scene;
 
 /// Nanoseconds of what a method does for a sample.
@@ -54,12 +54,12 @@ impl Price {
         light_shadow: 0.0,
     };
 
-    fn of(method: Method) -> Self {
-        match method {
-            Method::Trace(_) | Method::PureMc(_) => PURE_MC,
-            Method::DirectLight(_) => DIRECT_LIGHT,
-            Method::Particle(_) => PARTICLE,
-            Method::Bdpt(_) => BDPT,
+    fn of(engine: Engine) -> Self {
+        match engine {
+            Engine::PureMc => PURE_MC,
+            Engine::DirectLight => DIRECT_LIGHT,
+            Engine::Particle => PARTICLE,
+            Engine::Bdpt => BDPT,
         }
     }
 
@@ -75,7 +75,7 @@ impl Price {
 
 /// What a sample costs, in nanoseconds of the machine that the table was made on.
 pub(super) fn price(method: Method, work: &Work, scene: &Scene) -> f64 {
-    growth(scene.primitive_count()) * Price::of(method).of_work(work)
+    growth(scene.primitive_count()) * Price::of(method.engine()).of_work(work)
 }
 
 /// How much dearer everything is in a scene of so many shapes than in one of a few: rays go

@@ -10,7 +10,7 @@ use super::bands::{bands, grey, product};
 use super::found::Found;
 use super::pilot::{LONGEST, Pilot};
 use crate::FoundPath;
-use crate::{BdptSettings, DirectLight, Method, Techniques};
+use crate::{Method, MethodOption, MethodSetting, Techniques};
 use traylib_math::Heuristic;
 
 /// What is to be expected of a method.
@@ -154,17 +154,19 @@ struct Use {
 
 impl Use {
     fn by(method: Method) -> Self {
-        let (heuristic, is_strict) = match method {
-            Method::Trace(_) | Method::PureMc(_) | Method::Particle(_) => {
-                (Heuristic::Balance, false)
-            }
-            Method::DirectLight(DirectLight { combine, .. }) => {
-                (combine.unwrap_or(Heuristic::Balance), combine.is_none())
-            }
-            Method::Bdpt(BdptSettings { heuristic, .. }) => (heuristic, false),
-        };
+        let settings = method.settings();
+        let heuristic = settings.iter().find_map(|setting| {
+            let MethodSetting::Heuristic(heuristic) = *setting else { return None };
+            Some(heuristic)
+        });
+        let may_combine = method.options().contains(&MethodOption::Combine);
         let light_paths = method.light_paths_per_pixel();
-        Self { techniques: method.techniques(), heuristic, light_paths, is_strict }
+        Self {
+            techniques: method.techniques(),
+            heuristic: heuristic.unwrap_or(Heuristic::Balance),
+            light_paths,
+            is_strict: may_combine && !settings.contains(&MethodSetting::Combine),
+        }
     }
 
     /// Samples that technique s has for a path, for each that the pilot had.

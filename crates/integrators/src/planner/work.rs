@@ -1,7 +1,7 @@
 //! What a method does for a sample, counted.
 
 use super::probes::Probes;
-use crate::{BdptSettings, DirectLight, Method, PathsPerPixel, PointSet, Statistics};
+use crate::{Method, MethodSetting, PathsPerPixel, PointSet, Statistics};
 use traylib_math::Heuristic;
 
 /// Means for one sample a pixel, with the light paths that belong to it.
@@ -57,17 +57,9 @@ impl Counted {
 
 /// The method with one light path a pixel and the usual weights.
 fn without_weights(method: Method) -> Method {
-    match method {
-        Method::Trace(_) | Method::PureMc(_) | Method::Particle(_) => method,
-        Method::DirectLight(own) => {
-            let combine = own.combine.map(|_| Heuristic::Power);
-            Method::DirectLight(DirectLight { combine, ..own })
-        }
-        Method::Bdpt(own) => {
-            let (heuristic, light_paths) = (Heuristic::Power, PathsPerPixel::ONE);
-            Method::Bdpt(BdptSettings { heuristic, light_paths, ..own })
-        }
-    }
+    let usual =
+        [MethodSetting::Heuristic(Heuristic::Power), MethodSetting::LightPaths(PathsPerPixel::ONE)];
+    usual.into_iter().fold(method, |method, setting| method.and(setting).unwrap_or(method))
 }
 
 fn count(probes: &Probes<'_>, method: Method, points: PointSet) -> Work {
