@@ -132,7 +132,9 @@ impl Chart {
             Kind::Quad => in_plane(from_origin, u, v),
             Kind::Triangle => {
                 let [x, y] = in_plane(from_origin, u, v);
-                [(x + y).powi(2), y / (x + y)]
+                // At the first corner it is any.
+                let aside = if x + y == 0.0 { 0.0 } else { y / (x + y) };
+                [(x + y).powi(2), aside]
             }
             Kind::Disk => {
                 let [x, y] = in_plane(from_origin, u, v);
