@@ -48,17 +48,11 @@ pub enum Agreement {
 impl Judged {
     /// Tells whether the verdict is what the tables say.
     pub fn agreement(&self) -> Agreement {
-        if let Some(correction) = correction(&self.scene, self.method) {
-            let agrees = correction.verdict.agrees(&self.verdict);
-            return if agrees {
-                Agreement::Corrected(correction.reason)
-            } else {
-                Agreement::Disagrees
-            };
-        }
-        let expected = expected(&self.scene, self.method);
+        let correction = correction(&self.scene, self.method);
+        let corrected = correction.map(|correction| correction.verdict);
+        let expected = corrected.or_else(|| expected(&self.scene, self.method));
         if expected.is_some_and(|expected| expected.agrees(&self.verdict)) {
-            Agreement::Expected
+            correction.map_or(Agreement::Expected, |known| Agreement::Corrected(known.reason))
         } else if self.is_at_the_border() && matches!(expected, Some(Expected::Ok | Expected::V)) {
             Agreement::Border
         } else {

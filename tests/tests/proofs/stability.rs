@@ -17,6 +17,7 @@ use traylib_tests::stability::figures::Figures;
 use traylib_tests::stability::judge::{Verdict, Word, best, judge};
 use traylib_tests::stability::reference::Reference;
 use traylib_tests::stability::scene::SCENES;
+use traylib_tests::stability::table::{Agreement, Judged};
 
 /// How many draws the laws below are known by.
 const DRAWS: u32 = 400_000;
@@ -234,6 +235,24 @@ fn wrong_is_not_slow_and_not_ok() {
 
 /// Every scene has a row and every row a scene; a correction corrects something,
 /// once, and says why.
+/// F10 by `puremc` is corrected to slow, 17 times on a quiet machine.
+#[test]
+fn near_the_limit_a_corrected_cell_decides_nothing() {
+    let cell = |verdict, factor| Judged {
+        scene: "F10".into(),
+        title: String::new(),
+        method: methods::PURE_MC,
+        verdict,
+        factor: Some(factor),
+        figures: None,
+        announced: Vec::new(),
+    };
+    let slow = cell(Verdict::Slow, 17.0).agreement();
+    assert!(matches!(slow, Agreement::Corrected(_)), "{slow:?}");
+    assert_eq!(cell(Verdict::Ok, 9.8).agreement(), Agreement::Border);
+    assert_eq!(cell(Verdict::Ok, 6.0).agreement(), Agreement::Disagrees);
+}
+
 #[test]
 fn the_tables_belong_together() {
     let scenes: BTreeSet<&str> = SCENES.iter().map(|row| row.id).chain(["F11"]).collect();
