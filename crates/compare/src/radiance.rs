@@ -50,8 +50,8 @@ mod tests {
             scene: scene.into(),
             seed: 0,
             spp: 1,
-            seconds: Some(1.0),
             rejected_samples: 0,
+            frame: None,
         }
     }
 

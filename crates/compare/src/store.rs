@@ -90,8 +90,8 @@ fn nameless() -> PictureInfo {
         scene: String::new(),
         seed: 0,
         spp: 0,
-        seconds: Some(0.0),
         rejected_samples: 0,
+        frame: None,
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::VERSION;
 use crate::job::Job;
 use crate::recipe;
+use crate::window_options;
 use std::collections::BTreeMap;
 use std::time::Duration;
 use traylib_integrators::{Method, Statistics};
@@ -51,9 +52,8 @@ impl Done {
             scene: self.loaded.name.clone(),
             seed: job.options.seed,
             spp: u64::from(self.passes),
-            // Several runs have no time in common, and their picture is the same as that of one.
-            seconds: self.before.is_none().then_some(self.elapsed.as_secs_f64()),
             rejected_samples: self.statistics.rejected + before.rejected,
+            frame: window_options::frame(self.loaded.scene.camera()),
         }
     }
 }

@@ -6,6 +6,8 @@ use crate::end::End;
 use crate::interrupt::Stop;
 use crate::job::Job;
 use crate::memory;
+use crate::noise::Noise;
+use crate::options::RenderOptions;
 use crate::outcome::Failure;
 use crate::plan::Plan;
 use crate::progress::Line;
@@ -63,19 +65,23 @@ pub(crate) fn render_job(
     if let Some(film) = film {
         renderer = renderer.going_on_from(film);
     }
-    let mut is_full = false;
+    let (mut is_full, mut is_good) = (false, is_good_enough(options, &renderer.rendering().film));
+    let wanted = if is_good { 0..0 } else { plan.passes.clone() };
     let spp = plan.passes.len() as u32;
     let after_pass = |Rendering { film, statistics, .. }: &Rendering| {
         line.update(&Progress { film, statistics: *statistics, spp });
         is_full = !memory::has_room(job, loaded.scene.camera(), film.passes());
-        if is_full { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        is_good = is_good_enough(options, film);
+        if is_full || is_good { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let passes = Passes { wanted: plan.passes.clone(), pool: &pool, control: &stop.control };
+    let passes = Passes { wanted, pool: &pool, control: &stop.control };
     let done = passes.render(&mut renderer, checkpoint.as_mut(), after_pass);
     line.clear();
     done?;
     let rendering = renderer.finish();
-    let end = if rendering.film.passes() == spp {
+    let end = if is_good {
+        End::Noise
+    } else if rendering.film.passes() == spp {
         End::Spp
     } else if is_full {
         End::Memory
@@ -89,6 +95,13 @@ pub(crate) fn render_job(
         checkpoint.save(&rendering.film, rendering.statistics)?;
     }
     Ok(Outcome { rendering, elapsed: line.elapsed(), end, before })
+}
+
+/// Tells whether a film has as little noise as is wanted, if it is asked for that now.
+fn is_good_enough(options: &RenderOptions, film: &Film) -> bool {
+    let is_enough =
+        |noise: Noise| Noise::is_asked(film.passes()) && noise.allows(film.relative_error());
+    options.noise.is_some_and(is_enough)
 }
 
 /// Passes to render.

@@ -10,6 +10,8 @@ pub(crate) enum End {
     Spp,
     /// The time is up.
     TimeLimit,
+    /// The error is no more than was asked for.
+    Noise,
     /// None is left for another pass.
     Memory,
     /// The user or the system asked for it.
@@ -22,6 +24,7 @@ impl End {
         match self {
             Self::Spp => "--spp".into(),
             Self::TimeLimit => "--time-limit".into(),
+            Self::Noise => "--noise".into(),
             Self::Memory => "lack of memory for more".into(),
             Self::Interrupt(signal) => signal.to_string(),
         }
@@ -35,9 +38,11 @@ impl End {
             Self::Interrupt(signal) => {
                 Failure::interrupted(signal, format_args!("interrupted while {nothing}"))
             }
-            Self::Spp | Self::TimeLimit | Self::Memory => Failure::output(format_args!(
-                "the time was up while {nothing}; a smaller --resolution or a longer --time-limit may help"
-            )),
+            Self::Spp | Self::TimeLimit | Self::Noise | Self::Memory => {
+                Failure::output(format_args!(
+                    "the time was up while {nothing}; a smaller --resolution or a longer --time-limit may help"
+                ))
+            }
         }
     }
 }

@@ -27,8 +27,4 @@ pub struct KeepOptions {
     /// picture
     #[arg(long, value_name = "I/N", requires = "checkpoint", conflicts_with = "outfile")]
     pub shard: Option<Shard>,
-
-    /// Tell how far it is on standard output, in lines as Open Job Description wants them
-    #[arg(long)]
-    pub openjd: bool,
 }

@@ -20,18 +20,22 @@ mod job;
 mod keep_options;
 mod memory;
 mod messages;
+mod noise;
 mod options;
 mod outcome;
 mod outputs;
 mod plan;
 mod progress;
+mod progress_form;
 mod recipe;
 mod run;
+mod run_stats;
 mod say;
 mod shard;
 mod signals;
 mod stats;
 mod technique_pictures;
+mod window_options;
 
 pub use command_line::{CommandLine, parse};
 pub use conclude::conclude;
@@ -43,17 +47,20 @@ pub use interrupt::on_interrupt;
 pub use job::Job;
 pub use keep_options::KeepOptions;
 pub use messages::{announce, print_notes};
+pub use noise::Noise;
 pub use options::{
     PixelName, RenderOptions, parse_exposure, parse_limit, parse_resolution, parse_threads,
 };
 pub use outcome::Failure;
 pub use progress::clock;
+pub use progress_form::ProgressForm;
 pub use recipe::{Recipe, with_spp};
 pub use run::{render_by, run};
 pub use say::{count, say, tell, tell_name};
 pub use shard::Shard;
 pub use signals::Signal;
 pub use technique_pictures::save_techniques;
+pub use window_options::{Crop, PixelBounds, WindowOptions};
 
 /// The version of the programs, with the commit if they were built in a checkout:
 /// `0.1.0 (ec3c1fe01234)`.
@@ -79,7 +86,7 @@ prints it.
 
 Ends with 0, 2 if the command line was not understood, 3 if a scene cannot be
 read or makes no sense, 4 if the picture cannot be written, does not fit into
-memory or the time was up in the first pass, 6 if a checkpoint is of another
+memory or the time was up in the first pass, 5 if --noise was not reached, 6 if a checkpoint is of another
 rendering, 130 after Ctrl-C, 143 if it was
 told to terminate, 129 if the terminal was closed. The second time Ctrl-C ends
 at once."

@@ -58,6 +58,12 @@ fn bytes_per_pixel(passes: u32, points: PointSet, layers: u64) -> u64 {
     }
 }
 
+/// The most bytes of memory that this process has had at once; `None` where the system does not
+/// say, which Linux does.
+pub(crate) fn peak() -> Option<u64> {
+    kilobytes(&fs::read_to_string("/proc/self/status").ok()?, "VmHWM:")
+}
+
 fn gigabytes(bytes: u64) -> String {
     format!("{:.2} GB", bytes as f64 / 1e9)
 }

@@ -2,7 +2,10 @@
 
 use crate::duration::parse_duration;
 use crate::keep_options::KeepOptions;
+use crate::noise::Noise;
 use crate::outcome::Failure;
+use crate::progress_form::ProgressForm;
+use crate::window_options::{PixelBounds, WindowOptions};
 use clap::Args;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -18,8 +21,8 @@ pub struct RenderOptions {
     #[arg(default_value = "cornell")]
     pub scene: String,
 
-    /// Further MGF files of the same scene, with --stats
-    #[arg(requires = "stats", value_name = "MORE")]
+    /// Further MGF files of the same scene, with --check --stats
+    #[arg(requires_all = ["stats", "check"], value_name = "MORE")]
     pub more: Vec<String>,
 
     /// Picture to write, .png, .exr, .hdr, .tga or .pcx; may be repeated
@@ -35,6 +38,10 @@ pub struct RenderOptions {
     /// Size of the picture in pixels [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = parse_resolution)]
     pub resolution: Option<(u32, u32)>,
+
+    /// Which part of the picture
+    #[command(flatten)]
+    pub window: WindowOptions,
 
     /// Factor on light in 8-bit pictures [default: the scene's]
     #[arg(long, value_name = "FACTOR", value_parser = parse_exposure)]
@@ -58,6 +65,12 @@ pub struct RenderOptions {
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
     pub time_limit: Option<Duration>,
 
+    /// End when the estimated error is no more than this, as 0.01 or 1%, after 16 passes or more;
+    /// looks for it now and then, which favours pictures that seem better than they are. Status 5
+    /// if --spp or --time-limit ends it before
+    #[arg(long, value_name = "ERROR", conflicts_with = "shard")]
+    pub noise: Option<Noise>,
+
     /// What to keep of the rendering
     #[command(flatten)]
     pub keep: KeepOptions,
@@ -70,9 +83,14 @@ pub struct RenderOptions {
     #[arg(long)]
     pub check: bool,
 
-    /// With --check: write what is in the file as JSON, also of a file of shapes
-    /// without camera or lamp; `-` is standard output
-    #[arg(long, value_name = "FILE", requires = "check")]
+    /// How to tell how far it is
+    #[arg(long, value_name = "FORM", default_value = "line")]
+    pub progress: ProgressForm,
+
+    /// Write what was done as JSON: passes, rays, paths, seconds, memory, and what ended it;
+    /// with --check what is in the file, also of one of shapes without camera or lamp. `-` is
+    /// standard output
+    #[arg(long, value_name = "FILE")]
     pub stats: Option<PathBuf>,
 
     /// The folder that files included by a scene or MGF file may come from
@@ -110,17 +128,19 @@ pub struct PixelName {
 }
 
 impl PixelName {
-    /// The row-major index of the pixel.
+    /// The row-major index of the pixel, which is counted in the frame, in the camera's picture.
     ///
     /// # Errors
     /// The picture has no such pixel.
     pub fn index_in(self, camera: &Camera) -> Result<u32, Failure> {
-        let (width, height) = (camera.width(), camera.height());
-        if self.x < width && self.y < height {
-            return Ok(self.y * width + self.x);
-        }
         let Self { x, y } = self;
-        Err(Failure::usage(format_args!("--pixel {x},{y} is outside the {width}x{height} picture")))
+        let window = camera.window();
+        let (column, row) = (x.wrapping_sub(window.x), y.wrapping_sub(window.y));
+        if column < window.width && row < window.height {
+            return Ok(row * window.width + column);
+        }
+        let bounds = PixelBounds::of(window);
+        Err(Failure::usage(format_args!("--pixel {x},{y} is outside the picture ({bounds})")))
     }
 }
 

@@ -28,6 +28,11 @@ impl Failure {
         Self::new(4, message)
     }
 
+    /// The picture is there, with more noise than was asked for: status 5.
+    pub(crate) fn noisy(message: impl Display) -> Self {
+        Self::new(5, message)
+    }
+
     /// Films do not fit together, or to what is wanted: status 6.
     pub(crate) fn unfit(message: impl Display) -> Self {
         Self::new(6, message)

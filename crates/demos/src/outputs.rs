@@ -2,7 +2,7 @@
 
 use crate::job::Job;
 use crate::outcome::Failure;
-use crate::say::tell_name;
+use crate::say::{STANDARD_OUTPUT, tell_name};
 use std::path::{Path, PathBuf};
 use traylib_io::{PictureInfo, check_file, check_picture, save_picture};
 use traylib_math::{Grid, Rgb};
@@ -14,6 +14,7 @@ pub(crate) struct Outputs<'a> {
     files: Vec<PathBuf>,
     folder: Option<&'a Path>,
     checkpoint: Option<&'a Path>,
+    stats: Option<&'a Path>,
 }
 
 impl<'a> Outputs<'a> {
@@ -21,7 +22,12 @@ impl<'a> Outputs<'a> {
     pub(crate) fn of(job: &Job<'a>) -> Self {
         // A part of a rendering makes no picture.
         let folder = job.folder.filter(|_| job.makes_pictures());
-        Self { files: outfiles(job), folder, checkpoint: job.options.keep.checkpoint.as_deref() }
+        Self {
+            files: outfiles(job),
+            folder,
+            checkpoint: job.options.keep.checkpoint.as_deref(),
+            stats: job.options.stats.as_deref().filter(|file| *file != Path::new(STANDARD_OUTPUT)),
+        }
     }
 
     /// Finds out before the work whether its result can be kept.
@@ -32,7 +38,9 @@ impl<'a> Outputs<'a> {
         for file in &self.files {
             check_picture(file, camera.width(), camera.height())?;
         }
-        self.checkpoint.map_or(Ok(()), check_file)?;
+        for file in self.checkpoint.iter().chain(&self.stats) {
+            check_file(file)?;
+        }
         let Some(folder) = self.folder else { return Ok(()) };
         // What is not there yet will be made, where the first folder above it is.
         let above = folder.ancestors().find(|above| above.exists()).unwrap_or(Path::new(""));

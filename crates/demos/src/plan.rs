@@ -21,13 +21,19 @@ impl Plan {
     /// As a command line wants it.
     ///
     /// # Errors
-    /// Parts are wanted of nobody knows how many passes.
+    /// Parts are wanted of nobody knows how many passes, or an error by nobody knows when.
     pub(crate) fn of(job: &Job<'_>, loaded: &Loaded) -> Result<Self, Failure> {
         let spp = job.spp(loaded);
         let shard = job.options.keep.shard.unwrap_or(Shard::WHOLE);
         if spp.is_none() && job.options.keep.shard.is_some() {
             return Err(Failure::usage(
                 "--shard with --time-limit needs --spp: parts are of so many passes",
+            ));
+        }
+        let options = job.options;
+        if options.noise.is_some() && options.spp.is_none() && options.time_limit.is_none() {
+            return Err(Failure::usage(
+                "--noise needs --spp or --time-limit, which ends what never gets there",
             ));
         }
         Ok(Self { spp, shard, passes: shard.passes(spp.unwrap_or(u32::MAX)) })

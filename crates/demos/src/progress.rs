@@ -2,9 +2,11 @@
 
 use crate::interrupt::Stop;
 use crate::options::RenderOptions;
-use crate::say::{count, say, tell};
+use crate::progress_form::ProgressForm;
+use crate::say::{count, say, tell, tell_json};
 use crate::signals::Signal;
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use serde_json::json;
 use std::cell::Cell;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -23,8 +25,9 @@ pub(crate) struct Line {
     quiet: bool,
     last_update: Cell<Option<Instant>>,
     last_pass: Arc<LastPass>,
-    /// When a queue was told last, if it wants that.
-    last_told: Option<Cell<Option<Instant>>>,
+    form: ProgressForm,
+    /// When a program that listens was told last.
+    last_told: Cell<Option<Instant>>,
 }
 
 /// The pass that was done last, as the line's own thread sees it.
@@ -38,7 +41,7 @@ struct LastPass {
 /// The film's error is asked for no more often than this.
 const BETWEEN_UPDATES: Duration = Duration::from_millis(200);
 
-/// A queue is told no more often than this.
+/// A program that listens is told no more often than this.
 const BETWEEN_LINES: Duration = Duration::from_secs(1);
 
 /// How far a pass is, is shown of those that take longer than this.
@@ -48,9 +51,12 @@ impl Line {
     /// A line that starts with `title`, about a rendering that `stop` can end, and
     /// that ends as the options say; so many passes were done `before`.
     pub(crate) fn new(title: &str, stop: &Arc<Stop>, before: u32, options: &RenderOptions) -> Self {
-        let RenderOptions { quiet, time_limit, .. } = *options;
-        let last_told = options.keep.openjd.then(Cell::default);
-        let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::no_length() };
+        let RenderOptions { quiet, time_limit, progress: form, .. } = *options;
+        let bar = if quiet || form != ProgressForm::Line {
+            ProgressBar::hidden()
+        } else {
+            ProgressBar::no_length()
+        };
         let last_pass = Arc::new(LastPass { number: before.into(), ..LastPass::default() });
         if let Ok(style) = ProgressStyle::with_template("{prefix}  {gone} gone{pass}  {wide_msg}") {
             // The worst is a line without its clock.
@@ -78,14 +84,15 @@ impl Line {
             quiet,
             last_update,
             last_pass,
-            last_told,
+            form,
+            last_told: Cell::default(),
         }
     }
 
     /// Shows how far it is after a pass.
     pub(crate) fn update(&self, progress: &Progress<'_>) {
-        if let Some(last) = &self.last_told {
-            self.tell_queue(progress, last);
+        if self.form != ProgressForm::Line {
+            self.tell_program(progress);
         }
         let recently = |last: Instant| last.elapsed() < BETWEEN_UPDATES;
         self.last_pass.number.store(progress.film.passes(), Ordering::Relaxed);
@@ -98,20 +105,38 @@ impl Line {
         self.last_update.set(Some(Instant::now()));
     }
 
-    /// As `https://github.com/OpenJobDescription` wants it, in "How Jobs Are Run".
-    fn tell_queue(&self, progress: &Progress<'_>, last: &Cell<Option<Instant>>) {
+    fn tell_program(&self, progress: &Progress<'_>) {
         let passes = progress.film.passes();
         let recently = |last: Instant| last.elapsed() < BETWEEN_LINES;
-        if passes < progress.spp && last.get().is_some_and(recently) {
+        if passes < progress.spp && self.last_told.get().is_some_and(recently) {
             return;
         }
-        last.set(Some(Instant::now()));
+        self.last_told.set(Some(Instant::now()));
         let elapsed = self.elapsed();
         let done = fraction_done(f64::from(passes), progress.spp, elapsed, self.time_limit);
+        let (percent, left) = (100.0 * done, self.time_left(progress, elapsed));
         // Who does not listen need not.
-        let _ = tell(format_args!("openjd_progress: {:.1}", 100.0 * done));
-        let left = clock(self.time_left(progress, elapsed));
-        let _ = tell(format_args!("openjd_status: {passes} spp are done, {left} left"));
+        let _ = match self.form {
+            ProgressForm::Line => Ok(()),
+            // With names as Hydra's render delegates have them.
+            ProgressForm::Json => tell_json(
+                &json!({
+                    "percentDone": percent,
+                    "totalClockTime": elapsed.as_secs_f64(),
+                    "secondsLeft": left.as_secs_f64(),
+                    "spp": passes,
+                    "relativeError": progress.film.relative_error(),
+                })
+                .to_string(),
+            ),
+            // As `https://github.com/OpenJobDescription` wants it, in "How Jobs Are Run".
+            ProgressForm::Openjd => {
+                tell(format_args!("openjd_progress: {percent:.1}")).and_then(|()| {
+                    let left = clock(left);
+                    tell(format_args!("openjd_status: {passes} spp are done, {left} left"))
+                })
+            }
+        };
     }
 
     fn time_left(&self, progress: &Progress<'_>, elapsed: Duration) -> Duration {

@@ -1,10 +1,12 @@
 //! How to make a picture again.
 
 use crate::job::Job;
+use crate::window_options::PixelBounds;
 use std::fmt::Write;
 use std::path::Path;
 use traylib_integrators::{Method, PointSet};
 use traylib_io::{Limit, Loaded};
+use traylib_scene::FilmWindow;
 
 /// What a picture is made of: all that changes it but how many samples a pixel has.
 #[derive(Clone, Copy, Debug)]
@@ -13,8 +15,10 @@ pub struct Recipe<'a> {
     pub program: &'a str,
     /// What that was told to load.
     pub scene: &'a str,
-    /// Width and height in pixels.
+    /// Width and height of the frame in pixels.
     pub resolution: (u32, u32),
+    /// The part of it that is rendered.
+    pub window: FilmWindow,
     /// Seed of the random numbers.
     pub seed: u64,
     /// Where these come from.
@@ -31,10 +35,12 @@ pub struct Recipe<'a> {
 pub(crate) fn command(job: &Job<'_>, loaded: &Loaded) -> String {
     let options = job.options;
     let camera = loaded.scene.camera();
+    let frame = camera.settings();
     let recipe = Recipe {
         program: job.method.map_or(job.program, Method::name),
         scene: &options.scene,
-        resolution: (camera.width(), camera.height()),
+        resolution: (frame.width, frame.height),
+        window: camera.window(),
         seed: options.seed,
         points: options.sampler,
         exposure: loaded.settings.exposure,
@@ -59,8 +65,11 @@ impl Recipe<'_> {
             self.points,
             self.exposure,
         );
+        // A string takes everything.
+        if self.window != FilmWindow::whole(width, height) {
+            let _ = write!(command, " --pixelbounds {}", PixelBounds::of(self.window));
+        }
         for (limit, value) in self.limits {
-            // A string takes everything.
             let _ = write!(command, " --limit {}={value}", limit.name());
         }
         for setting in self.method.into_iter().flat_map(Method::settings) {

@@ -10,9 +10,11 @@ use crate::end::End;
 use crate::job::Job;
 use crate::memory;
 use crate::messages::{announce, describe, suggest, summarise};
+use crate::options::RenderOptions;
 use crate::outcome::Failure;
 use crate::outputs::Outputs;
 use crate::plan::Plan;
+use crate::run_stats;
 use crate::say::{say, tell, tell_name};
 use crate::stats::stats;
 use std::collections::BTreeMap;
@@ -49,7 +51,7 @@ fn try_run(
     if !job.wants_picture && options.keep.checkpoint.is_some() {
         return Err(Failure::usage("--checkpoint keeps pictures; paths of a --pixel are not kept"));
     }
-    if let Some(file) = &options.stats {
+    if let Some(file) = options.stats.as_deref().filter(|_| options.check) {
         return stats(options, file);
     }
     let loaded = load(job)?;
@@ -83,21 +85,29 @@ fn try_run(
     } else {
         options.keep.checkpoint.as_deref().map_or(Ok(()), tell_name)?;
     }
+    options.stats.as_deref().map_or(Ok(()), |file| run_stats::write(file, job, &done, end))?;
     if !options.quiet {
         summarise(job.program, &done, &end.words());
         suggest(options);
     }
-    conclusion(end, passes)
+    conclusion(end, options, &done)
 }
 
 /// How a program ends that has written what it has.
-fn conclusion(end: End, passes: u32) -> Result<(), Failure> {
+fn conclusion(end: End, options: &RenderOptions, done: &Done) -> Result<(), Failure> {
+    let passes = done.passes;
     match end {
         End::Interrupt(signal) => Err(Failure::interrupted(
             signal,
             format_args!("interrupted; what is written has {passes} spp"),
         )),
-        End::Spp | End::TimeLimit | End::Memory => Ok(()),
+        End::Noise => Ok(()),
+        End::Spp | End::TimeLimit | End::Memory => options.noise.map_or(Ok(()), |noise| {
+            let error = done.error.map_or_else(|| "unknown".into(), |error| format!("{error:.3}"));
+            Err(Failure::noisy(format_args!(
+                "--noise {noise} is not reached: the error is {error} after {passes} spp; what is written has it"
+            )))
+        }),
     }
 }
 
@@ -117,5 +127,7 @@ fn warn_if_black(job: &Job<'_>, done: &Done, integrator: &dyn Integrator, radian
 /// The scene as the command line wants it.
 fn load(job: &Job<'_>) -> Result<Loaded, Failure> {
     let load = LoadOptions { headlight: job.headlight, ..job.options.load_options() };
-    Ok(load_scene_with(&job.options.scene, load)?)
+    let loaded = load_scene_with(&job.options.scene, load)?;
+    let scene = job.options.window.applied_to(loaded.scene)?;
+    Ok(Loaded { scene, ..loaded })
 }

@@ -2,10 +2,14 @@
 //! error. No reader is no reason to stop.
 
 use crate::outcome::Failure;
+use serde::Serialize;
 use std::fmt::Display;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::Path;
-use traylib_io::{printable, printable_json};
+use traylib_io::{printable, printable_json, write_file};
+
+/// The name of a file that stands for standard output.
+pub(crate) const STANDARD_OUTPUT: &str = "-";
 
 /// Prints something about the work, as text that does nothing to a terminal.
 pub fn say(text: impl Display) {
@@ -31,6 +35,19 @@ pub fn tell(line: impl Display) -> Result<(), Failure> {
 /// As `tell`.
 pub(crate) fn tell_json(json: &str) -> Result<(), Failure> {
     print(&printable_json(json))
+}
+
+/// Writes a value as JSON to a file, `-` for standard output.
+///
+/// # Errors
+/// It cannot be written.
+pub(crate) fn write_json(file: &Path, value: &impl Serialize) -> Result<(), Failure> {
+    let json = serde_json::to_string_pretty(value).map_err(Failure::output)?;
+    if file == Path::new(STANDARD_OUTPUT) {
+        tell_json(&json)
+    } else {
+        Ok(write_file(file, format!("{json}\n").as_bytes())?)
+    }
 }
 
 /// Prints the name of a file that was written: as it is for whoever reads it to find the

@@ -2,9 +2,9 @@
 
 use crate::options::RenderOptions;
 use crate::outcome::Failure;
-use crate::say::{say_line, tell_json};
+use crate::say::{say_line, write_json};
 use std::path::{Path, PathBuf};
-use traylib_io::{inventory, write_file};
+use traylib_io::inventory;
 
 /// Writes the figures of the scene's files to `file`, `-` for standard output.
 pub(crate) fn stats(options: &RenderOptions, file: &Path) -> Result<(), Failure> {
@@ -16,9 +16,5 @@ pub(crate) fn stats(options: &RenderOptions, file: &Path) -> Result<(), Failure>
             say_line("warning", warning);
         }
     }
-    let json = serde_json::to_string_pretty(&found).map_err(Failure::output)?;
-    if file == Path::new("-") {
-        return tell_json(&json);
-    }
-    Ok(write_file(file, format!("{json}\n").as_bytes())?)
+    write_json(file, &found)
 }

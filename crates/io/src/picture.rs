@@ -41,17 +41,25 @@ pub struct PictureInfo {
     pub seed: u64,
     /// Samples per pixel.
     pub spp: u64,
-    /// Seconds the render took, if that is to be told.
-    pub seconds: Option<f64>,
     /// Samples left out because they were not finite or negative.
     pub rejected_samples: u64,
+    /// The frame of which it is a part; `None` if it is whole.
+    pub frame: Option<PictureFrame>,
+}
+
+/// The frame of a picture that is a part of it. EXR files have it as their display window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PictureFrame {
+    /// Columns and rows of the frame.
+    pub size: (u32, u32),
+    /// The frame's column and row in which the picture has its first.
+    pub corner: (u32, u32),
 }
 
 impl PictureInfo {
     /// Names and texts for [`write_picture`]: `software`, `integrator`, `command`,
-    /// `scene`, `seed`, `spp`, `exposure`, `seconds`, `rejectedSamples`, those that are there.
+    /// `scene`, `seed`, `spp`, `exposure`, `rejectedSamples`: nothing that changes from run to run.
     pub fn attributes(&self) -> Vec<(String, String)> {
-        let seconds = self.seconds.map(|seconds| ("seconds", seconds.to_string()));
         let texts = [
             ("software", self.program.clone()),
             ("integrator", self.integrator.clone()),
@@ -60,10 +68,9 @@ impl PictureInfo {
             ("seed", self.seed.to_string()),
             ("spp", self.spp.to_string()),
             ("exposure", self.exposure.to_string()),
+            ("rejectedSamples", self.rejected_samples.to_string()),
         ];
-        let rejected = ("rejectedSamples", self.rejected_samples.to_string());
-        let texts = texts.into_iter().chain(seconds).chain([rejected]);
-        texts.map(|(name, text)| (name.to_string(), text)).collect()
+        texts.into_iter().map(|(name, text)| (name.to_string(), text)).collect()
     }
 }
 
@@ -116,7 +123,7 @@ impl Format {
 /// [`Error::PictureFormat`] for another ending, [`Error::Write`] if the file
 /// cannot be written; what was there before then still is.
 pub fn save_picture(path: &Path, radiance: &Grid<Rgb>, info: &PictureInfo) -> Result<(), Error> {
-    write_picture(path, radiance, info.exposure, &info.attributes())
+    write_part(path, radiance, info.exposure, &info.attributes(), info.frame)
 }
 
 /// [`save_picture`] with any attributes, name and text. Characters beyond Latin-1
@@ -130,7 +137,17 @@ pub fn write_picture(
     exposure: f32,
     attributes: &[(String, String)],
 ) -> Result<(), Error> {
-    let bytes = encode(Format::of(path)?, radiance, exposure, attributes)
+    write_part(path, radiance, exposure, attributes, None)
+}
+
+fn write_part(
+    path: &Path,
+    radiance: &Grid<Rgb>,
+    exposure: f32,
+    attributes: &[(String, String)],
+    frame: Option<PictureFrame>,
+) -> Result<(), Error> {
+    let bytes = encode(Format::of(path)?, radiance, exposure, attributes, frame)
         .map_err(|cause| Error::Write { file: path.to_path_buf(), cause })?;
     write_file(path, &bytes)
 }
@@ -140,6 +157,7 @@ fn encode(
     radiance: &Grid<Rgb>,
     exposure: f32,
     attributes: &[(String, String)],
+    frame: Option<PictureFrame>,
 ) -> Result<Vec<u8>, Cause> {
     if radiance.values().is_empty() {
         return Err("it has no pixels".into());
@@ -149,7 +167,7 @@ fn encode(
         Format::Png => png::encode(&screen()?, attributes),
         Format::Tga => tga::encode(&screen()?),
         Format::Pcx => pcx::encode(&screen()?),
-        Format::Exr => exr::encode(radiance, attributes),
+        Format::Exr => exr::encode(radiance, attributes, frame),
         Format::Hdr => hdr::encode(radiance),
     }
 }

@@ -5,7 +5,7 @@ use crate::options::Options;
 use std::path::{Path, PathBuf};
 use traylib_demos::{Failure, Recipe, VERSION, tell_name, with_spp};
 use traylib_io::{PictureInfo, ron_scene, save_picture};
-use traylib_scene::CameraSettings;
+use traylib_scene::{CameraSettings, FilmWindow};
 
 /// The camera as a line of a scene file, which reads back as the same.
 pub(crate) fn camera_line(camera: &CameraSettings) -> String {
@@ -42,6 +42,7 @@ fn info(frame: &Frame, scene: &str, is_moved: bool, options: &Options) -> Pictur
         program: method.name(),
         scene: &options.scene,
         resolution: (camera.width, camera.height),
+        window: FilmWindow::whole(camera.width, camera.height),
         seed: options.seed,
         points: options.sampler,
         exposure: frame.exposure,
@@ -57,8 +58,8 @@ fn info(frame: &Frame, scene: &str, is_moved: bool, options: &Options) -> Pictur
         scene: format!("{scene}{place}"),
         seed: options.seed,
         spp: u64::from(frame.passes),
-        seconds: Some(frame.seconds),
         rejected_samples: frame.statistics.rejected,
+        frame: None,
     }
 }
 

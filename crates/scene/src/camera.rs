@@ -5,6 +5,10 @@ use traylib_geometry::{Ray, SurfaceSite};
 use traylib_math::glam::DVec3;
 use traylib_math::{SolidAnglePdf, Vec2, Vec3};
 
+mod window;
+
+pub use window::FilmWindow;
+
 /// The description of a camera, from which one is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraSettings {
@@ -26,10 +30,12 @@ pub struct CameraSettings {
 /// A pinhole camera with square pixels and a box filter one pixel wide.
 ///
 /// A film point is measured in pixels from the top left corner of the picture;
-/// pixel (x, y) holds the film points [x, x+1) × [y, y+1).
+/// pixel (x, y) holds the film points [x, x+1) × [y, y+1). The picture is the whole frame of
+/// the settings or a [window](Self::cropped) of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     settings: CameraSettings,
+    window: FilmWindow,
     /// The position of the settings, or one beside it.
     position: Vec3,
     forward: Vec3,
@@ -39,7 +45,7 @@ pub struct Camera {
     pixels_per_unit: f32,
 }
 
-/// Where a point in the scene appears on the film.
+/// Where a point in the scene appears in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
     /// Column of the pixel.
@@ -77,6 +83,7 @@ impl Camera {
         let pixel = 2.0 * (0.5 * fov_degrees.to_radians()).tan() / width as f32;
         Ok(Self {
             settings,
+            window: FilmWindow::whole(width, height),
             position,
             forward: forward.as_vec3(),
             right: (right * f64::from(pixel)).as_vec3(),
@@ -92,9 +99,28 @@ impl Camera {
         Self { position: at.ray_origin(self.forward), ..self }
     }
 
-    /// Returns the description that it was built from.
+    /// Returns the camera of a part of the frame: its picture has the pixels of the window alone,
+    /// each as it was in the frame.
+    ///
+    /// # Errors
+    /// [`Error::Camera`] if the window has no pixel or is not inside the frame.
+    pub fn cropped(self, window: FilmWindow) -> Result<Self, Error> {
+        let CameraSettings { width, height, .. } = self.settings;
+        if window.is_inside(width, height) {
+            Ok(Self { window, ..self })
+        } else {
+            Err(Error::Camera("the window has no pixels, or some outside the frame"))
+        }
+    }
+
+    /// Returns the description that it was built from, which is that of the frame.
     pub fn settings(&self) -> CameraSettings {
         self.settings
+    }
+
+    /// The part of the frame that the picture shows.
+    pub fn window(&self) -> FilmWindow {
+        self.window
     }
 
     /// The pinhole: where the settings have it, or beside that if a surface is there.
@@ -102,14 +128,14 @@ impl Camera {
         self.position
     }
 
-    /// Columns of pixels.
+    /// Columns of pixels of the picture.
     pub fn width(&self) -> u32 {
-        self.settings.width
+        self.window.width
     }
 
-    /// Rows of pixels.
+    /// Rows of pixels of the picture.
     pub fn height(&self) -> u32 {
-        self.settings.height
+        self.window.height
     }
 
     /// The ray through a film point, its direction unit.
@@ -150,8 +176,11 @@ impl Camera {
         })
     }
 
+    /// The film point at which the camera looks.
     fn middle(&self) -> Vec2 {
-        0.5 * Vec2::new(self.width() as f32, self.height() as f32)
+        let CameraSettings { width, height, .. } = self.settings;
+        let [x, y] = [self.window.x, self.window.y].map(|corner| corner as f32);
+        0.5 * Vec2::new(width as f32, height as f32) - Vec2::new(x, y)
     }
 }
 

@@ -51,7 +51,7 @@ mod surface_point;
 mod surfaces;
 
 pub use builder::{MaterialId, Object, SceneBuilder};
-pub use camera::{Camera, CameraSettings, Projection};
+pub use camera::{Camera, CameraSettings, FilmWindow, Projection};
 pub use coincidence::Coincidences;
 pub use error::Error;
 pub use film::{Film, FilmBlock, FilmSquares, MergeError, PassImage};

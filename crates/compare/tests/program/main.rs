@@ -160,7 +160,7 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
         scene: "plates".into(),
         seed: 0,
         spp: 1,
-        seconds: Some(1.0),
+        frame: None,
         rejected_samples: 0,
     };
     traylib_io::save_picture(&picture, &exr, &info).unwrap();

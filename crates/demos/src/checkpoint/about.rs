@@ -5,8 +5,9 @@ use crate::job::Job;
 use crate::plan::Plan;
 use crate::recipe;
 use crate::shard::Shard;
+use crate::window_options;
 use traylib_integrators::{Method, Statistics};
-use traylib_io::{FilmAbout, Loaded, PictureInfo};
+use traylib_io::{FilmAbout, Loaded, PictureFrame, PictureInfo};
 
 const REVISION: &str = "revision";
 const SEED: &str = "seed";
@@ -14,6 +15,9 @@ const SCENE: &str = "scene";
 const PROGRAM: &str = "program";
 const COMMAND: &str = "command";
 const EXPOSURE: &str = "exposure";
+
+/// The note of the frame that the picture is a part of.
+const FRAME: &str = "frame";
 
 /// The note of how many passes the whole has, if that is known.
 const SPP: &str = "spp";
@@ -46,6 +50,7 @@ pub(super) fn about(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> FilmAbout {
         (PROGRAM, Some(job.program.to_string())),
         (COMMAND, Some(recipe::command(job, loaded))),
         (EXPOSURE, Some(loaded.settings.exposure.to_string())),
+        (FRAME, window_options::frame(camera).map(frame_text)),
         (SPP, plan.spp.map(|spp| spp.to_string())),
         (SHARD, (plan.shard != Shard::WHOLE).then(|| plan.shard.to_string())),
     ];
@@ -79,6 +84,17 @@ fn text<'a>(texts: &'a [(String, String)], name: &str) -> Option<&'a str> {
     texts.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
 }
 
+/// A frame in words: its size, and where the picture begins.
+fn frame_text(PictureFrame { size, corner }: PictureFrame) -> String {
+    format!("{}x{}+{}+{}", size.0, size.1, corner.0, corner.1)
+}
+
+fn read_frame(text: &str) -> Option<PictureFrame> {
+    let numbers: Result<Vec<u32>, _> = text.split(['x', '+']).map(str::parse).collect();
+    let [width, height, x, y] = numbers.ok()?.try_into().ok()?;
+    Some(PictureFrame { size: (width, height), corner: (x, y) })
+}
+
 /// How many passes the whole has, if the film says it.
 pub(crate) fn spp(about: &FilmAbout) -> Option<u32> {
     text(&about.notes, SPP)?.parse().ok()
@@ -101,7 +117,7 @@ pub(crate) fn picture_info(about: &FilmAbout, passes: u32) -> PictureInfo {
         scene: note(SCENE),
         seed: setting(SEED).parse().unwrap_or(0),
         spp: passes.into(),
-        seconds: None,
         rejected_samples: rejected(about),
+        frame: text(&about.notes, FRAME).and_then(read_frame),
     }
 }

@@ -14,8 +14,8 @@ fn save(folder: &Folder, name: &str, picture: &Grid<Rgb>) {
         scene: "a\nball".into(),
         seed: 7,
         spp: 16,
-        seconds: Some(1.5),
         rejected_samples: 0,
+        frame: None,
     };
     save_picture(&folder.path().join(name), picture, &info).unwrap();
 }
@@ -122,7 +122,7 @@ fn a_file_says_what_is_in_it() {
         "    R float: mean 9.6875e-1, min -3.0000e0, max 1.0000e0; 0 not finite, 1 negative\n",
         "    integrator = bdpt\n",
         "    scene = a ball\n",
-        "    seconds = 1.5\n    seed = 7\n    software = tests 1.0\n    spp = 16\n",
+        "    seed = 7\n    software = tests 1.0\n    spp = 16\n",
         "b.exr: 16x8 pixels\n",
     ] {
         assert!(run.out.contains(words), "{words}: {}", run.out);

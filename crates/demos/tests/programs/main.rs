@@ -15,9 +15,12 @@ mod film;
 #[cfg(unix)]
 mod interrupts;
 mod models;
+mod noise;
 #[cfg(unix)]
 mod outputs;
 mod pictures;
 mod printing;
+mod progress;
 mod shards;
 mod stats;
+mod windows;

@@ -190,7 +190,7 @@ fn films_say_what_they_are_of() {
 #[test]
 fn a_queue_hears_how_far_it_is() {
     let folder = Folder::new();
-    let run = folder.run("bdpt", "cornell --resolution 8x6 --spp 1 -q --openjd -o a.exr");
+    let run = folder.run("bdpt", "cornell --resolution 8x6 --spp 1 -q --progress openjd -o a.exr");
     let said = "openjd_progress: 100.0\nopenjd_status: 1 spp are done, 00:00 left\na.exr\n";
     assert_eq!((run.status, run.out.as_str()), (Some(0), said), "{}", run.err);
 }

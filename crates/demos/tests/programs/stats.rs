@@ -48,5 +48,5 @@ fn what_cannot_be_counted_is_told_with_its_place() {
     assert_eq!(run.status, Some(3));
     assert!(run.err.contains("bad.mgf:2: sph"), "{}", run.err);
     assert_eq!(folder.run("bdpt", "cornell pyramid").status, Some(2));
-    assert_eq!(folder.run("bdpt", "cornell --stats -").status, Some(2));
+    assert_eq!(folder.run("bdpt", "more.mgf bad.mgf --stats -").status, Some(2));
 }

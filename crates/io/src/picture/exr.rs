@@ -8,10 +8,10 @@ pub use light::load_exr;
 pub(crate) use light::{ExrPicture, load_exr_within};
 pub use read::{ExrChannel, ExrFile, ExrLayer, open_exr};
 
-use super::Cause;
+use super::{Cause, PictureFrame};
 use exr::image::Blocks;
 use exr::prelude::{
-    AttributeValue, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder,
+    AttributeValue, Compression, Encoding, Image, IntegerBounds, Layer, LayerAttributes, LineOrder,
     SpecificChannels, Text, Vec2, WritableImage,
 };
 use std::io::Cursor;
@@ -22,14 +22,19 @@ use traylib_math::{Grid, Rgb};
 pub(super) fn encode(
     radiance: &Grid<Rgb>,
     attributes: &[(String, String)],
+    frame: Option<PictureFrame>,
 ) -> Result<Vec<u8>, Cause> {
     let pixel = |at: Vec2<usize>| {
         let light = radiance.get(at.x(), at.y());
         (light.r, light.g, light.b)
     };
+    let mut header = header(attributes);
+    if let Some(PictureFrame { corner: (x, y), .. }) = frame {
+        header.layer_position = Vec2(i32::try_from(x)?, i32::try_from(y)?);
+    }
     let layer = Layer::new(
         (radiance.width(), radiance.height()),
-        header(attributes),
+        header,
         Encoding {
             compression: Compression::ZIP16,
             blocks: Blocks::ScanLines,
@@ -38,7 +43,12 @@ pub(super) fn encode(
         SpecificChannels::rgb(pixel),
     );
     let mut bytes = Cursor::new(Vec::new());
-    Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes)?;
+    let mut image = Image::from_layer(layer);
+    if let Some(PictureFrame { size: (width, height), .. }) = frame {
+        let size = Vec2(width as usize, height as usize);
+        image.attributes.display_window = IntegerBounds::from_dimensions(size);
+    }
+    image.write().non_parallel().to_buffered(&mut bytes)?;
     order::sorted(bytes.into_inner()).ok_or_else(|| "the header has no end".into())
 }
 

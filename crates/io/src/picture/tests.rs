@@ -42,8 +42,8 @@ fn info() -> PictureInfo {
         scene: "snow ☃".to_string(),
         seed: u64::MAX,
         spp: 16,
-        seconds: Some(1.5),
         rejected_samples: 0,
+        frame: None,
     }
 }
 

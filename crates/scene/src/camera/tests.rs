@@ -26,6 +26,46 @@ fn a_projected_point_is_where_its_ray_went() {
     }
 }
 
+/// The same rays and the same places, counted from the window's corner.
+#[test]
+fn a_window_shows_what_the_frame_does() {
+    let frame = Camera::new(settings()).unwrap();
+    let window = FilmWindow { x: 7, y: 3, width: 11, height: 17 };
+    let cropped = frame.cropped(window).unwrap();
+    assert_eq!((cropped.width(), cropped.height()), (11, 17));
+    let corner = Vec2::new(7.0, 3.0);
+    let mut sampler = Sampler::numbered(2, 0);
+    let mut inside = 0;
+    for _ in 0..10_000 {
+        let film_point = sampler.next_2d() * Vec2::new(31.0, 20.0);
+        let ray = frame.ray(film_point);
+        // Corners are whole numbers, but a film point next to one may be rounded.
+        assert!((cropped.ray(film_point - corner).direction - ray.direction).length() < 1e-6);
+        let seen = frame.project(ray.at(1.0)).unwrap();
+        let in_window = (7..18).contains(&seen.x) && (3..20).contains(&seen.y);
+        let expected = in_window.then(|| Projection { x: seen.x - 7, y: seen.y - 3, ..seen });
+        if let Some(found) = cropped.project(ray.at(1.0)) {
+            assert_eq!(Some(found), expected);
+            inside += 1;
+        } else {
+            assert_eq!(expected, None);
+        }
+    }
+    assert!(inside > 1000, "{inside}");
+}
+
+#[test]
+fn a_window_is_inside_the_frame() {
+    let camera = Camera::new(settings()).unwrap();
+    let window = |x, y, width, height| camera.cropped(FilmWindow { x, y, width, height });
+    assert_eq!(window(0, 0, 31, 20), Ok(camera));
+    for (x, y, width, height) in
+        [(0, 0, 0, 20), (0, 0, 31, 0), (1, 0, 31, 20), (0, 19, 1, 2), (u32::MAX, 0, 2, 2)]
+    {
+        assert!(matches!(window(x, y, width, height), Err(Error::Camera(_))), "{x} {y}");
+    }
+}
+
 #[test]
 fn the_picture_is_upright_and_not_mirrored() {
     let camera = Camera::new(CameraSettings {
