@@ -1,6 +1,7 @@
 //! Reading the command line.
 
 use crate::VERSION;
+use crate::for_shells;
 use crate::options::RenderOptions;
 use crate::say::say;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -13,6 +14,7 @@ use traylib_integrators::{Method, MethodOption, MethodSetting, OptionValues};
 /// The options of a program. Ends it if they make no sense, or if only help or the
 /// version is wanted.
 pub fn parse<O: Parser>() -> O {
+    answer(&mut O::command());
     O::try_parse().unwrap_or_else(|error| end(&error))
 }
 
@@ -31,6 +33,7 @@ impl<O: Args> CommandLine<O> {
     /// Reads the words that the program was started with; without options its method is
     /// `plain`. Ends the program as [`parse`] does.
     pub fn parse(plain: Method) -> Self {
+        answer(&mut command::<O>(plain));
         Self::read(plain, std::env::args_os()).unwrap_or_else(|error| end(&error))
     }
 
@@ -89,6 +92,14 @@ fn settings(plain: Method, matches: &ArgMatches) -> Vec<MethodSetting> {
         }
     };
     given.filter_map(setting).collect()
+}
+
+/// Ends the program if its words ask for nothing but what shells and manuals want.
+fn answer(command: &mut Command) {
+    let words: Vec<OsString> = std::env::args_os().collect();
+    if for_shells::answer(command, &words) {
+        std::process::exit(0);
+    }
 }
 
 /// Tells what is amiss, or the help that was wanted, and ends.

@@ -6,6 +6,7 @@
 mod auto;
 mod black;
 mod bug;
+mod camera_options;
 mod checkpoint;
 mod command_line;
 mod conclude;
@@ -15,6 +16,7 @@ mod duration;
 mod end;
 mod explain;
 mod film;
+mod for_shells;
 mod interrupt;
 mod job;
 mod keep_options;
@@ -37,6 +39,7 @@ mod stats;
 mod technique_pictures;
 mod window_options;
 
+pub use camera_options::CameraOptions;
 pub use command_line::{CommandLine, parse};
 pub use conclude::conclude;
 pub use done::Done;
@@ -84,11 +87,14 @@ finds is not in it.
 Pictures in .png and .exr say how they were made, as a command; `film info`
 prints it.
 
+{}
+
 Ends with 0, 2 if the command line was not understood, 3 if a scene cannot be
 read or makes no sense, 4 if the picture cannot be written, does not fit into
 memory or the time was up in the first pass, 5 if --noise was not reached, 6 if a checkpoint is of another
 rendering, 130 after Ctrl-C, 143 if it was
 told to terminate, 129 if the terminal was closed. The second time Ctrl-C ends
-at once."
+at once.",
+        for_shells::HELP
     )
 }

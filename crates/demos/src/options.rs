@@ -1,5 +1,6 @@
 //! Options that all programs understand.
 
+use crate::camera_options::CameraOptions;
 use crate::duration::parse_duration;
 use crate::keep_options::KeepOptions;
 use crate::noise::Noise;
@@ -38,6 +39,10 @@ pub struct RenderOptions {
     /// Size of the picture in pixels [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = parse_resolution)]
     pub resolution: Option<(u32, u32)>,
+
+    /// Where it is taken from
+    #[command(flatten)]
+    pub view: CameraOptions,
 
     /// Which part of the picture
     #[command(flatten)]
@@ -78,6 +83,10 @@ pub struct RenderOptions {
     /// Print errors alone
     #[arg(short, long)]
     pub quiet: bool,
+
+    /// Print the names of the built-in scenes
+    #[arg(long)]
+    pub list: bool,
 
     /// Find out whether the picture could be made and written, without making it
     #[arg(long)]
@@ -139,8 +148,10 @@ impl PixelName {
         if column < window.width && row < window.height {
             return Ok(row * window.width + column);
         }
-        let bounds = PixelBounds::of(window);
-        Err(Failure::usage(format_args!("--pixel {x},{y} is outside the picture ({bounds})")))
+        let (width, height, bounds) = (window.width, window.height, PixelBounds::of(window));
+        Err(Failure::usage(format_args!(
+            "--pixel {x},{y} is outside the {width}x{height} picture, {bounds}"
+        )))
     }
 }
 

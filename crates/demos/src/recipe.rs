@@ -9,12 +9,14 @@ use traylib_io::{Limit, Loaded};
 use traylib_scene::FilmWindow;
 
 /// What a picture is made of: all that changes it but how many samples a pixel has.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Recipe<'a> {
     /// The program that makes it.
     pub program: &'a str,
     /// What that was told to load.
     pub scene: &'a str,
+    /// What it is seen by, where that is not the scene's own camera.
+    pub camera: Option<String>,
     /// Width and height of the frame in pixels.
     pub resolution: (u32, u32),
     /// The part of it that is rendered.
@@ -39,6 +41,7 @@ pub(crate) fn command(job: &Job<'_>, loaded: &Loaded) -> String {
     let recipe = Recipe {
         program: job.method.map_or(job.program, Method::name),
         scene: &options.scene,
+        camera: options.view.words(&frame),
         resolution: (frame.width, frame.height),
         window: camera.window(),
         seed: options.seed,
@@ -66,6 +69,9 @@ impl Recipe<'_> {
             self.exposure,
         );
         // A string takes everything.
+        if let Some(camera) = &self.camera {
+            let _ = write!(command, " --camera {}", quoted(camera));
+        }
         if self.window != FilmWindow::whole(width, height) {
             let _ = write!(command, " --pixelbounds {}", PixelBounds::of(self.window));
         }

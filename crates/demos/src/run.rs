@@ -20,7 +20,7 @@ use crate::stats::stats;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 use traylib_integrators::{Integrator, Method, Rendering, Report};
-use traylib_io::{LoadOptions, Loaded, load_scene_with};
+use traylib_io::{LoadOptions, Loaded, builtin_names, load_scene_with};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Scene;
 
@@ -48,6 +48,9 @@ fn try_run(
     finish: impl FnOnce(&Done) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let options = job.options;
+    if options.list {
+        return builtin_names().iter().try_for_each(tell);
+    }
     if !job.wants_picture && options.keep.checkpoint.is_some() {
         return Err(Failure::usage("--checkpoint keeps pictures; paths of a --pixel are not kept"));
     }
@@ -128,6 +131,8 @@ fn warn_if_black(job: &Job<'_>, done: &Done, integrator: &dyn Integrator, radian
 fn load(job: &Job<'_>) -> Result<Loaded, Failure> {
     let load = LoadOptions { headlight: job.headlight, ..job.options.load_options() };
     let loaded = load_scene_with(&job.options.scene, load)?;
-    let scene = job.options.window.applied_to(loaded.scene)?;
+    let options = job.options;
+    let scene = options.view.applied_to(loaded.scene, options.resolution)?;
+    let scene = options.window.applied_to(scene)?;
     Ok(Loaded { scene, ..loaded })
 }

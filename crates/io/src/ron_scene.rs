@@ -5,11 +5,13 @@
 //! may make no sense. That is the importer's part, which asks [`locate`](crate::locate) where in
 //! the text a value stands.
 
+mod camera_change;
 mod context;
 pub mod material;
 pub(crate) mod syntax;
 mod wanted;
 
+pub use camera_change::CameraChange;
 pub use material::Material;
 
 use serde::Deserialize as Derive;
@@ -310,11 +312,15 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for NamedVisitor<T> {
 /// # Errors
 /// If the text is not of the form that the types describe.
 pub fn decode(text: &str) -> Result<Document, ron::error::SpannedError> {
+    options().from_str(text)
+}
+
+/// How all of our own text is read: without what says only that a value is there.
+fn options() -> ron::Options {
     use ron::extensions::Extensions;
     ron::Options::default()
         .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES)
         .with_default_extension(Extensions::IMPLICIT_SOME)
-        .from_str(text)
 }
 
 #[cfg(test)]

@@ -9,14 +9,7 @@ use traylib_scene::{CameraSettings, FilmWindow};
 
 /// The camera as a line of a scene file, which reads back as the same.
 pub(crate) fn camera_line(camera: &CameraSettings) -> String {
-    let camera = ron_scene::Camera {
-        position: camera.position.to_array(),
-        target: camera.target.to_array(),
-        up: camera.up.to_array(),
-        fov: camera.fov_degrees,
-        resolution: (camera.width, camera.height),
-    };
-    format!("{camera},")
+    format!("{},", ron_scene::Camera::of(camera))
 }
 
 /// Writes a frame into a file that is not there yet, and tells its name.
@@ -34,13 +27,13 @@ pub(crate) fn write(
     tell_name(&file)
 }
 
-/// How it was made. Its command makes it again, if in the scene's file its camera takes the
-/// place of that which is there.
+/// How it was made, with the command that makes it again.
 fn info(frame: &Frame, scene: &str, is_moved: bool, options: &Options) -> PictureInfo {
     let (method, camera) = (frame.wanted.method, &frame.wanted.camera);
     let recipe = Recipe {
         program: method.name(),
         scene: &options.scene,
+        camera: is_moved.then(|| ron_scene::Camera::of(camera).to_string()),
         resolution: (camera.width, camera.height),
         window: FilmWindow::whole(camera.width, camera.height),
         seed: options.seed,
@@ -49,13 +42,12 @@ fn info(frame: &Frame, scene: &str, is_moved: bool, options: &Options) -> Pictur
         limits: &options.limit,
         method: Some(method),
     };
-    let place = if is_moved { format!(" with {}", camera_line(camera)) } else { String::new() };
     PictureInfo {
         exposure: frame.exposure,
         program: format!("TrayLib {VERSION}"),
         integrator: method.name().into(),
         command: with_spp(&recipe.command(), frame.passes),
-        scene: format!("{scene}{place}"),
+        scene: scene.into(),
         seed: options.seed,
         spp: u64::from(frame.passes),
         rejected_samples: frame.statistics.rejected,

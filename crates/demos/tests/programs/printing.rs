@@ -1,6 +1,6 @@
 //! Text of files does nothing to a terminal.
 
-use crate::common::{Folder, Run, SCENE};
+use crate::common::{Folder, Run, SCENE, programs};
 use traylib_io::write_picture;
 use traylib_math::{Grid, Rgb};
 
@@ -80,4 +80,23 @@ fn what_a_picture_says_of_itself_is_shown() {
     let found: serde_json::Value = serde_json::from_str(&run.out).unwrap();
     let owner = found[0]["layers"][0]["attributes"]["owner"].as_str();
     assert_eq!(owner, Some(ODD.replace('\u{202e}', "?").as_str()));
+}
+
+#[test]
+fn shells_and_manuals_know_all_programs() {
+    let folder = Folder::new();
+    for program in programs().into_iter().chain(["film"]) {
+        for (words, contains) in [
+            ("--completions bash", "complete -F"),
+            ("--completions fish", "complete -c"),
+            ("--man", ".TH "),
+        ] {
+            let run = folder.run(program, words);
+            assert_eq!((run.status, run.err.as_str()), (Some(0), ""));
+            assert!(run.out.contains(contains) && run.out.contains(program), "{program} {words}");
+        }
+        assert_eq!(folder.run(program, "--completions cmd").status, Some(2));
+    }
+    let list = folder.run("bdpt", "--list").out;
+    assert!(list.starts_with("cornell\n") && list.lines().count() > 10, "{list}");
 }
