@@ -174,7 +174,7 @@ fn a_picture_that_does_not_fit_into_memory() {
     }
     let all = "cornell --resolution 16384x16384 --techniques t --spp 5 -q";
     let said = fails(&folder, "bdpt", all, 4);
-    assert!(said.contains("7173.67 GB of memory, 26724 bytes each"), "{said}");
+    assert!(said.contains("3797.82 GB of memory, 14148 bytes each"), "{said}");
 }
 
 #[test]

@@ -18,7 +18,7 @@ pub enum PointSet {
 /// Sequences that the passes of [`PointSet::Sobol`] belong to by turns. Each begins anew with
 /// shifts of its own, so that their means are independent: passes of one sequence are not,
 /// and tell nothing of the error.
-pub(super) const SEQUENCES: u32 = 4;
+pub(super) const SEQUENCES: u32 = 2;
 
 impl PointSet {
     /// All, in the order in which they are listed.
