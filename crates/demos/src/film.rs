@@ -5,11 +5,13 @@ mod any;
 mod bias;
 mod comparison;
 mod convert;
+mod denoise;
 mod diff;
 mod info;
 mod merge;
 
 pub use convert::ConvertOptions;
+pub use denoise::DenoiseOptions;
 pub use diff::DiffOptions;
 pub use info::InfoOptions;
 pub use merge::MergeOptions;
@@ -29,6 +31,8 @@ pub enum FilmCommand {
     Convert(ConvertOptions),
     /// Make one film of the films of parts (--shard)
     Merge(MergeOptions),
+    /// Make a picture with less noise of a film; it is biased
+    Denoise(DenoiseOptions),
 }
 
 impl FilmCommand {
@@ -40,6 +44,7 @@ impl FilmCommand {
             Self::Info(options) => info::info(options),
             Self::Convert(options) => convert::convert(options),
             Self::Merge(options) => merge::merge(options),
+            Self::Denoise(options) => denoise::denoise_film(options),
         })
     }
 }

@@ -10,6 +10,7 @@ mod camera_options;
 mod checkpoint;
 mod command_line;
 mod conclude;
+mod denoise;
 mod done;
 mod drive;
 mod duration;
@@ -45,7 +46,9 @@ pub use conclude::conclude;
 pub use done::Done;
 pub use duration::parse_duration;
 pub use explain::Explain;
-pub use film::{ConvertOptions, DiffOptions, FilmCommand, InfoOptions, MergeOptions};
+pub use film::{
+    ConvertOptions, DenoiseOptions, DiffOptions, FilmCommand, InfoOptions, MergeOptions,
+};
 pub use interrupt::on_interrupt;
 pub use job::Job;
 pub use keep_options::KeepOptions;

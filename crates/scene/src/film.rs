@@ -188,6 +188,18 @@ impl Film {
         self.picture(|pixel| self.mean_of(pixel))
     }
 
+    /// Mean radiance of each pixel in each sequence, with the number of its passes: black without
+    /// any. The means are independent of one another.
+    pub fn sequence_means(&self) -> impl Iterator<Item = (Grid<[f64; 3]>, u32)> {
+        self.sequences.iter().map(|sequence| {
+            let passes = sequence.passes();
+            let n = f64::from(passes.max(1));
+            let mean =
+                |pixel| total(sequence.blocks().map(|block| block.pixel(pixel))).map(|sum| sum / n);
+            (self.picture(mean), passes)
+        })
+    }
+
     /// The mean as a picture.
     pub fn develop(&self) -> Grid<Rgb> {
         self.picture(|pixel| self.develop_pixel(pixel))

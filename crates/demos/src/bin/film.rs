@@ -12,6 +12,7 @@ Examples:
   film info bdpt.png                             PNG says how it was made, too
   film convert bdpt.exr bdpt.png --exposure 2    formats by content and by ending
   film merge part-*.film -o all.film             of `bdpt --shard 0/7` and so on
+  film denoise bdpt.film quiet.png               of `bdpt --checkpoint bdpt.film`
 
 Light is channels R, G and B, or Y alone: without a prefix, or of a layer named
 as beauty or Combined, or the only ones there are. Pixels that are not finite in

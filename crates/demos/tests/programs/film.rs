@@ -232,3 +232,39 @@ fn help_fits_a_terminal_and_names_the_statuses() {
     let long = folder.run("film", "--help").out;
     assert!(long.contains("Examples:\n  film info") && long.contains("7 if pictures"), "{long}");
 }
+
+/// Less noise than the film has, and a picture that says what was done to it.
+#[test]
+fn a_film_is_denoised() {
+    let folder = Folder::new();
+    let run = |words: &str| {
+        let run = folder.run("bdpt", &format!("cornell --resolution 64x48 -q {words}"));
+        assert_eq!(run.status, Some(0), "{}", run.err);
+    };
+    run("--spp 16 --checkpoint a.film -o a.exr");
+    run("--spp 300 --seed 1 -o truth.exr");
+    let denoised = folder.run("film", "denoise a.film b.exr");
+    assert_eq!((denoised.status, denoised.out.as_str()), (Some(0), "b.exr\n"), "{}", denoised.err);
+    assert!(denoised.err.contains("biased"));
+    let error = |name: &str| {
+        let diff = folder.run("film", &format!("diff {name} truth.exr --json")).out;
+        let diff: serde_json::Value = serde_json::from_str(&diff).unwrap();
+        diff["rel_mse"].as_f64().unwrap()
+    };
+    let (before, after) = (error("a.exr"), error("b.exr"));
+    assert!(after < 0.7 * before, "{before} {after}");
+    assert!(folder.run("film", "info b.exr").out.contains("integrator = bdpt, denoised: biased"));
+}
+
+#[test]
+fn noise_is_told_by_two_halves() {
+    let folder = Folder::new();
+    for (words, name) in [("--spp 1", "one"), ("--spp 4 --sampler independent", "even")] {
+        let film = format!("cornell --resolution 8x6 -q {words} --checkpoint {name}.film");
+        assert_eq!(folder.run("bdpt", &film).status, Some(0));
+        let run = folder.run("film", &format!("denoise {name}.film out.png"));
+        assert_eq!(run.status, Some(3));
+        assert!(run.err.contains("two passes of `--sampler sobol`"), "{}", run.err);
+    }
+    assert!(!folder.names().contains(&"out.png".to_string()));
+}
