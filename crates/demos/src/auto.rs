@@ -5,19 +5,25 @@ mod tables;
 use crate::explain::Explain;
 use crate::job::Job;
 use crate::outcome::Failure;
-use crate::say::{say, tell, tell_json};
+use crate::say::{STANDARD_OUTPUT, say, tell, write_json};
+use serde_json::Value;
+use std::path::Path;
 use tables::{as_json, as_text};
 use traylib_integrators::planner::{Choice, Plan, Request, plan};
 use traylib_integrators::{Auto, Control, Method};
 use traylib_io::Loaded;
 
-/// The job with the method that is to render it, if that was left to a plan.
+/// The job with the method that is to render it, if that was left to a plan, and then also why
+/// it was chosen.
 ///
 /// # Errors
 /// The system refuses threads, or standard output the explanation.
-pub(crate) fn planned<'a>(job: &Job<'a>, loaded: &Loaded) -> Result<Job<'a>, Failure> {
-    let Some(asked) = job.method else { return Ok(*job) };
-    let Some(Auto { may_lose }) = asked.auto() else { return Ok(*job) };
+pub(crate) fn planned<'a>(
+    job: &Job<'a>,
+    loaded: &Loaded,
+) -> Result<(Job<'a>, Option<Value>), Failure> {
+    let Some(asked) = job.method else { return Ok((*job, None)) };
+    let Some(Auto { may_lose }) = asked.auto() else { return Ok((*job, None)) };
     let options = job.options;
     let request = Request {
         max_depth: asked.limits().and_then(|limits| limits.max_depth),
@@ -36,10 +42,10 @@ pub(crate) fn planned<'a>(job: &Job<'a>, loaded: &Loaded) -> Result<Job<'a>, Fai
     }
     match job.explain {
         Some(Explain::Text) => as_text(&plan).lines().try_for_each(tell)?,
-        Some(Explain::Json) => tell_json(&as_json(&plan)?)?,
+        Some(Explain::Json) => write_json(Path::new(STANDARD_OUTPUT), &as_json(&plan))?,
         None => {}
     }
-    Ok(Job { method: Some(plan.method), ..*job })
+    Ok((Job { method: Some(plan.method), ..*job }, Some(as_json(&plan))))
 }
 
 /// What was chosen, and by how much it is ahead of all techniques together.

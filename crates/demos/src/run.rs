@@ -58,7 +58,8 @@ fn try_run(
         return stats(options, file);
     }
     let loaded = load(job)?;
-    let job = &planned(job, &loaded)?;
+    let (job, why) = planned(job, &loaded)?;
+    let job = &job;
     let integrator = prepare(job, &loaded.scene)?;
     let integrator = integrator.as_ref();
     if !options.quiet {
@@ -88,7 +89,7 @@ fn try_run(
     } else {
         options.keep.checkpoint.as_deref().map_or(Ok(()), tell_name)?;
     }
-    options.stats.as_deref().map_or(Ok(()), |file| run_stats::write(file, job, &done, end))?;
+    options.stats.as_deref().map_or(Ok(()), |file| run_stats::write(file, job, &done, end, why.as_ref()))?;
     if !options.quiet {
         summarise(job.program, &done, &end.words());
         suggest(options);

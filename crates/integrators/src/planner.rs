@@ -65,7 +65,7 @@ const MOST_PROBES: u32 = 4096;
 /// Passes of the pilot: two halves, each of which gives a mean of its own.
 const PILOT_PASSES: u32 = 2;
 
-/// Passes of a trial: eight in each of four sequences.
+/// Passes of a trial: sixteen in each of two sequences.
 const TRIAL_PASSES: u32 = 32;
 
 /// One of so many probes is tried, and counted.

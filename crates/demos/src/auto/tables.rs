@@ -1,6 +1,5 @@
 //! A plan as text.
 
-use crate::outcome::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use traylib_integrators::planner::{Choice, Evidence, Plan, TechniqueShare};
@@ -64,10 +63,7 @@ pub(super) fn as_text(plan: &Plan) -> String {
 }
 
 /// The same for programs.
-///
-/// # Errors
-/// Never for what a plan holds.
-pub(super) fn as_json(plan: &Plan) -> Result<String, Failure> {
+pub(super) fn as_json(plan: &Plan) -> Value {
     let evidence = plan.evidence.as_ref().map(|evidence| {
         json!({
             "choices": evidence.choices.iter().map(choice).collect::<Vec<_>>(),
@@ -79,8 +75,7 @@ pub(super) fn as_json(plan: &Plan) -> Result<String, Failure> {
             "spent": evidence.spent,
         })
     });
-    let all = json!({ "plan": plan.method.to_string(), "evidence": evidence });
-    serde_json::to_string_pretty(&all).map_err(Failure::output)
+    json!({ "plan": plan.method.to_string(), "evidence": evidence })
 }
 
 fn choice(choice: &Choice) -> Value {

@@ -21,8 +21,10 @@ fn a_plan_is_the_same_on_any_number_of_threads_and_can_be_given_back() {
     assert_eq!(plan, explained(&folder, &format!("{PICTURE} --threads 3")));
     let method = plan["plan"].as_str().unwrap();
     // By itself, by the plan as text, and by the program that it names.
-    let auto = folder.run("bdpt", &format!("{PICTURE} --auto -o auto.exr"));
+    let auto = folder.run("bdpt", &format!("{PICTURE} --auto -o auto.exr --stats done.json"));
     assert_eq!(auto.status, Some(0), "{}", auto.err);
+    let done: Value = serde_json::from_slice(&folder.bytes("done.json")).unwrap();
+    assert_eq!(done["plan"], plan);
     assert!(auto.err.contains(&format!("plan: {method}")), "{}", auto.err);
     let mut given = folder.command("bdpt", &format!("{PICTURE} -o given.exr --plan"));
     assert!(given.arg(method).output().unwrap().status.success());

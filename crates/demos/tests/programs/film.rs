@@ -248,7 +248,7 @@ fn a_film_is_denoised() {
     assert!(denoised.err.contains("biased"));
     let error = |name: &str| {
         let diff = folder.run("film", &format!("diff {name} truth.exr --json")).out;
-        let diff: serde_json::Value = serde_json::from_str(&diff).unwrap();
+        let diff: Value = serde_json::from_str(&diff).unwrap();
         diff["rel_mse"].as_f64().unwrap()
     };
     let (before, after) = (error("a.exr"), error("b.exr"));
