@@ -19,6 +19,8 @@ pub struct Done {
     pub passes: u32,
     /// The picture's own estimate of its relative error.
     pub error: Option<f64>,
+    /// Estimated variance of each pixel, if it was asked for and there is any.
+    pub variance: Option<Grid<Rgb>>,
     /// Further pictures, by number.
     pub layers: BTreeMap<u16, Grid<Rgb>>,
     /// Text that was asked for.

@@ -3,6 +3,7 @@
 //! writes, and nothing more. `film` renders nothing: it looks into pictures and
 //! compares them ([`FilmCommand`]).
 
+mod aov;
 mod auto;
 mod black;
 mod bug;
@@ -40,6 +41,7 @@ mod stats;
 mod technique_pictures;
 mod window_options;
 
+pub use aov::Aov;
 pub use camera_options::CameraOptions;
 pub use command_line::{CommandLine, parse};
 pub use conclude::conclude;

@@ -1,5 +1,6 @@
 //! Options that all programs understand.
 
+use crate::aov::Aov;
 use crate::camera_options::CameraOptions;
 use crate::duration::parse_duration;
 use crate::keep_options::KeepOptions;
@@ -30,6 +31,10 @@ pub struct RenderOptions {
     /// [default: PROGRAM.png]
     #[arg(short, long = "outfile", visible_alias = "output", value_name = "FILE")]
     pub outfile: Vec<PathBuf>,
+
+    /// Layers of an .exr beside its light
+    #[arg(long, value_name = "LAYERS", value_delimiter = ',')]
+    pub aov: Vec<Aov>,
 
     /// Samples per pixel [default: the scene's, in `trace` 1; with --time-limit
     /// as many as it takes]

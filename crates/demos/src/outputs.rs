@@ -4,7 +4,7 @@ use crate::job::Job;
 use crate::outcome::Failure;
 use crate::say::{STANDARD_OUTPUT, tell_name};
 use std::path::{Path, PathBuf};
-use traylib_io::{PictureInfo, check_file, check_picture, save_picture};
+use traylib_io::{PictureInfo, PictureLayer, check_file, check_picture, save_picture_with};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Camera;
 
@@ -15,6 +15,7 @@ pub(crate) struct Outputs<'a> {
     folder: Option<&'a Path>,
     checkpoint: Option<&'a Path>,
     stats: Option<&'a Path>,
+    wants_layers: bool,
 }
 
 impl<'a> Outputs<'a> {
@@ -26,6 +27,7 @@ impl<'a> Outputs<'a> {
             files: outfiles(job),
             folder,
             checkpoint: job.options.keep.checkpoint.as_deref(),
+            wants_layers: !job.options.aov.is_empty() && job.makes_pictures(),
             stats: job.options.stats.as_deref().filter(|file| *file != Path::new(STANDARD_OUTPUT)),
         }
     }
@@ -35,6 +37,9 @@ impl<'a> Outputs<'a> {
     /// # Errors
     /// It cannot.
     pub(crate) fn check(&self, camera: &Camera) -> Result<(), Failure> {
+        if self.wants_layers && !self.files.iter().any(|file| is_exr(file)) {
+            return Err(Failure::usage("--aov makes layers of an .exr picture; name one with -o"));
+        }
         for file in &self.files {
             check_picture(file, camera.width(), camera.height())?;
         }
@@ -68,13 +73,22 @@ impl<'a> Outputs<'a> {
     ///
     /// # Errors
     /// A file cannot be written, or standard output takes no more.
-    pub(crate) fn save(&self, picture: &Grid<Rgb>, info: &PictureInfo) -> Result<(), Failure> {
+    pub(crate) fn save(
+        &self,
+        picture: &Grid<Rgb>,
+        info: &PictureInfo,
+        layers: &[PictureLayer],
+    ) -> Result<(), Failure> {
         for file in &self.files {
-            save_picture(file, picture, info)?;
+            save_picture_with(file, picture, info, layers)?;
             tell_name(file)?;
         }
         Ok(())
     }
+}
+
+fn is_exr(file: &Path) -> bool {
+    file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("exr"))
 }
 
 fn outfiles(job: &Job<'_>) -> Vec<PathBuf> {

@@ -1,5 +1,6 @@
 //! From a command line to a picture.
 
+use crate::aov::{self, Aov};
 use crate::auto::planned;
 use crate::black::{self, Picture};
 use crate::command_line::CommandLine;
@@ -77,11 +78,14 @@ fn try_run(
     let Rendering { film, notes, statistics } = rendering;
     let (passes, error) = (film.passes(), film.relative_error());
     let layers = if job.makes_pictures() { film.develop_layers() } else { BTreeMap::new() };
-    let done = Done { loaded, passes, error, layers, notes, statistics, elapsed, before };
+    let wants_variance = options.aov.contains(&Aov::Variance);
+    let variance = film.variance_of_mean().filter(|_| wants_variance);
+    let variance = variance.map(|variance| variance.map(|&v| Rgb::from(v.map(|band| band as f32))));
+    let done = Done { loaded, passes, error, variance, layers, notes, statistics, elapsed, before };
     if job.makes_pictures() {
         // A picture that just fits has no room for the film.
         let picture = film.into_picture();
-        outputs.save(&picture, &done.info(job))?;
+        outputs.save(&picture, &done.info(job), &aov::layers(job, &done)?)?;
         finish(&done)?;
         if !options.quiet {
             warn_if_black(job, &done, integrator, &picture);
@@ -89,7 +93,10 @@ fn try_run(
     } else {
         options.keep.checkpoint.as_deref().map_or(Ok(()), tell_name)?;
     }
-    options.stats.as_deref().map_or(Ok(()), |file| run_stats::write(file, job, &done, end, why.as_ref()))?;
+    options
+        .stats
+        .as_deref()
+        .map_or(Ok(()), |file| run_stats::write(file, job, &done, end, why.as_ref()))?;
     if !options.quiet {
         summarise(job.program, &done, &end.words());
         suggest(options);

@@ -74,6 +74,17 @@ impl PictureInfo {
     }
 }
 
+/// Values of each pixel beside its light, for EXR files: the other formats have no place for them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PictureLayer {
+    /// Its name, which stands before those of its channels: `normal` in `normal.X`.
+    pub name: &'static str,
+    /// Names of its channels, as many as are kept.
+    pub channels: &'static [&'static str],
+    /// Values of up to three channels.
+    pub values: Grid<Rgb>,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Png,
@@ -123,7 +134,29 @@ impl Format {
 /// [`Error::PictureFormat`] for another ending, [`Error::Write`] if the file
 /// cannot be written; what was there before then still is.
 pub fn save_picture(path: &Path, radiance: &Grid<Rgb>, info: &PictureInfo) -> Result<(), Error> {
-    write_part(path, radiance, info.exposure, &info.attributes(), info.frame)
+    save_picture_with(path, radiance, info, &[])
+}
+
+/// [`save_picture`] with layers beside the light, in EXR files.
+///
+/// # Errors
+/// As `save_picture`.
+pub fn save_picture_with(
+    path: &Path,
+    radiance: &Grid<Rgb>,
+    info: &PictureInfo,
+    layers: &[PictureLayer],
+) -> Result<(), Error> {
+    let extras = Extras { attributes: &info.attributes(), frame: info.frame, layers };
+    write_with(path, radiance, info.exposure, extras)
+}
+
+/// What an EXR file has beside the light; of it PNG files have the attributes.
+#[derive(Clone, Copy)]
+struct Extras<'a> {
+    attributes: &'a [(String, String)],
+    frame: Option<PictureFrame>,
+    layers: &'a [PictureLayer],
 }
 
 /// [`save_picture`] with any attributes, name and text. Characters beyond Latin-1
@@ -137,17 +170,16 @@ pub fn write_picture(
     exposure: f32,
     attributes: &[(String, String)],
 ) -> Result<(), Error> {
-    write_part(path, radiance, exposure, attributes, None)
+    write_with(path, radiance, exposure, Extras { attributes, frame: None, layers: &[] })
 }
 
-fn write_part(
+fn write_with(
     path: &Path,
     radiance: &Grid<Rgb>,
     exposure: f32,
-    attributes: &[(String, String)],
-    frame: Option<PictureFrame>,
+    extras: Extras<'_>,
 ) -> Result<(), Error> {
-    let bytes = encode(Format::of(path)?, radiance, exposure, attributes, frame)
+    let bytes = encode(Format::of(path)?, radiance, exposure, extras)
         .map_err(|cause| Error::Write { file: path.to_path_buf(), cause })?;
     write_file(path, &bytes)
 }
@@ -156,18 +188,17 @@ fn encode(
     format: Format,
     radiance: &Grid<Rgb>,
     exposure: f32,
-    attributes: &[(String, String)],
-    frame: Option<PictureFrame>,
+    extras: Extras<'_>,
 ) -> Result<Vec<u8>, Cause> {
     if radiance.values().is_empty() {
         return Err("it has no pixels".into());
     }
     let screen = || Screen::new(radiance, exposure);
     match format {
-        Format::Png => png::encode(&screen()?, attributes),
+        Format::Png => png::encode(&screen()?, extras.attributes),
         Format::Tga => tga::encode(&screen()?),
         Format::Pcx => pcx::encode(&screen()?),
-        Format::Exr => exr::encode(radiance, attributes, frame),
+        Format::Exr => exr::encode(radiance, extras),
         Format::Hdr => hdr::encode(radiance),
     }
 }

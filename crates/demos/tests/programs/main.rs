@@ -1,6 +1,7 @@
 //! The programs, as their users meet them.
 #![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
 
+mod aov;
 mod auto;
 mod bdpt;
 mod black;

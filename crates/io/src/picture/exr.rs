@@ -8,26 +8,19 @@ pub use light::load_exr;
 pub(crate) use light::{ExrPicture, load_exr_within};
 pub use read::{ExrChannel, ExrFile, ExrLayer, open_exr};
 
-use super::{Cause, PictureFrame};
+use super::{Cause, Extras, PictureFrame, PictureLayer};
 use exr::image::Blocks;
 use exr::prelude::{
-    AttributeValue, Compression, Encoding, Image, IntegerBounds, Layer, LayerAttributes, LineOrder,
-    SpecificChannels, Text, Vec2, WritableImage,
+    AnyChannel, AnyChannels, AttributeValue, Compression, Encoding, FlatSamples, Image,
+    IntegerBounds, Layer, LayerAttributes, LineOrder, Text, Vec2, WritableImage,
 };
 use std::io::Cursor;
 use traylib_math::{Grid, Rgb};
 
 /// One thread and fixed orders of lines and attributes, so that equal pictures have
 /// equal bytes.
-pub(super) fn encode(
-    radiance: &Grid<Rgb>,
-    attributes: &[(String, String)],
-    frame: Option<PictureFrame>,
-) -> Result<Vec<u8>, Cause> {
-    let pixel = |at: Vec2<usize>| {
-        let light = radiance.get(at.x(), at.y());
-        (light.r, light.g, light.b)
-    };
+pub(super) fn encode(radiance: &Grid<Rgb>, extras: Extras<'_>) -> Result<Vec<u8>, Cause> {
+    let Extras { attributes, frame, layers } = extras;
     let mut header = header(attributes);
     if let Some(PictureFrame { corner: (x, y), .. }) = frame {
         header.layer_position = Vec2(i32::try_from(x)?, i32::try_from(y)?);
@@ -40,7 +33,7 @@ pub(super) fn encode(
             blocks: Blocks::ScanLines,
             line_order: LineOrder::Increasing,
         },
-        SpecificChannels::rgb(pixel),
+        channels(radiance, layers),
     );
     let mut bytes = Cursor::new(Vec::new());
     let mut image = Image::from_layer(layer);
@@ -50,6 +43,21 @@ pub(super) fn encode(
     }
     image.write().non_parallel().to_buffered(&mut bytes)?;
     order::sorted(bytes.into_inner()).ok_or_else(|| "the header has no end".into())
+}
+
+/// The light without a prefix, and all layers with theirs.
+fn channels(radiance: &Grid<Rgb>, layers: &[PictureLayer]) -> AnyChannels<FlatSamples> {
+    let channel = |name: String, values: &Grid<Rgb>, band: usize| {
+        let values = values.values().iter().map(|value| value.to_array()[band]).collect();
+        AnyChannel::new(name.as_str(), FlatSamples::F32(values))
+    };
+    let light = ["R", "G", "B"].into_iter().enumerate();
+    let light = light.map(|(band, name)| channel(name.to_owned(), radiance, band));
+    let beside = layers.iter().flat_map(|PictureLayer { name, channels, values }| {
+        let named = channels.iter().enumerate();
+        named.map(move |(band, own)| channel(format!("{name}.{own}"), values, band))
+    });
+    AnyChannels::sort(light.chain(beside).collect())
 }
 
 /// All attributes are text: the format's integers end at 2³¹. One without a name
