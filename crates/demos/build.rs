@@ -27,7 +27,7 @@ fn revision() -> Option<String> {
     git(&["rev-parse", "--short=12", "HEAD"])
 }
 
-/// What Git answers; `None` without Git or if it refuses.
+/// Returns the output of Git; `None` without Git or if it refuses.
 fn git(arguments: &[&str]) -> Option<String> {
     let output = Command::new("git").args(arguments).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;

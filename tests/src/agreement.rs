@@ -31,7 +31,7 @@ const EQUIVALENCE_LEVEL: f64 = 1e-3;
 /// A method to hold against `bdpt`.
 #[derive(Clone, Copy, Debug)]
 pub struct Other {
-    /// Which.
+    /// The method.
     pub method: Method,
     /// The number of its passes that go with one of `bdpt`.
     pub passes: u32,

@@ -24,7 +24,7 @@ pub struct Finding {
     pub level: Option<f64>,
     /// Random samples behind it; zero where nothing is random.
     pub samples: u64,
-    /// Whether it is so.
+    /// True if the claim holds.
     pub holds: bool,
 }
 

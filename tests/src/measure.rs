@@ -1,4 +1,4 @@
-//! Whether a known radiance is among what the passes of a rendering leave possible.
+//! Tests whether a known radiance is among those that the passes of a rendering leave possible.
 
 use crate::findings::{Finding, settle};
 use traylib_integrators::{Method, PointSet, Settings, Statistics};
@@ -18,8 +18,8 @@ pub const FAMILY_SIZE: usize = 400;
 /// would say nothing.
 pub const EQUIVALENCE: f64 = 5e-3;
 
-/// What single precision, the extent of a spot and truncated integrals may add,
-/// relative to the truth. Decides alone where an estimator has no variance.
+/// The error that single precision, the extent of a spot and truncated integrals may add, relative
+/// to the truth. Decides alone where an estimator has no variance.
 const ROUNDING: f64 = 2e-5;
 
 /// Compares a method with the truth: every sample sound, the truth within the

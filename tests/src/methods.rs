@@ -33,7 +33,7 @@ const fn settings_of(method: Method) -> &'static [Method] {
     }
 }
 
-/// All that find the light of lamps by way of other surfaces.
+/// The methods that find the light of lamps by way of other surfaces.
 pub const WALKING: [Method; 6] = {
     let mut all = [JITTERED_TRACE; 6];
     let (mut next, mut method) = (0, 0);
@@ -57,8 +57,8 @@ pub fn beginning_with(first: &[Method]) -> Vec<Method> {
     first.iter().chain(others).copied().collect()
 }
 
-/// All that walk from the camera, and so see a spot as well as a wide view, each with so
-/// many passes.
+/// Returns the methods that walk from the camera, and so see a spot as well as a wide view, each
+/// with so many passes.
 pub fn from_camera(passes: u32) -> Vec<(Method, u32)> {
     let methods = WALKING.into_iter().filter(|&method| !splats_alone(method));
     methods.map(|method| (method, passes)).collect()
@@ -101,7 +101,7 @@ pub fn serialize<S: Serializer>(method: &Method, serializer: S) -> Result<S::Ok,
 /// Reads a method as it is spelled.
 ///
 /// # Errors
-/// What is there is no text, or no method.
+/// The value is no text, or no method.
 pub fn deserialize<'a, D: Deserializer<'a>>(deserializer: D) -> Result<Method, D::Error> {
     let text = String::deserialize(deserializer)?;
     text.parse().map_err(serde::de::Error::custom)

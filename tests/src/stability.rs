@@ -1,5 +1,4 @@
-//! Where estimators fail: every method over every failure scene, measured and
-//! judged.
+//! The failures of estimators: every method over every failure scene, measured and judged.
 //!
 //! Each cell of the table is rendered in sixteen independent runs. What is kept
 //! of them ([`cell`]) becomes figures ([`figures`]), these a verdict ([`judge`]),

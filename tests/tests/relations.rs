@@ -15,8 +15,8 @@ use traylib_tests::relations::render::{Estimator, Workshop};
 use traylib_tests::relations::run::{Bench, Plan, Summary, run};
 use traylib_tests::relations::{draw, judge, shrink};
 
-/// How often a right program fails one of the tests here: 10⁻⁹ for each claim, of
-/// which there are less than 10⁴.
+/// The probability that a right program fails one of the tests here: 10⁻⁹ for each claim, of which
+/// there are less than 10⁴.
 const LEVEL: f64 = 1e-5;
 /// Samples of a pass: the film has 16 × 16 pixels.
 const PIXELS: u64 = 256;
@@ -111,7 +111,7 @@ fn the_judge_sees_a_twentieth() {
     assert!(matches!(verdict(0.525), judge::Verdict::Broken(_)), "{:?}", verdict(0.525));
 }
 
-/// What has nothing to do with a fault is left out: here the fault is a mesh.
+/// Objects that have nothing to do with a fault are left out: here the fault is a mesh.
 #[test]
 fn scenes_shrink_to_what_matters() {
     let is_mesh = |object: &traylib_tests::relations::scene::Object| {

@@ -1,9 +1,9 @@
-//! Which fault is awake. `cargo xtask faults` puts this file and a list of all
-//! faults into a copy of the sources; the sources themselves know nothing of it.
+//! Tells which fault is awake. `cargo xtask faults` puts this file and a list of all faults into a
+//! copy of the sources; the sources themselves know nothing of it.
 
 use std::sync::LazyLock;
 
-/// Whether a fault is awake, by its name.
+/// Tells whether a fault is awake, by its name.
 #[macro_export]
 macro_rules! injected {
     ($fault:ident) => {

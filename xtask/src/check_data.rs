@@ -10,8 +10,8 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use traylib_io::{LoadOptions, inventory, printable};
 
-/// Where the lists hold what another reader makes of a file, and ours does otherwise
-/// for a reason: file, key, reason.
+/// The entries of the lists on which ours differs from another reader for a reason: file, key,
+/// reason.
 const OTHERWISE: [(&str, &str, &str); 1] = [(
     "player02.3DS",
     "pose_at_frame_0",
@@ -42,7 +42,7 @@ pub(crate) fn run(folder: &str) -> Result<()> {
     Ok(())
 }
 
-/// How many pictures have the expected pixels, of how many.
+/// Counts the pictures that have the expected pixels, and all pictures.
 fn pictures(folder: &Path) -> Result<(usize, usize)> {
     let (mut agree, mut count) = (0, 0);
     for part in ["textures", "pictures"] {

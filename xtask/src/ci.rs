@@ -70,8 +70,8 @@ fn compare() -> Result<()> {
     workspace::finish(workspace::cargo(&page).env("TRAYLIB_COMPARISON", path))
 }
 
-/// As the tests have built it: a release would take longer to build than all that
-/// is rendered here saves.
+/// Runs `bdpt` as the tests have built it: a release would take longer to build than all that is
+/// rendered here saves.
 fn bdpt(arguments: &[&str]) -> Result<()> {
     let start = ["run", "--bin", "bdpt", "--"];
     cargo(&[&start, arguments].concat())

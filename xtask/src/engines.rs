@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 /// Parts of the rendering.
 const PARTS: u32 = 7;
 
-/// What is rendered; each part takes some seconds.
+/// The rendering: program, scene and options; each part takes some seconds.
 const PROGRAM: &str = "bdpt";
 const SCENE: &str = "cornell";
 const OPTIONS: &str = "--resolution 80x60 --spp 400";
@@ -105,7 +105,7 @@ impl Place {
         command
     }
 
-    /// What a program that is run here prints.
+    /// Returns the output of a program that is run here.
     fn output(&self, program: &str, arguments: &[&str]) -> Result<String> {
         let output = self.command(program).args(arguments).output();
         let output = output.with_context(|| format!("{program} does not start"))?;

@@ -23,7 +23,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// What found one fault.
+/// The outcome of the tests for one fault.
 struct Catch<'a> {
     fault: &'a str,
     extent: Extent,

@@ -82,7 +82,7 @@ fn wrong_arrows(metadata: &Value, layers: &[Layer]) -> Result<Vec<String>> {
     Ok(wrong)
 }
 
-/// What is wrong with one dependency of a package in `layer`, if anything.
+/// Says what is wrong with one dependency of a package in `layer`, if anything.
 fn fault(layer: &Layer, dependency: &Value) -> Result<Option<String>> {
     let name = text(dependency, "name")?;
     if layer.may_use.contains(&name) {

@@ -24,7 +24,7 @@ const PACKAGES: [&str; 8] = [
     "traylib-tests",
 ];
 
-/// Which tests to run.
+/// The tests to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extent {
     /// The tests that `cargo test` runs.
@@ -33,7 +33,7 @@ pub(crate) enum Extent {
     Whole,
 }
 
-/// How many of the test programs to run.
+/// The point up to which test programs are run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Until {
     /// All of them.
@@ -45,7 +45,7 @@ pub(crate) enum Until {
 /// Test programs, ready to run.
 pub(crate) struct Proofs {
     programs: Vec<PathBuf>,
-    /// Where they are run.
+    /// The folder in which they are run.
     folder: PathBuf,
 }
 

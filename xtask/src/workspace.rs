@@ -1,4 +1,4 @@
-//! Where the workspace is and how its cargo is called.
+//! The place of the workspace, and the calls of its cargo.
 
 use anyhow::{Context, Result, ensure};
 use std::path::Path;

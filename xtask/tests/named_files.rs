@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 const FOLDERS: [&str; 6] = ["crates/", "docs/", "fuzz/", "scenes/", "tests/", "xtask/"];
 
-/// Everything between back ticks of a line.
+/// Returns the texts between back ticks of a line.
 fn spans(line: &str) -> impl Iterator<Item = &str> {
     line.split('`').skip(1).step_by(2)
 }

@@ -72,14 +72,15 @@ struct Work<'a> {
     runs: Store,
     /// The program itself: another build may render something else, or faster.
     build: u64,
-    /// Whatever else decides the result of a run.
+    /// The key of everything else that decides the result of a run: the build, the processor and
+    /// the threads.
     key: u64,
     stop: &'a Control,
     start: Instant,
 }
 
 impl<'a> Work<'a> {
-    /// Everything that can go wrong early does so here.
+    /// Prepares a comparison; everything that can go wrong early does so here.
     fn prepare(options: &'a Options, how: &How, stop: &'a Control) -> Result<Self, Failure> {
         let asked = options.scenes();
         let rendered = asked.iter().filter(|scene| *scene != ORACLE);
@@ -160,7 +161,7 @@ impl<'a> Work<'a> {
         Ok(results.map(|results| (results, pictures, lines)))
     }
 
-    /// So many runs of each method, as far as they are not done yet.
+    /// Does so many runs of each method, as far as they are not done yet.
     fn runs(
         &self,
         prepared: &Prepared,
@@ -261,7 +262,7 @@ impl<'a> Work<'a> {
         lengths(&prepared.loaded.scene, reference.epsilon, passes).map_err(Failure::output)
     }
 
-    /// What everything is planned to take.
+    /// Returns the planned seconds of the comparison, references included.
     fn seconds(&self) -> f64 {
         self.references_seconds() + self.runs_seconds(self.options.seeds())
     }
@@ -270,7 +271,7 @@ impl<'a> Work<'a> {
         2.0 * self.reference_seconds() * self.scenes.len() as f64
     }
 
-    /// What so many runs of each method are planned to take.
+    /// Returns the planned seconds of `turns` runs of each method.
     fn runs_seconds(&self, turns: u32) -> f64 {
         let longest = self.budgets.last().copied().unwrap_or(0.0);
         let methods: usize = self.scenes.iter().map(|scene| self.methods_on(scene).len()).sum();

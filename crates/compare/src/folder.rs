@@ -55,7 +55,7 @@ pub fn write_scaling(folder: &Path, found: &Scaling) -> Result<(), StoreError> {
     write_text(&folder.join("scaling.csv"), &scaling::csv(found))
 }
 
-/// What an earlier comparison found that this one has not looked at.
+/// Returns the scenes, and the oracle, of an earlier comparison that this one has not looked at.
 fn lost(numbers: &Path, results: &Results) -> Vec<String> {
     let text = std::fs::read_to_string(numbers).unwrap_or_default();
     // Of whichever version.

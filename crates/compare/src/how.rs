@@ -4,7 +4,7 @@ use crate::options::Options;
 use crate::results::How;
 use traylib_math::Fnv;
 
-/// Everything about how it is made, but for how long it takes.
+/// Describes how it is made, but for how long it takes.
 pub fn how(options: &Options, arguments: &[String]) -> How {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     How {
@@ -34,7 +34,7 @@ fn command(arguments: &[String]) -> String {
         .join(" ")
 }
 
-/// What the program says with `--version` that it was built from: `0.1.0 (ec3c1fe01234)`.
+/// Returns the commit in the text that `--version` prints, such as `0.1.0 (ec3c1fe01234)`.
 fn commit(version: &str) -> Option<&str> {
     version.split_once('(')?.1.strip_suffix(')')
 }

@@ -29,7 +29,7 @@ const LEVEL: f64 = 0.05;
 /// A method and its runs.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Who.
+    /// The method.
     pub method: Method,
     /// The record of each run.
     pub records: Vec<Record>,
@@ -137,7 +137,7 @@ fn method(entry: &Entry, reference: &Reference, facts: SceneFacts) -> MethodResu
     if method.stability.alarm { without_high_ends(method) } else { method }
 }
 
-/// What was chosen for the runs, each once.
+/// Returns the choices that plans made for the runs, each once.
 fn plans(entry: &Entry) -> Vec<String> {
     let mut plans: Vec<String> =
         entry.records.iter().filter_map(|record| record.plan.clone()).collect();
@@ -146,14 +146,13 @@ fn plans(entry: &Entry) -> Vec<String> {
     plans
 }
 
-/// How the error divides: with R runs, one has the error lost + noise, their mean
-/// lost + noise/R.
+/// The parts of the error: of R runs, one has the error lost + noise, their mean lost + noise/R.
 struct Spread {
     /// Mean relMSE of a run, less the reference's.
     error: f64,
     /// Variance between runs.
     noise: f64,
-    /// What no number of runs takes away.
+    /// The part that no number of runs takes away.
     lost: f64,
 }
 
@@ -174,7 +173,7 @@ fn raw_errors(entry: &Entry) -> Vec<f64> {
 }
 
 /// The noise of a run times what it falls with, passes or seconds: mean over the runs.
-/// Where hardly any is left beside what is lost, a hundredth of the error.
+/// Where hardly any noise is left beside the lost part, a hundredth of the error stands for it.
 fn noise_times(
     entry: &Entry,
     reference: &Reference,

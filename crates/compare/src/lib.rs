@@ -1,4 +1,4 @@
-//! Which method reaches which error in which time.
+//! Measures which method reaches which error in which time.
 //!
 //! | module | what it does |
 //! |---|---|

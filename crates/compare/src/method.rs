@@ -1,4 +1,4 @@
-//! Which methods are compared, and what a comparison has to know of them.
+//! The methods that are compared, and the facts about them that a comparison needs.
 
 use traylib_integrators::{
     Auto, BdptSettings, BlindSpot, DirectLight, Limits, MayLose, Method, SceneFacts,
@@ -16,7 +16,7 @@ const SETTINGS: [Method; 3] = [
     Method::Bdpt(BdptSettings { no_connections: true, ..BdptSettings::DEFAULT }),
 ];
 
-/// What finds out by itself which of the others to render by.
+/// The method that finds out by itself which of the others to render by.
 const PLANNED: Method = Method::Bdpt(BdptSettings {
     auto: Some(Auto { may_lose: MayLose::NOTHING }),
     ..BdptSettings::DEFAULT

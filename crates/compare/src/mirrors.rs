@@ -1,4 +1,4 @@
-//! Where a picture shows mirrors, which a particle tracer cannot render.
+//! Finds where a picture shows mirrors, which a particle tracer cannot render.
 
 use traylib_math::{Grid, Vec2};
 use traylib_scene::Scene;

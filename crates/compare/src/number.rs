@@ -2,9 +2,9 @@
 
 use crate::results::{Estimate, MethodResults};
 
-/// What stands where a number does not exist.
+/// The text in place of a number that does not exist.
 const NONE: &str = "–";
-/// And where neither end of its interval does.
+/// The text in place of an interval of which neither end exists.
 const NOT_KNOWN: &str = "not known";
 
 /// An exponent in raised digits.
@@ -53,8 +53,7 @@ fn rounded(value: f64, digits: usize) -> String {
     significant(format!("{value:.places$e}").parse().unwrap_or(value), digits as u8)
 }
 
-/// How many times as long as the best a method takes, in the same words wherever it is
-/// told.
+/// The time of a method relative to that of the best, in the same words wherever it is told.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Ratio {
     /// It is the best.
@@ -63,7 +62,7 @@ pub(crate) enum Ratio {
     AtLeast(String),
     /// Only that it takes less is.
     AtMost(String),
-    /// Not even that.
+    /// Not even a bound is known.
     Unknown,
     /// A number and its interval.
     Between([String; 3]),
@@ -143,7 +142,7 @@ pub(crate) fn interval_of(estimate: Estimate, digits: u8) -> String {
     format!("{value} ({})", between(estimate, |end| significant(end, digits)))
 }
 
-/// What is known of both ends.
+/// Writes an interval by those of its ends that are known.
 fn between(estimate: Estimate, text: impl Fn(f64) -> String) -> String {
     let [low, high] = [estimate.low, estimate.high].map(text);
     match (estimate.knows_low(), estimate.knows_high()) {

@@ -108,7 +108,7 @@ impl Options {
         if self.scenes.is_empty() { SCENES.map(String::from).to_vec() } else { self.scenes.clone() }
     }
 
-    /// Who takes part.
+    /// Returns the methods that take part.
     pub fn methods(&self) -> Vec<Method> {
         if self.methods.is_empty() {
             return by_default(self.quick);
@@ -140,7 +140,7 @@ impl Options {
         if self.quick { 64 } else { 128 }
     }
 
-    /// Where everything goes.
+    /// Returns the folder of all results.
     pub fn folder(&self) -> PathBuf {
         self.out.clone().unwrap_or_else(|| crate::target().join("compare"))
     }

@@ -28,7 +28,7 @@ const ESTIMATORS: [Estimator; 4] = [
 /// Samples of A2 in a pass.
 const SAMPLES_A_PASS: u64 = 4096;
 
-/// How much to measure.
+/// The extent of a measurement.
 #[derive(Clone, Copy, Debug)]
 struct Size {
     /// Passes behind each point, of 4096 samples each.

@@ -16,9 +16,9 @@ use traylib_math::{Grid, Rgb};
 pub struct OutsideEntry {
     /// The scene that it shows, by its name: of a file, that without folder and ending.
     scene: String,
-    /// What it is to be called.
+    /// The name under which it is shown.
     name: String,
-    /// How long it took, in seconds.
+    /// The time that it took, in seconds.
     seconds: f64,
     /// Linear radiance, EXR or Radiance; relative names are looked up beside the list.
     picture: PathBuf,

@@ -11,12 +11,12 @@ pub fn grey(bands: &[f64; 3]) -> f64 {
     bands.iter().sum::<f64>() / 3.0
 }
 
-/// As it is kept in files.
+/// Rounds a picture to single precision, as it is kept in files.
 pub fn single(picture: &Picture) -> Grid<Rgb> {
     picture.map(|light| Rgb::from(light.map(|band| band as f32)))
 }
 
-/// As it is computed with.
+/// Widens a picture to double precision, as it is computed with.
 pub fn double(picture: &Grid<Rgb>) -> Picture {
     picture.map(|light| light.to_array().map(f64::from))
 }

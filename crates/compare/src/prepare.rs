@@ -15,7 +15,7 @@ use traylib_scene::Scene;
 /// A scene that is ready.
 #[derive(Debug)]
 pub struct Prepared {
-    /// As it was asked for.
+    /// The words by which it was asked for.
     pub asked: String,
     /// The scene and what came with it.
     pub loaded: Loaded,

@@ -12,7 +12,7 @@ use traylib_io::printable;
 pub struct Plan {
     bar: ProgressBar,
     total: f64,
-    /// When the work that is going on began, and the seconds left then.
+    /// The time at which the work going on began, and the seconds left then.
     now: Arc<Mutex<(Instant, f64)>>,
 }
 
@@ -48,8 +48,7 @@ impl Plan {
         self.bar.set_message(printable(text).into_owned());
     }
 
-    /// So many of the planned seconds are done, by work or because they were found
-    /// done.
+    /// Counts so many of the planned seconds as done, by work or because they were found done.
     pub fn done(&self, seconds: f64) {
         let left = (self.left() - seconds).max(0.0);
         *self.now.lock().unwrap_or_else(PoisonError::into_inner) = (Instant::now(), left);

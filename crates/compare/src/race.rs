@@ -25,13 +25,13 @@ pub struct Field<'a> {
     pub race: Race<'a>,
     /// Hash of scene, reference and program: all that the methods do not decide.
     pub key: u64,
-    /// Who runs.
+    /// The methods that run.
     pub methods: &'a [Method],
-    /// Which runs of each.
+    /// The numbers of the runs to do of each method.
     pub turns: Range<u32>,
     /// Seed of run 0.
     pub first_seed: u64,
-    /// Where finished runs are.
+    /// The store of finished runs.
     pub store: &'a Store,
 }
 

@@ -5,7 +5,7 @@ use traylib_demos::{Failure, say};
 use traylib_io::{Coding, MAX_PIXELS, TextureLimits, load_texture, open_exr};
 use traylib_math::{Grid, Rgb};
 
-/// As `film` reads them.
+/// The limits with which `film` reads pictures, too.
 const LIMITS: TextureLimits = TextureLimits { pixels: MAX_PIXELS, file_bytes: 1 << 32 };
 
 /// The radiance of a picture, EXR or Radiance; tells what was repaired.

@@ -24,7 +24,7 @@ pub struct Reference {
     pub variance: Picture,
     /// ε of relMSE.
     pub epsilon: f64,
-    /// Whether it is known to be right: a closed form, or compared with another method.
+    /// True if it is known to be right: a closed form, or compared with another method.
     pub checked: bool,
     /// The figures that are told of it.
     pub results: ReferenceResults,
@@ -76,8 +76,8 @@ impl Reference {
         self.results.own_error < LARGEST_OWN_SHARE * error
     }
 
-    /// Why no picture can be held against it, if none can: an error that is relative
-    /// to its light has to have light.
+    /// Says why no picture can be held against it; `None` if one can: an error that is relative to
+    /// its light has to have light.
     pub fn nothing_to_compare(&self) -> Option<String> {
         let origin = &self.results.origin;
         let values = self.picture.values().as_flattened();

@@ -1,5 +1,5 @@
-//! Everything that a comparison finds, as plain data: `results.json` is this, and
-//! the page, the table and the chart are made from it and from pictures alone.
+//! The results of a comparison, as plain data: `results.json` is this, and the page, the table and
+//! the chart are made from it and from pictures alone.
 //!
 //! Errors are relMSE with the noise of the reference taken off, times are seconds
 //! of rendering with all threads, without loading, film output and the metrics
@@ -41,13 +41,13 @@ pub struct How {
     pub processor: String,
     /// Threads of each render.
     pub threads: usize,
-    /// Where the random numbers of the runs come from, as `--sampler` spells it.
+    /// The source of the runs' random numbers, as `--sampler` spells it.
     pub sampler: String,
     /// Runs of each method.
     pub seeds: u32,
     /// Seed of the first.
     pub first_seed: u64,
-    /// When each run is looked at, in seconds; it ends with the last.
+    /// The times at which each run is looked at, in seconds; it ends with the last.
     pub budgets: Vec<f64>,
     /// Seconds for everything, work that was found done included.
     pub seconds: f64,
@@ -91,7 +91,7 @@ pub struct SceneResults {
 /// The reference that pictures were held against.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReferenceResults {
-    /// Where it comes from, in words that end a sentence "The reference is …".
+    /// Its origin, in words that end a sentence "The reference is …".
     pub origin: String,
     /// Its own relMSE, estimated from its passes; zero for a closed form.
     pub own_error: f64,
@@ -121,7 +121,7 @@ pub struct ReferenceAgreement {
     pub masked: f64,
 }
 
-/// Which method to use.
+/// The verdict on a scene: the method to use.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// The method that reaches a given error soonest; `None` where no factor between
@@ -138,8 +138,8 @@ pub struct Verdict {
 pub struct MethodResults {
     /// Its name with its settings, as `bdpt --max-depth 6`.
     pub name: String,
-    /// Whether some light is lost however long it renders, because of a limit on
-    /// path lengths or because it is blind to some.
+    /// True if some light is lost however long it renders, because of a limit on path lengths or
+    /// because it is blind to some.
     pub biased: bool,
     /// The light that it cannot produce in such a scene, in words.
     pub blind: Vec<String>,
@@ -160,7 +160,7 @@ pub struct MethodResults {
     pub error_per_pass: Estimate,
     /// Seconds of one pass: median, shortest and longest of the runs.
     pub seconds_per_pass: Estimate,
-    /// When it reaches the errors that are asked for; empty where the reference is in
+    /// The times at which it reaches the errors that are asked for; empty where the reference is in
     /// doubt.
     pub targets: Vec<Target>,
     /// Metrics of a picture after the longest budget: means over the runs.
@@ -211,12 +211,11 @@ pub struct Point {
     pub high: f64,
     /// The number of runs that were averaged into one picture; 1 is a run by itself.
     pub averaged: u32,
-    /// Whether the reference is good enough here: its own error less than 5 % of
-    /// this one.
+    /// True if the reference is good enough here: its own error less than 5 % of this one.
     pub solid: bool,
 }
 
-/// When an error is reached.
+/// An error with the time at which it is reached.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Target {
     /// The error.
@@ -236,7 +235,7 @@ pub struct Metrics {
     pub smape: f64,
     /// Mean of the picture over that of the reference, less one.
     pub bias: f64,
-    /// That in standard errors, over runs and reference.
+    /// The bias in standard errors, over runs and reference.
     pub bias_z: f64,
     /// Variance between the runs over relMSE: 1 if all of the error is noise.
     pub noise_share: f64,
@@ -261,7 +260,7 @@ pub struct Stability {
     /// Index of the tail of single pass values with its 95 % interval; `None`
     /// where there is no tail.
     pub tail: Option<Estimate>,
-    /// Whether the tail is so heavy that there is no variance: error bars are void.
+    /// True if the tail is so heavy that there is no variance: error bars are void.
     pub alarm: bool,
     /// Pixels off by more than ten deviations and a tenth of the mean, per
     /// megapixel, after the longest budget; `None` if there were not runs enough to
@@ -282,7 +281,7 @@ pub struct OutsidePoint {
     pub seconds: f64,
     /// relMSE, the reference's own noise taken off.
     pub error: f64,
-    /// Whether the reference is good enough here.
+    /// True if the reference is good enough here.
     pub solid: bool,
 }
 
@@ -305,9 +304,9 @@ pub struct LengthShare {
 pub struct Oracle {
     /// Each estimator at each radius.
     pub curves: Vec<OracleCurve>,
-    /// Where `puremc` and `directlight` are equally noisy.
+    /// The crossing at which `puremc` and `directlight` are equally noisy.
     pub crossing: OracleCrossing,
-    /// Where variance times seconds are equal.
+    /// The crossing at which their variance times seconds are equal.
     pub crossing_in_time: OracleCrossing,
     /// Samples behind each point.
     pub samples: u64,
@@ -335,7 +334,7 @@ pub struct OraclePoint {
     pub seconds: f64,
 }
 
-/// Where two methods are worth the same.
+/// The ratio R/h at which two methods are worth the same.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OracleCrossing {
     /// The measured value, with its 95 % interval.

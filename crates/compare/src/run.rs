@@ -50,7 +50,7 @@ pub struct Snapshot {
     pub seconds: f64,
     /// relMSE.
     pub error: f64,
-    /// Which budget had just been used up, where one had.
+    /// The index of the budget that had just been used up, if one had.
     pub budget: Option<usize>,
 }
 
@@ -65,7 +65,7 @@ pub struct Race<'a> {
     pub budgets: &'a [f64],
     /// Threads; 0 for one a processor.
     pub threads: usize,
-    /// Where random numbers come from.
+    /// The source of random numbers.
     pub points: PointSet,
     /// Raised when the user wants to stop.
     pub stop: &'a Control,
@@ -94,7 +94,8 @@ impl Race<'_> {
         Ok(finished.then(|| (watch.record(&rendering, peak_bytes), rendering.film.mean())))
     }
 
-    /// What a method renders by: another, if it leaves that to a plan; `None` if it was stopped.
+    /// Returns the method to render by: another, if `method` leaves that to a plan; `None` if it
+    /// was stopped.
     fn planned(&self, method: Method, seed: u64) -> Result<Option<Method>, ThreadError> {
         let Some(Auto { may_lose }) = method.auto() else { return Ok(Some(method)) };
         let request = Request {
@@ -132,7 +133,7 @@ const PLANNED_SPP: u32 = 64;
 /// Takes snapshots after each pass, with the clock stopped.
 struct Watch<'a> {
     race: &'a Race<'a>,
-    /// What pass values are divided by: roots of r² + ε, of the mean of the bands.
+    /// The divisors of pass values: roots of r² + ε, of the mean of the bands.
     units: Vec<f64>,
     before: Vec<f64>,
     largest: Largest,

@@ -18,7 +18,7 @@ pub struct Store {
     folder: PathBuf,
 }
 
-/// Why a piece of work cannot be kept.
+/// The reason why a piece of work cannot be kept.
 #[derive(Debug)]
 pub struct StoreError(String);
 

@@ -4,7 +4,7 @@ use crate::number::{ratio, seconds, short};
 use crate::results::{Estimate, MethodResults, Metrics, Results, SceneResults, Target};
 use std::fmt::Write;
 
-/// Everything that matters most, as text of some 130 columns.
+/// Writes the most important results as text of some 130 columns.
 pub fn table(results: &Results) -> String {
     let mut text = String::new();
     for scene in &results.scenes {

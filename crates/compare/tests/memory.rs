@@ -16,7 +16,7 @@ fn buffer() -> Vec<u8> {
     black_box(vec![1; BYTES as usize])
 }
 
-/// What the thread that waits for the test may take or give back meanwhile.
+/// The bytes that the thread that waits for the test may take or give back meanwhile.
 const OTHERS: u64 = BYTES / 16;
 
 #[test]

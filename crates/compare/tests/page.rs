@@ -13,7 +13,7 @@ fn text(results: &Results) -> String {
     page(results, &sample().1)
 }
 
-/// Everything between `<svg` and `</svg>`.
+/// Returns the texts between `<svg` and `</svg>`.
 fn charts(page: &str) -> Vec<&str> {
     let parts = page.split("<svg").skip(1);
     parts.map(|part| part.split("</svg>").next().unwrap()).collect()
@@ -100,7 +100,7 @@ fn a_ratio_is_the_same_number_everywhere() {
     }
 }
 
-/// As after a black reference: no chart, no factor, the reason twice.
+/// A black reference leaves no chart and no factor, and the reason stands there twice.
 #[test]
 fn a_scene_without_runs_says_why() {
     let mut results = sample().0;

@@ -12,7 +12,7 @@ use traylib_io::{PictureInfo, load_scene, save_picture};
 use traylib_math::{Rgb, Vec2, Vec3};
 use traylib_scene::{Scene, SurfacePoint, Walk};
 
-/// How much of more photons goes into less noise; the rest makes the radius smaller.
+/// The part of more photons that goes into less noise; the rest makes the radius smaller.
 const ALPHA: f32 = 0.7;
 
 /// Directions of a higher density per steradian are walked, not gathered: photons nearby say

@@ -48,7 +48,7 @@ pub(crate) fn planned<'a>(
     Ok((Job { method: Some(plan.method), ..*job }, Some(as_json(&plan))))
 }
 
-/// What was chosen, and by how much it is ahead of all techniques together.
+/// Names the method that was chosen, and by how much it is ahead of all techniques together.
 fn in_a_line(plan: &Plan) -> String {
     let Some(evidence) = &plan.evidence else {
         return format!("{}, as the picture is too small to choose", plan.method);
@@ -60,7 +60,7 @@ fn in_a_line(plan: &Plan) -> String {
     format!("{}{}", plan.method, by.unwrap_or_default())
 }
 
-/// Whether it is bidirectional tracing by all techniques, up to any length.
+/// Tells whether it is bidirectional tracing by all techniques, up to any length.
 fn is_whole(method: Method) -> bool {
     method.up_to(None) == Method::BDPT
 }

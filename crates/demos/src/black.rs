@@ -1,4 +1,4 @@
-//! Why a picture is black, as far as its scene tells.
+//! The reason why a picture is black, as far as its scene tells.
 
 use crate::options::RenderOptions;
 use std::path::Path;
@@ -11,7 +11,7 @@ use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
 /// Rays from the camera that are looked at, across the picture and down.
 const GRID: [u32; 2] = [64, 48];
 
-/// What is known of a rendering that may be black.
+/// The facts of a rendering that may be black.
 pub(crate) struct Picture<'a> {
     pub(crate) program: &'a str,
     pub(crate) scene: &'a Scene,
@@ -21,7 +21,7 @@ pub(crate) struct Picture<'a> {
     pub(crate) radiance: &'a Grid<Rgb>,
 }
 
-/// Why all that is written is black; `None` if it is not.
+/// Says why all that is written is black; `None` if it is not.
 pub(crate) fn reason(picture: &Picture<'_>, options: &RenderOptions) -> Option<String> {
     let pixels = picture.radiance.values();
     let brightest = pixels.iter().map(|pixel| pixel.max_band()).fold(0.0, f32::max);
@@ -47,7 +47,7 @@ fn is_stepped(file: &Path) -> bool {
     !["exr", "hdr"].iter().any(|keeps_light| ending.eq_ignore_ascii_case(keeps_light))
 }
 
-/// What stands between any light and the camera, the plainest first.
+/// Names the obstacle between any light and the camera, the plainest first.
 fn without_light(picture: &Picture<'_>) -> String {
     let Picture { program, scene, integrator, limits, .. } = *picture;
     let lights = scene.lights();
@@ -85,7 +85,7 @@ fn without_light(picture: &Picture<'_>) -> String {
         + &blind.iter().map(cannot).collect::<String>()
 }
 
-/// What rays from the camera meet, in numbers of rays.
+/// The numbers of rays from the camera, by the surfaces that they meet.
 #[derive(Default)]
 struct View {
     met: u32,
@@ -114,7 +114,7 @@ impl View {
         view
     }
 
-    /// What is amiss whatever the lamps are.
+    /// Names the fault that does not depend on the lamps, if there is one.
     fn reason(&self, scene: &Scene) -> Option<String> {
         if self.met > 0 {
             let is_dark = self.black == self.met;

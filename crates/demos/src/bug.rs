@@ -1,4 +1,4 @@
-//! What happens when a program fails by its own fault.
+//! The end of a program that fails by its own fault.
 
 use crate::say::say;
 use std::backtrace::{Backtrace, BacktraceStatus};

@@ -5,7 +5,7 @@ use clap::Args;
 use traylib_io::ron_scene::{self, CameraChange};
 use traylib_scene::{Camera, CameraSettings, Scene};
 
-/// Where the picture is taken from, if not from where the scene says.
+/// The camera that takes the picture, if it is not the scene's own.
 #[derive(Args, Clone, Debug, Default)]
 pub struct CameraOptions {
     /// Take the picture from elsewhere: what stands in a scene file's `camera`, all or some of
@@ -57,7 +57,7 @@ impl CameraOptions {
 /// Reads `camera.fov=35`.
 ///
 /// # Errors
-/// What was wanted instead.
+/// Returns a description of the value that was wanted instead.
 fn read_definition(text: &str) -> Result<CameraChange, String> {
     let field = text.strip_prefix("camera.").and_then(|rest| rest.split_once('='));
     let (field, value) =

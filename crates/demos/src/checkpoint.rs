@@ -1,4 +1,4 @@
-//! What is kept of a rendering, to go on with.
+//! Checkpoints: the film that is kept of a rendering, to go on with.
 
 mod about;
 
@@ -28,9 +28,9 @@ pub(crate) struct Checkpoint<'a> {
     file: &'a Path,
     previous: PathBuf,
     every: Option<Duration>,
-    /// What the film says of itself, with what was counted in runs before.
+    /// The film's description, with the counters of the runs before.
     about: FilmAbout,
-    /// When the last one was written, and how long that took.
+    /// The time at which the last one was written, and how long that took.
     last: Option<(Instant, Duration)>,
     /// Passes that are in the file.
     saved: Option<u32>,
@@ -47,7 +47,7 @@ impl<'a> Checkpoint<'a> {
         Some(Self { file, previous, every, about, last: None, saved: None })
     }
 
-    /// What there is to go on from, if that is wanted; says how much it is.
+    /// Returns the film to go on from, if that is wanted; says how much of it is done.
     ///
     /// # Errors
     /// There is a film and it is of another rendering, damaged, or not wanted.
@@ -113,7 +113,7 @@ impl<'a> Checkpoint<'a> {
         }
     }
 
-    /// What is wrong with the newest one, and whether the one before is any better.
+    /// Describes the damage of the newest one, and whether the one before is any better.
     fn damaged(&self, error: Error) -> Failure {
         let whole = if self.file.exists() { load_film(&self.previous).ok() } else { None };
         match whole {
@@ -150,7 +150,7 @@ impl<'a> Checkpoint<'a> {
         Ok(())
     }
 
-    /// What was counted in all runs, with what was counted in this one.
+    /// Returns the counters of all runs, with those of this one.
     fn counters(&self, statistics: Statistics) -> Vec<(String, u64)> {
         about::counters(&self.about.counters, statistics)
     }

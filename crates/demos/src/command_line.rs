@@ -21,7 +21,7 @@ pub fn parse<O: Parser>() -> O {
 /// The command line of a program that renders by a method.
 #[derive(Clone, Debug)]
 pub struct CommandLine<O> {
-    /// What to render and how much.
+    /// The options that all programs have.
     pub render: RenderOptions,
     /// The method by which it is rendered.
     pub method: Method,
@@ -80,7 +80,7 @@ fn argument(method: Method, option: MethodOption) -> Arg {
     }
 }
 
-/// What was given of the method's options.
+/// Returns the method's options that were given.
 fn settings(plain: Method, matches: &ArgMatches) -> Vec<MethodSetting> {
     let options = plain.options().iter();
     let is_given = |name| matches.value_source(name) == Some(ValueSource::CommandLine);

@@ -1,4 +1,4 @@
-//! How the `main` of every program ends.
+//! The end of every program's `main`.
 
 use crate::bug::report_bugs;
 use crate::interrupt;

@@ -1,4 +1,4 @@
-//! What came of it.
+//! The result of a job.
 
 use crate::VERSION;
 use crate::job::Job;
@@ -10,12 +10,12 @@ use traylib_integrators::{Method, Statistics};
 use traylib_io::{Loaded, PictureInfo};
 use traylib_math::{Grid, Rgb};
 
-/// What came of a job.
+/// The result of a job.
 #[derive(Debug)]
 pub struct Done {
     /// The scene and its settings.
     pub loaded: Loaded,
-    /// How many passes there are.
+    /// The number of passes.
     pub passes: u32,
     /// The picture's own estimate of its relative error.
     pub error: Option<f64>,
@@ -29,11 +29,11 @@ pub struct Done {
     pub statistics: Statistics,
     /// Time that it took.
     pub elapsed: Duration,
-    /// What was done in runs before; `None` if nothing is kept from run to run.
+    /// The work of the runs before; `None` if nothing is kept from run to run.
     pub before: Option<Before>,
 }
 
-/// What was done in the runs that this one goes on from.
+/// The work of the runs that this one goes on from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Before {
     /// Passes.
@@ -43,7 +43,7 @@ pub struct Before {
 }
 
 impl Done {
-    /// What a picture of this job says of itself.
+    /// Returns the description of this job for a picture.
     pub fn info(&self, job: &Job<'_>) -> PictureInfo {
         let before = self.before.unwrap_or_default();
         PictureInfo {

@@ -20,16 +20,16 @@ use traylib_integrators::{
 use traylib_io::Loaded;
 use traylib_scene::Film;
 
-/// What came of a job.
+/// The result of rendering a job.
 #[derive(Debug)]
 pub(crate) struct Outcome {
     /// The film, and the counters of this run.
     pub(crate) rendering: Rendering,
     /// The time that it took.
     pub(crate) elapsed: Duration,
-    /// What ended it.
+    /// The event that ended it.
     pub(crate) end: End,
-    /// What was done before, if anything is kept.
+    /// The work of the runs before, if anything is kept.
     pub(crate) before: Option<Before>,
 }
 

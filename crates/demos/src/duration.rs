@@ -8,7 +8,7 @@ const UNITS: [(char, f64); 3] = [('h', 3600.0), ('m', 60.0), ('s', 1.0)];
 /// Reads `90s`, `5m`, `1.5h` or `1m30s`: numbers with their units, the longest unit first.
 ///
 /// # Errors
-/// What was wanted instead.
+/// Returns a description of the value that was wanted instead.
 pub fn parse_duration(text: &str) -> Result<Duration, String> {
     seconds(text)
         .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())

@@ -1,9 +1,9 @@
-//! What ended a rendering.
+//! The event that ended a rendering.
 
 use crate::outcome::Failure;
 use crate::signals::Signal;
 
-/// What ended a rendering.
+/// The event that ended a rendering.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum End {
     /// All passes are done.
@@ -30,7 +30,7 @@ impl End {
         }
     }
 
-    /// Why nothing is written: it came when this part of the first pass was done.
+    /// Says why nothing is written: it came when this part of the first pass was done.
     pub(crate) fn without_pass(self, part: f64) -> Failure {
         let percent = (100.0 * part) as u32;
         let nothing = format!("the first pass was done to {percent} %; nothing is written");

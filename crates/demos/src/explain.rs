@@ -1,6 +1,6 @@
-//! How a plan is explained.
+//! The form in which a plan is explained.
 
-/// How a plan is explained.
+/// The form in which a plan is explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Explain {
     /// As tables, for people.

@@ -20,7 +20,7 @@ use crate::conclude::conclude;
 use clap::Subcommand;
 use std::process::ExitCode;
 
-/// What to do with pictures.
+/// The commands on pictures.
 #[derive(Subcommand, Clone, Debug)]
 pub enum FilmCommand {
     /// Compare two pictures, whichever renderer made them

@@ -1,4 +1,4 @@
-//! What shells and manuals want to know of a command line.
+//! The description of a command line for shells and manuals.
 
 use clap::Command;
 use clap_complete::Shell;

@@ -11,7 +11,7 @@ use traylib_integrators::Control;
 
 type Answer = Box<dyn Fn(Signal) + Send>;
 
-/// What is done at the first request to stop; nothing before there is work to keep.
+/// The answer to the first request to stop; nothing before there is work to keep.
 static ANSWER: Mutex<Option<Answer>> = Mutex::new(None);
 
 /// Listens to requests to stop from now on: the second stops at once, with a line, and
@@ -46,7 +46,7 @@ pub fn on_interrupt(first: impl Fn(Signal) + Send + 'static) {
 /// A rendering that can be asked to stop, and what asked it.
 #[derive(Debug, Default)]
 pub(crate) struct Stop {
-    /// What the rendering listens to.
+    /// The control that the rendering listens to.
     pub(crate) control: Control,
     interrupted: OnceLock<Signal>,
 }

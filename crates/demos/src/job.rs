@@ -1,4 +1,4 @@
-//! What a program was asked to do.
+//! The task of a program.
 
 use crate::command_line::CommandLine;
 use crate::explain::Explain;
@@ -7,29 +7,29 @@ use std::path::Path;
 use traylib_integrators::{Integrator, Limits, Method, Report};
 use traylib_io::{Headlight, Loaded};
 
-/// What a program was asked to do.
+/// The task of a program.
 #[derive(Clone, Copy, Debug)]
 pub struct Job<'a> {
     /// The program's name.
     pub program: &'static str,
     /// Options that all programs have.
     pub options: &'a RenderOptions,
-    /// What it renders by; `None` for an integrator that is no method.
+    /// The method that renders; `None` for an integrator that is no method.
     pub method: Option<Method>,
     /// Samples a pixel where the command line names none; `None` for the
     /// scene's number.
     pub default_spp: Option<u32>,
-    /// Whether a picture is wanted, or only what `finish` makes of it.
+    /// True if a picture is wanted, false if only the output of `finish` is.
     pub wants_picture: bool,
-    /// When a model is lit from the camera; of what is only checked, if nothing in it
-    /// emits light.
+    /// The condition on which a model is lit from the camera; one that is only checked is lit if
+    /// nothing in it emits light.
     pub headlight: Headlight,
     /// A folder for what `finish` writes.
     pub folder: Option<&'a Path>,
-    /// How many pictures beside the picture there may be, to find out beforehand whether
-    /// there is memory for them.
+    /// The most pictures that there may be beside the picture, to find out beforehand whether there
+    /// is memory for them.
     pub layers: u64,
-    /// How a plan is explained, if one is made.
+    /// The form in which a plan is explained, if one is made.
     pub explain: Option<Explain>,
 }
 
@@ -73,7 +73,7 @@ impl<'a> Job<'a> {
         self.options.keep.shard.is_none()
     }
 
-    /// How many passes are asked for; `None` if it is the time that ends them.
+    /// Returns the number of passes that are asked for; `None` if it is the time that ends them.
     pub(crate) fn spp(&self, loaded: &Loaded) -> Option<u32> {
         let default = self.default_spp.unwrap_or(loaded.settings.spp);
         self.options.spp.or(self.options.time_limit.is_none().then_some(default))

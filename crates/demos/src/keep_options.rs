@@ -6,7 +6,7 @@ use clap::Args;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// What to keep of a rendering, to go on with.
+/// The options for keeping a rendering, to go on with.
 #[derive(Args, Clone, Debug, Default)]
 pub struct KeepOptions {
     /// Keep all that is done in this file (.film) while it is rendered and in the end; the

@@ -1,7 +1,6 @@
-//! What the demo programs have in common: options, loading, progress, saving
-//! and the words of every message. Each program names its method and what else it
-//! writes, and nothing more. `film` renders nothing: it looks into pictures and
-//! compares them ([`FilmCommand`]).
+//! The parts that the demo programs have in common: options, loading, progress, saving and the
+//! words of every message. Each program names its method and what else it writes, and nothing more.
+//! `film` renders nothing: it looks into pictures and compares them ([`FilmCommand`]).
 
 mod aov;
 mod auto;

@@ -1,4 +1,4 @@
-//! Whether a picture fits into memory, before it is begun.
+//! Tests whether a picture fits into memory, before it is begun.
 
 use crate::job::Job;
 use crate::outcome::Failure;
@@ -45,9 +45,9 @@ pub(crate) fn has_room(job: &Job<'_>, camera: &Camera, passes: u32) -> bool {
     !passes.is_power_of_two() || available().is_none_or(|available| pixels * more <= available)
 }
 
-/// What a [`Film`](traylib_scene::Film) has at most, with the pass under way or the pictures
-/// that are developed: three bands of 8 bytes in a sum, of 4 in a picture. Independent passes
-/// have sums of squares, too.
+/// Returns the most bytes that a pixel of a [`Film`](traylib_scene::Film) takes, with the pass
+/// under way or the pictures that are developed: three bands of 8 bytes in a sum, of 4 in a
+/// picture. Independent passes have sums of squares, too.
 fn bytes_per_pixel(passes: u32, points: PointSet, layers: u64) -> u64 {
     let (pass, pictures) = (24 * (1 + layers), 12 * (1 + layers));
     let sequences = points.sequences().min(passes.max(1));
@@ -80,7 +80,7 @@ fn of_the_system() -> Option<u64> {
     kilobytes(&fs::read_to_string("/proc/meminfo").ok()?, "MemAvailable:")
 }
 
-/// What is left of the address space (`ulimit -v`), if it has a limit.
+/// Returns the rest of the address space (`ulimit -v`), if it has a limit.
 fn of_the_process() -> Option<u64> {
     let limit = address_space(&fs::read_to_string("/proc/self/limits").ok()?)?;
     let taken = kilobytes(&fs::read_to_string("/proc/self/status").ok()?, "VmSize:")?;
@@ -145,7 +145,7 @@ fn group_leaves(limit: u64, taken: u64, statistics: &str) -> u64 {
 mod tests {
     use super::*;
 
-    /// As the film holds them when all but the last pass are there.
+    /// Memory is counted as the film holds sums when all but the last pass are there.
     #[test]
     fn sums_wait_for_their_other_half() {
         let of = |passes, layers| bytes_per_pixel(passes, PointSet::Independent, layers);

@@ -1,4 +1,4 @@
-//! What a rendering program says of itself: before the start, at the end.
+//! The messages of a rendering program: before the start, at the end.
 
 use crate::done::Done;
 use crate::options::RenderOptions;
@@ -55,7 +55,7 @@ pub(crate) fn describe(name: &str, scene: &Scene) -> String {
     )
 }
 
-/// What was done, and why it ended.
+/// Says what was done, and why it ended.
 pub(crate) fn summarise(program: &str, done: &Done, end: &str) {
     let Done { passes, error, statistics, .. } = done;
     let (name, seconds) = (&done.loaded.name, done.elapsed.as_secs_f64());
@@ -99,7 +99,7 @@ fn counted(number: usize, thing: &str) -> String {
     format!("{number} {thing}{plural}")
 }
 
-/// What to try next, for those who started a program without any option.
+/// Suggests what to try next, to those who started a program without any option.
 pub(crate) fn suggest(options: &RenderOptions) {
     if std::env::args_os().len() == 1 {
         say(format_args!(

@@ -6,7 +6,7 @@ use std::str::FromStr;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise(f64);
 
-/// Of fewer passes the error is not known well enough.
+/// The least passes: of fewer the error is not known well enough.
 const FIRST: u32 = 16;
 
 /// Within each doubling of the passes the error is asked for so many times.

@@ -16,7 +16,7 @@ use traylib_integrators::PointSet;
 use traylib_io::{Headlight, Limit, LoadOptions, MAX_PIXELS, ReadLimits};
 use traylib_scene::Camera;
 
-/// What to render and how much.
+/// The options of what to render and how much.
 #[derive(Args, Clone, Debug)]
 pub struct RenderOptions {
     /// Scene file (.ron, .gltf, .glb, .obj, .ply, .3ds, .mgf) or name of a built-in scene
@@ -120,7 +120,7 @@ pub struct RenderOptions {
 }
 
 impl RenderOptions {
-    /// What is to be read otherwise than files say.
+    /// Returns the options for reading files otherwise than they say.
     pub(crate) fn load_options(&self) -> LoadOptions<'_> {
         let mut limits = ReadLimits::default();
         self.limit.iter().for_each(|&(limit, value)| limits.set(limit, value));
@@ -175,7 +175,7 @@ const LARGEST_SIDE: u32 = 32_768;
 /// Reads `640x480`.
 ///
 /// # Errors
-/// What was wanted instead.
+/// Returns a description of the value that was wanted instead.
 pub fn parse_resolution(text: &str) -> Result<(u32, u32), String> {
     let side = |text: &str| text.parse().ok().filter(|side| (1..=LARGEST_SIDE).contains(side));
     text.split_once('x')
@@ -193,7 +193,7 @@ const MOST_THREADS: usize = 1024;
 /// Reads a number of threads.
 ///
 /// # Errors
-/// What was wanted instead.
+/// Returns a description of the value that was wanted instead.
 pub fn parse_threads(text: &str) -> Result<usize, String> {
     let threads = text.parse().ok().filter(|threads| *threads <= MOST_THREADS);
     threads.ok_or_else(|| format!("wanted a number from 0, one a processor, to {MOST_THREADS}"))
@@ -202,7 +202,7 @@ pub fn parse_threads(text: &str) -> Result<usize, String> {
 /// Reads a factor on light.
 ///
 /// # Errors
-/// What was wanted instead.
+/// Returns a description of the value that was wanted instead.
 pub fn parse_exposure(text: &str) -> Result<f32, &'static str> {
     let positive = |exposure: &f32| *exposure > 0.0 && exposure.is_finite();
     text.parse().ok().filter(positive).ok_or("wanted: a positive number")
@@ -211,7 +211,7 @@ pub fn parse_exposure(text: &str) -> Result<f32, &'static str> {
 /// Reads `surfaces=2000000` or `surfaces=2M`.
 ///
 /// # Errors
-/// What was wanted instead.
+/// Returns a description of the value that was wanted instead.
 pub fn parse_limit(text: &str) -> Result<(Limit, u64), String> {
     let names = || Limit::ALL.map(Limit::name).join(", ");
     let wanted = || format!("wanted as surfaces=2M, with k, M, G or none; names: {}", names());

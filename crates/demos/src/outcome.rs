@@ -1,10 +1,10 @@
-//! How a program ends.
+//! The end of a program, with its exit status.
 
 use crate::signals::Signal;
 use std::fmt::{self, Display};
 use std::process::ExitCode;
 
-/// Why a program could not do what it was asked, and its exit status.
+/// The reason why a program could not do what it was asked, and its exit status.
 #[derive(Debug)]
 pub struct Failure {
     status: u8,

@@ -1,4 +1,4 @@
-//! Where results go: whether they can, before the work, and then that they do.
+//! The files of results: whether they can be written, before the work, and then their writing.
 
 use crate::job::Job;
 use crate::outcome::Failure;

@@ -1,4 +1,4 @@
-//! Which passes a program renders.
+//! The passes that a program renders.
 
 use crate::job::Job;
 use crate::outcome::Failure;
@@ -6,7 +6,7 @@ use crate::shard::Shard;
 use std::ops::Range;
 use traylib_io::Loaded;
 
-/// Which passes a program renders.
+/// The passes that a program renders.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Plan {
     /// The passes of the whole picture; `None` if it is the time that ends them.
@@ -18,7 +18,7 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    /// As a command line wants it.
+    /// Returns the passes that a command line asks for.
     ///
     /// # Errors
     /// Parts are wanted of nobody knows how many passes, or an error by nobody knows when.

@@ -26,7 +26,7 @@ pub(crate) struct Line {
     last_update: Cell<Option<Instant>>,
     last_pass: Arc<LastPass>,
     form: ProgressForm,
-    /// When a program that listens was told last.
+    /// The time at which a program that listens was last told.
     last_told: Cell<Option<Instant>>,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Line {
 #[derive(Default)]
 struct LastPass {
     number: AtomicU32,
-    /// When it was done, in milliseconds since the start.
+    /// The time at which it was done, in milliseconds since the start.
     end: AtomicU64,
 }
 
@@ -44,7 +44,7 @@ const BETWEEN_UPDATES: Duration = Duration::from_millis(200);
 /// A program that listens is told no more often than this.
 const BETWEEN_LINES: Duration = Duration::from_secs(1);
 
-/// How far a pass is, is shown of those that take longer than this.
+/// The progress of a single pass is shown if the pass takes longer than this.
 const LONG_PASS: Duration = Duration::from_secs(1);
 
 impl Line {
@@ -145,7 +145,7 @@ impl Line {
         time_left(now, wanted, elapsed, self.time_limit)
     }
 
-    /// What is said to whoever asks for the end, at once and from any thread.
+    /// Returns the answer to a request to end, given at once and from any thread.
     pub(crate) fn answer_to_interrupt(&self) -> impl Fn(Signal) + Send + use<> {
         let (bar, quiet) = (self.bar.clone(), self.quiet);
         move |signal| {
@@ -159,7 +159,7 @@ impl Line {
         }
     }
 
-    /// What follows the clock.
+    /// Writes the text that follows the clock.
     fn describe(&self, progress: &Progress<'_>) -> String {
         let elapsed = self.start.elapsed();
         let passes = progress.film.passes();
@@ -186,7 +186,7 @@ impl Line {
 }
 
 impl LastPass {
-    /// How far the pass after it is, at this time, if it takes long.
+    /// Describes the progress of the pass after it, at this time, if it takes long.
     fn describe_next(&self, now: Duration, part: f64) -> String {
         let since = now.saturating_sub(Duration::from_millis(self.end.load(Ordering::Relaxed)));
         if since < LONG_PASS {
@@ -200,15 +200,15 @@ impl LastPass {
 /// Factors on the time gone that say no more than "very long".
 const LONGEST: f64 = 1e6;
 
-/// How much of the work is done: of the passes or of the time, whichever ends
-/// it first.
+/// Returns the part of the work that is done: of the passes or of the time, whichever ends it
+/// first.
 fn fraction_done(passes: f64, spp: u32, elapsed: Duration, limit: Option<Duration>) -> f64 {
     let of_time = limit.map_or(0.0, |limit| elapsed.as_secs_f64() / limit.as_secs_f64());
     (passes / f64::from(spp)).max(of_time).min(1.0)
 }
 
-/// How long it will take, as long as nothing changes: after `now` of the passes that were
-/// wanted when the clock began.
+/// Returns the time that it will take, as long as nothing changes: after `now` of the passes that
+/// were wanted when the clock began.
 fn time_left(now: f64, wanted: f64, elapsed: Duration, limit: Option<Duration>) -> Duration {
     let of_passes = elapsed.mul_f64((wanted / now - 1.0).clamp(0.0, LONGEST));
     limit.map_or(of_passes, |limit| of_passes.min(limit.saturating_sub(elapsed)))

@@ -1,8 +1,8 @@
-//! How a program tells how far it is.
+//! The form in which a program tells its progress.
 
 use clap::ValueEnum;
 
-/// How a program tells how far it is.
+/// The form in which a program tells its progress.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum ProgressForm {
     /// A line that moves, on a terminal

@@ -1,4 +1,4 @@
-//! How to make a picture again.
+//! The command that makes a picture again.
 
 use crate::job::Job;
 use crate::window_options::PixelBounds;
@@ -8,14 +8,14 @@ use traylib_integrators::{Method, PointSet};
 use traylib_io::{Limit, Loaded};
 use traylib_scene::FilmWindow;
 
-/// What a picture is made of: all that changes it but how many samples a pixel has.
+/// The settings that make a picture: all that changes it but how many samples a pixel has.
 #[derive(Clone, Debug)]
 pub struct Recipe<'a> {
     /// The program that makes it.
     pub program: &'a str,
-    /// What that was told to load.
+    /// The scene that the program is told to load.
     pub scene: &'a str,
-    /// What it is seen by, where that is not the scene's own camera.
+    /// The camera, where it is not the scene's own.
     pub camera: Option<String>,
     /// Width and height of the frame in pixels.
     pub resolution: (u32, u32),
@@ -23,11 +23,11 @@ pub struct Recipe<'a> {
     pub window: FilmWindow,
     /// Seed of the random numbers.
     pub seed: u64,
-    /// Where these come from.
+    /// The source of the random numbers.
     pub points: PointSet,
     /// Factor on light in 8-bit pictures.
     pub exposure: f32,
-    /// What files were allowed to ask for.
+    /// The bounds on what files may ask for.
     pub limits: &'a [(Limit, u64)],
     /// The method with its settings; `None` for an integrator that is none.
     pub method: Option<Method>,

@@ -104,7 +104,7 @@ fn try_run(
     conclusion(end, options, &done)
 }
 
-/// How a program ends that has written what it has.
+/// Concludes a program that has written what it has.
 fn conclusion(end: End, options: &RenderOptions, done: &Done) -> Result<(), Failure> {
     let passes = done.passes;
     match end {

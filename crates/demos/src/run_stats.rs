@@ -1,4 +1,4 @@
-//! What was done, as JSON.
+//! The work that was done, as JSON.
 
 use crate::VERSION;
 use crate::done::Done;

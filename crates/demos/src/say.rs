@@ -1,5 +1,5 @@
-//! What people read is printed here: results on standard output, all else on standard
-//! error. No reader is no reason to stop.
+//! Printing for people: results on standard output, all else on standard error. No reader is no
+//! reason to stop.
 
 use crate::outcome::Failure;
 use serde::Serialize;

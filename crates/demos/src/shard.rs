@@ -7,9 +7,9 @@ use std::str::FromStr;
 /// One of several parts of a rendering, which together have all of its passes once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Which, from 0.
+    /// The number of the part, from 0.
     index: u32,
-    /// How many there are.
+    /// The number of all parts.
     count: u32,
 }
 
@@ -45,7 +45,7 @@ impl Shard {
     }
 }
 
-/// As on the command line.
+/// Writes it as on the command line.
 impl fmt::Display for Shard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}/{}", self.index, self.count)

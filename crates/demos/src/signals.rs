@@ -1,4 +1,4 @@
-//! What the system tells a program.
+//! Requests of the system to a program.
 
 /// A request to end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ impl Signal {
     }
 }
 
-/// As whoever sent it calls it.
+/// Writes the name that its sender knows it by.
 impl std::fmt::Display for Signal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {

@@ -1,4 +1,4 @@
-//! What is in a file, as JSON.
+//! The contents of a file, as JSON.
 
 use crate::options::RenderOptions;
 use crate::outcome::Failure;

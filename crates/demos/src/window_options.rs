@@ -6,7 +6,7 @@ use std::str::FromStr;
 use traylib_io::PictureFrame;
 use traylib_scene::{Camera, CameraSettings, FilmWindow, Scene};
 
-/// Which part of the picture is rendered: a rectangle of its pixels.
+/// The part of the picture that is rendered: a rectangle of its pixels.
 #[derive(Args, Clone, Debug, Default)]
 pub struct WindowOptions {
     /// Render a part of the picture alone, in parts of its width and height from the top left

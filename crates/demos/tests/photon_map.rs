@@ -1,5 +1,5 @@
-//! What algorithms are made of is public and enough: the photon map of the examples finds
-//! the light that bdpt finds, the better the smaller its radius.
+//! The public parts of algorithms are enough: the photon map of the examples finds the light that
+//! bdpt finds, the better the smaller its radius.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on says so")]
 #![allow(dead_code, reason = "the example's own start is not wanted")]

@@ -59,18 +59,18 @@ impl Aabb {
         2.0 * (x * y + y * z + z * x)
     }
 
-    /// Whether it holds no point.
+    /// Tells whether it holds no point.
     pub fn is_empty(&self) -> bool {
         !self.min.cmple(self.max).all()
     }
 
-    /// Whether all six borders are numbers and finite (those of
-    /// [`EMPTY`](Self::EMPTY) are not).
+    /// Tells whether all six borders are numbers and finite (those of [`EMPTY`](Self::EMPTY) are
+    /// not).
     pub fn is_finite(&self) -> bool {
         self.min.is_finite() && self.max.is_finite()
     }
 
-    /// Whether it holds `point`.
+    /// Tells whether it holds `point`.
     pub fn contains(&self, point: Vec3) -> bool {
         self.min.cmple(point).all() && point.cmple(self.max).all()
     }

@@ -68,7 +68,7 @@ impl<C: LeafKind> Bvh<C> {
         query.found()
     }
 
-    /// Whether there is any hit with 0 < t < `ray.t_max`.
+    /// Tells whether there is any hit with 0 < t < `ray.t_max`.
     #[inline]
     pub fn any_hit(&self, ray: &Ray) -> bool {
         let mut query = Any::new(ray);

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Why a shape, a mesh or a hierarchy was refused.
+/// The reason why a shape, a mesh or a hierarchy was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Error {

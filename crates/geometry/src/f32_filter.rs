@@ -1,4 +1,4 @@
-//! Where a ray meets a triangle in single precision.
+//! The intersection of a ray with a triangle, in single precision.
 //!
 //! The formulas of [`watertight`](crate::watertight), which see for the idea, as kernels
 //! compute them for many triangles at once, operation by operation in the same order.
@@ -71,7 +71,7 @@ pub(crate) struct ShearedTriangle {
 }
 
 impl ShearedTriangle {
-    /// Whether the ray passes inside or on the border, and a point of the triangle can be at
+    /// Tells whether the ray passes inside or on the border, and a point of the triangle can be at
     /// 0 < t < `limit`.
     #[inline]
     pub(crate) fn may_meet(&self, limit: f32) -> bool {
@@ -80,15 +80,15 @@ impl ShearedTriangle {
             && least(self.depths) < limit
     }
 
-    /// Whether the signs of all edge functions are right. Near the line of an edge, far
-    /// beyond its ends, products can be rounded to the same number for two edges or
-    /// three, so a zero may stand for either sign.
+    /// Tells whether the signs of all edge functions are right. Near the line of an edge, far
+    /// beyond its ends, products can be rounded to the same number for two edges or three, so a
+    /// zero may stand for either sign.
     #[inline]
     pub(crate) fn is_settled(&self) -> bool {
         !self.edges.contains(&0.0)
     }
 
-    /// Where the ray meets the triangle, if it passes inside, at 0 < t < `limit`: at t
+    /// Returns the hit with the triangle, if the ray passes inside, at 0 < t < `limit`: at t
     /// between those beside the corners in the ratio of the areas.
     #[inline]
     pub(crate) fn meet(&self, limit: f32) -> Option<ShapeHit> {

@@ -69,12 +69,12 @@ impl Mesh {
         if finite { Ok(()) } else { Err(Error::NotFinite) }
     }
 
-    /// Whether there is anything to interpolate, normals or texture coordinates.
+    /// Tells whether there is anything to interpolate, normals or texture coordinates.
     pub fn has_attributes(&self) -> bool {
         !(self.normals.is_empty() && self.uvs.is_empty())
     }
 
-    /// Where the corners are.
+    /// Returns the positions of the corners.
     pub fn positions(&self) -> &[Vec3] {
         &self.positions
     }

@@ -1,4 +1,4 @@
-//! Which way a surface faces.
+//! The directions in which a surface faces.
 
 use crate::Vec3;
 use std::f64::consts::PI;

@@ -19,7 +19,7 @@ const PRECISE: f32 = 1.0 / (1_u64 << 40) as f32;
 /// the surface it leaves.
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceSite {
-    /// Where.
+    /// The position, in metres.
     pub position: Vec3,
     /// A bound on the error of the position along each axis, in metres.
     pub error: Vec3,
@@ -69,9 +69,9 @@ impl SurfaceSite {
         Self { error: self.error + self.normal.abs() * more, ..self }
     }
 
-    /// Where a ray toward `direction` (of any length) may start: off the
-    /// surface, on the side the direction points to, beyond the rounding error
-    /// of the position and of this very addition.
+    /// Returns the origin of a ray toward `direction` (of any length): off the surface, on the side
+    /// the direction points to, beyond the rounding error of the position and of this very
+    /// addition.
     ///
     /// The error box is projected onto the normal, as in Pharr, Jakob and
     /// Humphreys, *Physically Based Rendering*, 4th ed., section 6.8.

@@ -134,7 +134,7 @@ impl Primitive {
         }
     }
 
-    /// Whether surface coordinates lie on an edge, where other shapes may begin, up to
+    /// Tells whether surface coordinates lie on an edge, where other shapes may begin, up to
     /// rounding. Round shapes say no: none of theirs lies across another.
     #[inline]
     pub fn is_on_edge(&self, u: f32, v: f32) -> bool {
@@ -215,8 +215,8 @@ impl Primitive {
         }
     }
 
-    /// Whether two points of the front can see one another's front: on the inside of
-    /// what is round.
+    /// Tells whether two points of the front can see one another's front: on the inside of round
+    /// shapes.
     pub fn faces_itself(&self) -> bool {
         match self {
             Self::Triangle(_) | Self::Quad(_) | Self::Disk(_) => false,
@@ -283,7 +283,7 @@ impl Primitive {
 pub struct SidedPrimitive {
     /// The primitive.
     pub primitive: Primitive,
-    /// Where rays may meet it.
+    /// The sides on which rays may meet it.
     pub sides: Sides,
 }
 

@@ -10,11 +10,11 @@ use crate::Vec3;
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ray {
-    /// Where t is zero.
+    /// The point at t = 0.
     pub origin: Vec3,
-    /// Where it goes, of any length but zero.
+    /// The direction, of any length but zero.
     pub direction: Vec3,
-    /// Where it ends.
+    /// The t at which it ends, in units of the direction's length.
     pub t_max: f32,
 }
 
@@ -42,7 +42,7 @@ impl Ray {
         self.origin + t * self.direction
     }
 
-    /// Whether `t` counts; what is not a number does not.
+    /// Tells whether `t` counts; what is not a number does not.
     #[inline]
     pub(crate) fn contains(&self, t: f32) -> bool {
         0.0 < t && t < self.t_max
@@ -52,8 +52,7 @@ impl Ray {
     /// reciprocal of the longest might be no number otherwise.
     pub(crate) const SMALLEST: f32 = f32::MIN_POSITIVE;
 
-    /// Whether there is anything to trace: finite numbers, a direction, a
-    /// positive length.
+    /// Tells whether there is anything to trace: finite numbers, a direction, a positive length.
     #[inline]
     pub(crate) fn is_traceable(&self) -> bool {
         // Zero for all numbers, and not a number for what is none or infinite.
@@ -68,9 +67,9 @@ impl Ray {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Hit {
-    /// Where along the ray, in units of its direction's length.
+    /// The parameter along the ray, in units of its direction's length.
     pub t: f32,
-    /// Which shape, in the order the caller listed them.
+    /// The number of the shape, in the order the caller listed them.
     pub primitive: u32,
     /// Barycentric coordinate of the second corner on triangles, coordinate
     /// along the first edge on quads, zero elsewhere.

@@ -25,7 +25,7 @@ pub use triangle::Triangle;
 use crate::precise::DVec3;
 use crate::{Aabb, Error, Ray, ShapeHit, Vec3};
 
-/// Anything a [`Bvh`](crate::Bvh) can hold.
+/// A shape that a [`Bvh`](crate::Bvh) can hold.
 pub trait Shape: Send + Sync {
     /// A box that holds the whole shape, rounding included.
     fn bounds(&self) -> Aabb;
@@ -54,7 +54,7 @@ impl<S: Shape + ?Sized> Shape for Box<S> {
     }
 }
 
-/// Where a ray may meet a surface. The front is the side the normal points to.
+/// The sides on which a ray may meet a surface. The front is the side the normal points to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sides {
     /// On either side.
@@ -65,8 +65,8 @@ pub enum Sides {
 }
 
 impl Sides {
-    /// Whether a ray counts that meets the surface with this cosine (up to a
-    /// positive factor) between its direction and the front normal.
+    /// Tells whether a ray counts that meets the surface with this cosine (up to a positive factor)
+    /// between its direction and the front normal.
     #[inline]
     pub(crate) fn admit(self, direction_dot_normal: f32) -> bool {
         self == Self::Both || direction_dot_normal < 0.0

@@ -1,9 +1,9 @@
-//! Where a ray meets one shape.
+//! The hit of a ray with one shape.
 
-/// Where a ray meets one shape.
+/// The hit of a ray with one shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeHit {
-    /// Where along the ray, in units of its direction's length.
+    /// The parameter along the ray, in units of its direction's length.
     pub t: f32,
     /// First surface coordinate; see [`Hit`](crate::Hit).
     pub u: f32,

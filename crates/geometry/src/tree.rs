@@ -61,7 +61,7 @@ pub(crate) struct Tree {
     root: Option<Child>,
     /// The extents of its triangles.
     extents: QuantisedExtents,
-    /// Whether there are any.
+    /// True if there are any.
     has_triangles: bool,
     /// Levels of nodes.
     #[cfg(test)]
@@ -134,14 +134,14 @@ impl Tree {
         }
     }
 
-    /// Whether all of it is near a processor, so that rays hardly wait for memory.
+    /// Tells whether all of it is near a processor, so that rays hardly wait for memory.
     #[inline]
     pub(crate) fn is_cached(&self) -> bool {
         self.memory <= CACHED
     }
 
-    /// Whether it is far larger than what is near a processor, so that rays wait
-    /// for memory more than for anything else.
+    /// Tells whether it is far larger than the memory near a processor, so that rays wait for
+    /// memory more than for anything else.
     #[inline]
     pub(crate) fn is_large(&self) -> bool {
         self.memory > LARGE

@@ -1,4 +1,4 @@
-//! Where a ray meets a triangle, without gaps at its edges.
+//! The intersection of a ray with a triangle, without gaps at its edges.
 //!
 //! After Woop, Benthin and Wald, *Watertight Ray/Triangle Intersection*, JCGT 2013: the
 //! corners are moved along the ray into a plane, where a corner has the same place for
@@ -38,7 +38,7 @@ struct Corner {
     depth: f64,
 }
 
-/// Where a ray meets a triangle at 0 < t < `limit`, with the barycentric coordinates of
+/// Returns the hit of a ray with a triangle at 0 < t < `limit`, with the barycentric coordinates of
 /// the second and the third corner.
 ///
 /// `axes` are those of the ray, and `corners` have their coordinates in that order.
@@ -89,7 +89,7 @@ fn edges([a, b, c]: &[Corner; 3]) -> [f64; 3] {
     edges
 }
 
-/// Whether all have one sign or are zero. Without branches, since of two triangles one is
+/// Tells whether all have one sign or are zero. Without branches, since of two triangles one is
 /// turned this way and one that way.
 #[inline(always)]
 fn is_inside([a, b, c]: [f64; 3]) -> bool {

@@ -40,7 +40,7 @@ use traylib_scene::Scene;
 use vertex::Vertex;
 use walk::{LightStart, Walker};
 
-/// How weights are computed.
+/// The computation of the weights of multiple importance sampling.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Weighting {
     /// From two numbers carried along each subpath: a constant amount of work.
@@ -56,20 +56,20 @@ pub enum Weighting {
 /// Bidirectional path tracing with any subset of its techniques.
 #[derive(Clone, Debug)]
 pub struct Bdpt {
-    /// How long paths get.
+    /// Bounds on the length of paths.
     pub limits: Limits,
-    /// How densities become weights.
+    /// The heuristic that turns densities into weights.
     pub heuristic: Heuristic,
     /// Recursive or by direct sum.
     pub weighting: Weighting,
-    /// Which techniques take part.
+    /// The techniques that take part.
     pub techniques: Techniques,
     /// Light paths of a pass, for each of its pixels.
     pub light_paths: PathsPerPixel,
-    /// Whether walks from the camera aim at images of lamps in mirrors: see
+    /// True if walks from the camera aim at images of lamps in mirrors: see
     /// [`TowardLight`](crate::toolkit::TowardLight).
     pub aims_at_images: bool,
-    /// What to record beside the picture.
+    /// The output to record beside the picture.
     pub report: Report,
 }
 
@@ -114,7 +114,7 @@ impl LightPaths {
 }
 
 impl Weighting {
-    /// Whether technique (s, t) may add light.
+    /// Tells whether technique (s, t) may add light.
     fn includes(self, s: usize, t: usize) -> bool {
         match self {
             Self::Recursive | Self::DirectSum => true,

@@ -21,9 +21,9 @@ pub struct Chunk<'a> {
     pub light_paths: Range<u32>,
     /// Light paths of the whole pass.
     pub light_path_count: u32,
-    /// Where the numbers of its paths come from.
+    /// The source of its paths' numbers.
     pub points: PointSet,
-    /// What the scene makes of them.
+    /// The numbers of a vertex that the scene uses.
     pub dimensions: Dimensions,
     /// Says whether it is still wanted.
     pub control: &'a Control,
@@ -95,7 +95,7 @@ pub fn pixel_corner(scene: &Scene, pixel: u32) -> Vec2 {
     Vec2::new((pixel % width) as f32, (pixel / width) as f32)
 }
 
-/// What one chunk adds to its pass.
+/// The contribution of one chunk to its pass.
 #[derive(Debug, Default)]
 pub struct ChunkOutput {
     /// Radiance for pixels, in the order in which it was found.

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-/// What a rendering and those who wait for it tell one another, from any thread.
+/// The signals between a rendering and those who wait for it, from any thread.
 ///
 /// A pass is given up by asking: every ray looks at [`is_cancelled`](Self::is_cancelled),
 /// so that a walk without end is heard out no more than a pass of many hours.
@@ -25,7 +25,7 @@ impl Control {
         self.cancelled.load(Ordering::Relaxed)
     }
 
-    /// How much of the pass under way is done, or was when it was given up: from zero
+    /// Returns the part of the pass under way that is done, or was when it was given up: from zero
     /// to one, in chunks.
     pub fn part_of_pass(&self) -> f64 {
         let chunks = self.chunks.load(Ordering::Relaxed).max(1);

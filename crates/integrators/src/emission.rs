@@ -1,4 +1,4 @@
-//! How a light path starts.
+//! The start of a light path.
 
 use crate::numbers::{PathSampler, VertexNumbers};
 use crate::tracer::{SurfaceHit, Tracer};

@@ -1,4 +1,4 @@
-//! What a path that was found tells of the techniques that did not find it.
+//! Paths with the densities of the techniques that did not find them.
 
 use traylib_math::Rgb;
 
@@ -10,17 +10,17 @@ use traylib_math::Rgb;
 pub struct FoundPath {
     /// The row-major pixel that its light falls on.
     pub pixel: u32,
-    /// What the technique that found it would add if it were alone.
+    /// The contribution that the technique that found it would make alone.
     pub value: Rgb,
     /// Vertices from the light of that technique.
     pub s: usize,
-    /// Whether it was joined to the camera (t = 1).
+    /// True if it was joined to the camera (t = 1).
     pub is_splat: bool,
-    /// Whether it begins at a point light.
+    /// True if it begins at a point light.
     pub is_point: bool,
     /// The s that stands for joining a point light by way of mirrors, if one does.
     pub mirror_joint: Option<usize>,
-    /// Of s = 0 … k, how many times more often technique s finds the path than the one that
+    /// The factors for s = 0 … k by which technique s finds the path more often than the one that
     /// did, in numbers of samples a pixel; zero where it cannot.
     pub ratios: Box<[f64]>,
 }

@@ -111,7 +111,7 @@ pub use render::{
 pub use trace::Trace;
 pub use tracer::Statistics;
 
-/// What algorithms are made of, for those that are not here yet.
+/// The parts that algorithms are made of, for those that are not here yet.
 ///
 /// A [`Tracer`](toolkit::Tracer) casts rays and counts them. A walk from the camera begins
 /// with [`Chunk::sample_pixels`], one from a light with [`emit`](toolkit::emit); both go on by
@@ -169,7 +169,7 @@ pub trait Integrator: Sync {
     fn blind_spots(&self, facts: &SceneFacts) -> Vec<BlindSpot>;
 }
 
-/// What the package says of itself is run as a test.
+/// Runs the examples of the package's README as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

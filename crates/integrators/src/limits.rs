@@ -1,4 +1,4 @@
-//! How long paths get.
+//! Limits on the length of paths, and Russian roulette.
 
 use traylib_math::Rgb;
 
@@ -8,7 +8,7 @@ pub struct Limits {
     /// The longest path; `None` lets roulette end paths. One edge is a lamp seen
     /// directly, two are direct light. A limit loses the light of longer paths.
     pub max_depth: Option<u32>,
-    /// Where paths may end by chance.
+    /// The Russian roulette that may end paths.
     pub roulette: Roulette,
 }
 
@@ -57,8 +57,8 @@ impl Roulette {
     /// No roulette: paths end at a length limit, or never.
     pub const OFF: Self = Self { from_edge: u32::MAX };
 
-    /// What a walk's throughput is divided by if it survives to this edge, where
-    /// the last vertex gave `weight`; `None` if it ends.
+    /// Returns the divisor of a walk's throughput if it survives to this edge, where the last
+    /// vertex gave `weight`; `None` if it ends.
     pub fn survive(self, edge: u32, weight: Rgb, u: f32) -> Option<f32> {
         if edge < self.from_edge {
             return Some(1.0);

@@ -1,4 +1,4 @@
-//! Which integrator to render by, with which settings: the one list of them.
+//! The choice of an integrator with its settings: the one list of them.
 //!
 //! A [`Method`] is data. Its spelling is a command line without a scene, as
 //! `directlight --combine`; [`Method::build`] makes the [`Integrator`].
@@ -79,7 +79,7 @@ impl Method {
         all
     };
 
-    /// What tables and charts compare: estimators of the mean over a pixel, each as it
+    /// The methods that tables and charts compare: estimators of the mean over a pixel, each as it
     /// is by default.
     pub const COMPARED: [Self; 6] = [
         Self::JITTERED_TRACE,
@@ -112,7 +112,7 @@ impl Method {
         }
     }
 
-    /// What it does, in a line, and what else is to be said of it.
+    /// Returns a description in one line, and further remarks if there are any.
     pub fn about(self) -> (&'static str, Option<&'static str>) {
         match self {
             Self::Trace(_) => {
@@ -164,7 +164,7 @@ impl Method {
         }
     }
 
-    /// How long its paths get; `None` if their length is fixed.
+    /// Returns the bounds on the length of its paths; `None` if their length is fixed.
     pub fn limits(self) -> Option<Limits> {
         match self {
             Self::Trace(_) => None,
@@ -242,7 +242,7 @@ impl Method {
         }
     }
 
-    /// What a plan may do, if one is to choose the method.
+    /// Returns the freedom of the plan, if one is to choose the method.
     pub fn auto(self) -> Option<Auto> {
         match self {
             Self::Bdpt(BdptSettings { auto, .. }) => auto,
@@ -278,7 +278,7 @@ impl Method {
         }
     }
 
-    /// All that is set, whether by an option or by default, in the order of
+    /// Returns all that is set, whether by an option or by default, in the order of
     /// [`options`](Self::options).
     pub fn settings(self) -> Vec<MethodSetting> {
         let mut settings = Vec::new();
@@ -330,8 +330,8 @@ impl Method {
     /// of its [`options`](Self::options), others mean nothing to it.
     ///
     /// # Errors
-    /// What does not go together: roulette off without a longest path, or a heuristic where
-    /// nothing is weighted.
+    /// Fails for settings that do not go together: roulette off without a longest path, or a
+    /// heuristic where nothing is weighted.
     pub fn with(self, settings: &[MethodSetting]) -> Result<Self, MethodError> {
         let given = Given::of(settings);
         let limits = limits(given, self.default_limits())?;
@@ -372,7 +372,7 @@ fn limits(given: Given, default: Limits) -> Result<Limits, MethodError> {
     Ok(Limits { max_depth, roulette })
 }
 
-/// What a plan may do, if one is asked for.
+/// Returns the freedom of the plan, if one is asked for.
 ///
 /// # Errors
 /// Something is given that is for the plan to choose, or wants a plan that there is none.

@@ -11,9 +11,9 @@ use traylib_scene::{LightDensities, PointImage, Scene, SurfacePoint, Walk};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MirroredLight {
     pub(crate) image: PointImage,
-    /// What the vertex makes of the direction to the image.
+    /// The BSDF and densities at the vertex for the direction to the image.
     pub(crate) scattering: PathScattering,
-    /// What it reflects of that light, unless something stands between.
+    /// The radiance that it reflects of that light, unless something stands between.
     pub(crate) radiance: Rgb,
 }
 
@@ -49,7 +49,8 @@ impl MirroredLight {
         (!radiance.is_black()).then_some(Self { image, scattering, radiance })
     }
 
-    /// What all edges let through, asked from the side of the eye, if anything.
+    /// Returns the transmittance of all edges, asked from the side of the eye; `None` if one is
+    /// blocked.
     pub(crate) fn visible(&self, tracer: &mut Tracer<'_>, point: &SurfacePoint) -> Option<Rgb> {
         let PointImage { seen_at, shown_at, x0, .. } = &self.image;
         let mut transmittance = tracer.sees(&point.site.segment_to(seen_at))?;

@@ -12,8 +12,8 @@ pub(crate) use real::{RealNumbers, rotation};
 
 use traylib_math::{Sampler, Vec2};
 
-/// Which end of a path a stream is for: the first part of its number, with
-/// [`Sampler::TESTS`] for neither.
+/// The end of a path that a stream is for: the first part of its number, with [`Sampler::TESTS`]
+/// for neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {
     /// Camera paths, numbered by pixel.
@@ -37,16 +37,16 @@ impl Purpose {
 /// off does not shift the numbers of the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexNumbers {
-    /// Which of the surfaces that light can pass straight through the edge to
-    /// this vertex ends at.
+    /// The number that picks, among the surfaces that light can pass straight through, the one at
+    /// which the edge to this vertex ends.
     pub pass_through: f32,
     /// Lobe, and two for the direction.
     pub bsdf: [f32; 3],
     /// Russian roulette.
     pub roulette: f32,
-    /// Which light; in steps of 2⁻³², for lamps that are rarely chosen.
+    /// The number that picks the light; in steps of 2⁻³², for lamps that are rarely chosen.
     pub light_pick: f64,
-    /// Where on the light.
+    /// The numbers that pick the point on the light.
     pub light_point: Vec2,
 }
 

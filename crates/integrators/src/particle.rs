@@ -13,7 +13,7 @@ use traylib_scene::{Scene, Walk};
 /// pixel it appears in. Lamps seen directly come from a camera ray a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Particle {
-    /// How long paths get.
+    /// Bounds on the length of paths.
     pub limits: Limits,
 }
 

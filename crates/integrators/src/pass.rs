@@ -1,4 +1,4 @@
-//! What an integrator can do before a pass is rendered.
+//! The work of an integrator before a pass is rendered.
 
 use crate::toolkit::Tracer;
 use crate::{Chunk, ChunkOutput, Statistics};
@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 use traylib_scene::Scene;
 
-/// What renders the chunks of one pass.
+/// The function that renders the chunks of one pass.
 pub type RenderChunk<'a> = Box<dyn Fn(&Chunk<'_>, &mut ChunkOutput) + Sync + 'a>;
 
 /// A pass that is about to be rendered.
@@ -47,7 +47,7 @@ impl<'p> Pass<'p> {
         self.chunks.par_iter().filter_map(done).collect()
     }
 
-    /// What all of it has asked.
+    /// Returns the counters of its work.
     pub(crate) fn into_statistics(self) -> Statistics {
         self.statistics.into_inner().unwrap_or_else(PoisonError::into_inner)
     }

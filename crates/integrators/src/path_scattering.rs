@@ -1,4 +1,4 @@
-//! What a vertex of a path makes of its two directions, whichever walk found it.
+//! BSDF and densities at a vertex of a path, whichever walk found it.
 
 use crate::toward_light::TowardLight;
 use traylib_materials::Scattering;

@@ -1,4 +1,4 @@
-//! Which method pays on a scene: no more is modelled than it needs.
+//! The choice of the method that pays on a scene: no more is modelled than it needs.
 //!
 //! Bidirectional tracing costs several times a path tracer's sample. Where lamps are large it
 //! gains next to nothing, where they hide a path tracer never ends. [`plan`] finds out before
@@ -130,7 +130,7 @@ pub fn forecasts(
     }))
 }
 
-/// What a method does for a sample on a scene, as plans count it.
+/// Counts the work of a method for a sample on a scene, as plans do.
 ///
 /// # Errors
 /// [`ThreadError`] if the system refuses the threads.
@@ -147,7 +147,7 @@ fn samples(scene: &Scene, request: &Request) -> f64 {
     f64::from(camera.width()) * f64::from(camera.height()) * f64::from(request.spp)
 }
 
-/// How many pixels to ask, if the picture is worth it.
+/// Returns the number of pixels to ask; `None` if the picture is not worth it.
 fn affordable(samples: f64) -> Option<u32> {
     // With the three kinds that are always tried.
     let tried = (TRIED + 2) as u32 * TRIAL_PASSES / TRIED_PROBES as u32;

@@ -14,7 +14,7 @@ use traylib_scene::{Scene, Walk};
 /// Point lights cannot be hit; they are sampled at every vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PureMc {
-    /// How long paths get.
+    /// Bounds on the length of paths.
     pub limits: Limits,
 }
 

@@ -9,7 +9,7 @@ pub use rayon::ThreadPool;
 use std::ops::ControlFlow;
 use traylib_scene::{Film, Scene};
 
-/// How to render, whatever the algorithm.
+/// The settings of a rendering, whatever the algorithm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Settings {
     /// Passes, each with one sample a pixel.
@@ -18,11 +18,11 @@ pub struct Settings {
     pub seed: u64,
     /// Threads; 0 for one a processor. Does not change the picture.
     pub threads: usize,
-    /// Where the numbers of the paths come from.
+    /// The source of the paths' numbers.
     pub points: PointSet,
 }
 
-/// What the driver tells after each pass.
+/// The progress that the driver reports after each pass.
 #[derive(Debug)]
 pub struct Progress<'a> {
     /// All light so far.
@@ -33,7 +33,7 @@ pub struct Progress<'a> {
     pub spp: u32,
 }
 
-/// What came of it.
+/// The result of a rendering.
 #[derive(Debug)]
 pub struct Rendering {
     /// The picture, and further ones that the integrator was asked for.

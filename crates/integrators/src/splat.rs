@@ -8,12 +8,12 @@ use traylib_scene::{Projection, Scene, SurfacePoint, Walk};
 /// it.
 #[derive(Clone, Copy, Debug)]
 pub struct Splat {
-    /// Where on the film, and how the camera sees it.
+    /// The vertex as the camera sees it.
     pub projection: Projection,
-    /// What the vertex makes of the direction to the camera.
+    /// The BSDF and densities at the vertex for the direction to the camera.
     pub scattering: PathScattering,
-    /// What the throughput of one of one light path is multiplied with to give
-    /// the radiance of the pixel: f·cos·We.
+    /// The factor between the throughput of a light path, if it is the pass's only one, and the
+    /// radiance of the pixel: f·cos·We.
     pub value: Rgb,
 }
 

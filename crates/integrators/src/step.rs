@@ -1,4 +1,4 @@
-//! How a walk goes on: the same for walks from either end.
+//! The next step of a walk: the same for walks from either end.
 
 use crate::limits::Roulette;
 use crate::numbers::VertexNumbers;
@@ -11,9 +11,9 @@ use traylib_scene::{SurfacePoint, Walk};
 /// The next edge of a walk.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
-    /// Where to look for the next vertex.
+    /// The ray toward the next vertex.
     pub ray: Ray,
-    /// What the throughput is multiplied with, roulette included.
+    /// The factor of the throughput, roulette included.
     pub weight: Rgb,
     /// The direction as it was sampled, with its densities; its own weight is that of the surface.
     pub sample: BsdfSample,

@@ -1,11 +1,11 @@
-//! How a walk from the camera looks for light at a rough vertex: by the surface's own
+//! The choice of directions at a rough vertex of a walk from the camera: by the surface's own
 //! sampling, and where that pays toward the images of lamps in mirrors.
 
 use traylib_materials::BsdfSample;
 use traylib_math::{SolidAnglePdf, Vec3};
 use traylib_scene::{ImageDirections, Scene, SurfacePoint, Walk};
 
-/// So much of what is not reflected ideally is drawn toward images, where all that mirrors
+/// The part of what is not reflected ideally that is drawn toward images, where all that mirrors
 /// show can be aimed at.
 const SHARE: f32 = 0.25;
 
@@ -37,7 +37,7 @@ impl<'a> TowardLight<'a> {
         Self { images }
     }
 
-    /// Whether anything but the surface has a say.
+    /// Tells whether anything but the surface has a say.
     #[inline]
     pub(crate) fn is_mixture(self) -> bool {
         self.images.is_some()
@@ -65,7 +65,7 @@ impl<'a> TowardLight<'a> {
     }
 }
 
-/// Who finds a direction.
+/// The source of a direction.
 enum Choice {
     /// The surface, with these numbers.
     Own([f32; 3]),
@@ -138,9 +138,9 @@ mod tests {
         found.collect()
     }
 
-    /// What a surface reflects of white light, of that from all around and of that from where
-    /// images stand, by the mixture and by the surface alone. Of the first a sum over all points
-    /// is known to some 0.1 %, of the second to some 2 %: the surface seldom goes there.
+    /// The mixture reflects as much of white light, from all around and from where images stand, as
+    /// the surface alone. Of the first a sum over all points is known to some 0.1 %, of the second
+    /// to some 2 %: the surface seldom goes there.
     #[test]
     fn the_mixture_reflects_what_the_surface_does() {
         let scene = room();

@@ -1,4 +1,4 @@
-//! Which red, green, blue and white the numbers of a picture mean.
+//! The red, green, blue and white that the numbers of a picture mean.
 //!
 //! Light is turned into the bands of Rec. 709 by way of CIE XYZ. Where the whites
 //! differ they are taken for each other, by Bradford's scaling of cones: a surface
@@ -23,8 +23,8 @@ const REC_709: Chromaticities = Chromaticities {
     white: [0.3127, 0.3290],
 };
 
-/// What Radiance means where a picture says nothing. Nobody tells these from Rec. 709,
-/// other programs that write the format least.
+/// The primaries and the white of Radiance pictures that say nothing of them. Nobody tells these
+/// from Rec. 709, other programs that write the format least.
 const RADIANCE: Chromaticities = Chromaticities {
     red: [0.640, 0.330],
     green: [0.290, 0.600],
@@ -35,7 +35,7 @@ const RADIANCE: Chromaticities = Chromaticities {
 /// Coordinates are written with three or four digits.
 const SAME: f64 = 1.5e-3;
 
-/// How to come from the bands of a picture to ours.
+/// The conversion from the bands of a picture to ours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Conversion {
     /// They are ours.
@@ -86,7 +86,7 @@ fn xyz([x, y]: [f64; 2]) -> DVec3 {
     DVec3::new(x / y, 1.0, (1.0 - x - y) / y)
 }
 
-/// What makes one white of another.
+/// Returns the matrix that adapts one white to another, in CIE XYZ.
 ///
 /// Source: Lam, *Metamerism and Colour Constancy*, 1985; the numbers are those of
 /// ICC.1:2022, annex E.

@@ -15,7 +15,7 @@ pub struct FilmDifference {
     pub words: [String; 2],
 }
 
-/// Why a file is no film that can be used.
+/// The reason why a file is no film that can be used.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FilmFault {
@@ -31,9 +31,9 @@ pub enum FilmFault {
     /// It is shorter or longer than its header says.
     #[error("it has {found} bytes instead of {wanted}")]
     Length {
-        /// How long it is.
+        /// The bytes that it has.
         found: u64,
-        /// How long it should be.
+        /// The bytes that its header says.
         wanted: u64,
     },
     /// The checksum of the header is wrong, or what it says makes no sense.

@@ -1,4 +1,4 @@
-//! Why the bytes of a file of shapes make no sense.
+//! Errors of the bytes of a file of shapes.
 
 /// The error of the decoder of one format.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -58,7 +58,7 @@ impl Default for Limits {
 pub struct Document {
     /// Pieces of meshes, each with one material.
     pub primitives: Vec<Primitive>,
-    /// Where they stand in the scene.
+    /// The instances of meshes in the scene.
     pub instances: Vec<Instance>,
     /// The materials.
     pub materials: Vec<Material>,
@@ -77,7 +77,7 @@ pub struct Document {
 pub struct Primitive {
     /// Index of its material.
     pub material: Option<usize>,
-    /// Where vertices are.
+    /// The positions of vertices.
     pub positions: Vec<Vec3>,
     /// Normals, one for each position or none at all.
     pub normals: Vec<Vec3>,
@@ -112,19 +112,19 @@ pub struct Material {
     pub roughness: f32,
     /// Radiance.
     pub emission: Rgb,
-    /// Whether its light is the same from everywhere.
+    /// True if its light is the same from everywhere.
     pub is_unlit: bool,
     /// The meaning of alpha.
     pub alpha_mode: AlphaMode,
     /// From which alpha on it is there, where all is or is not.
     pub alpha_cutoff: f32,
-    /// Whether its back is there.
+    /// True if its back is there.
     pub double_sided: bool,
     /// The picture that colour and alpha are multiplied with.
     pub base_colour_picture: Option<Picture>,
     /// The picture of which green multiplies roughness, and blue metal.
     pub metallic_roughness_picture: Option<Picture>,
-    /// Whether it has pictures of normals, of occlusion, and of what it emits.
+    /// True for each of the pictures of normals, of occlusion and of emission that it has.
     pub has_normal_occlusion_emission: [bool; 3],
 }
 
@@ -155,9 +155,9 @@ pub enum Image {
 /// A light that is no surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// Where it is.
+    /// The position.
     pub position: Vec3,
-    /// Where it shines to; of any length.
+    /// The direction in which it shines, of any length.
     pub direction: Vec3,
     /// Candela, in colour.
     pub intensity: Rgb,
@@ -168,9 +168,9 @@ pub struct Light {
 /// A camera with perspective.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where it is.
+    /// The position.
     pub position: Vec3,
-    /// Where it looks.
+    /// The viewing direction.
     pub direction: Vec3,
     /// The direction that is up in the picture.
     pub up: Vec3,

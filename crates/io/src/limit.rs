@@ -73,7 +73,7 @@ impl Limit {
         Self::ALL.into_iter().find(|limit| limit.name() == name)
     }
 
-    /// What to do where it is exceeded on purpose, `value` being what it is.
+    /// Advises what to do where it is exceeded on purpose, `value` being its present value.
     pub(crate) fn remedy(self, value: u64) -> impl fmt::Display {
         let (name, more) = (self.name(), value.saturating_mul(2));
         fmt::from_fn(move |f| write!(f, "if that is meant, `--limit {name}={more}` allows more"))

@@ -23,21 +23,21 @@ pub struct LoadOptions<'a> {
     /// The folder that files included by scene files and MGF files may not leave;
     /// that of the scene, if none is given.
     pub root: Option<&'a Path>,
-    /// When a file of shapes gets a point light at the camera, with a warning.
+    /// The condition on which a file of shapes gets a point light at the camera, with a warning.
     pub headlight: Headlight,
     /// Bounds on what files may ask for.
     pub limits: ReadLimits,
 }
 
-/// When a file of shapes gets a point light at the camera.
+/// The condition on which a file of shapes gets a point light at the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Headlight {
     /// Never: a file without any light is an error.
     #[default]
     Never,
-    /// If nothing in it emits light.
+    /// A file in which nothing emits light gets one.
     WithoutLight,
-    /// If it has no point or spot light, for programs that see by these alone: also if
+    /// A file without a point or spot light gets one, for programs that see by these alone: also if
     /// something in it shines by itself, be it a lamp or no more than an eye.
     WithoutPointLight,
 }

@@ -1,4 +1,4 @@
-//! Where in the text of a scene file a value stands.
+//! Finds the place of a value in the text of a scene file.
 //!
 //! The parser keeps no positions, so errors found after parsing come back here
 //! with the path of the value. The text has been parsed before: this scanner

@@ -31,7 +31,7 @@ use traylib_math::{Vec2, Vec3};
 /// The contents of an object file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
-    /// Where vertices are.
+    /// The positions of vertices.
     pub positions: Vec<Vec3>,
     /// Texture coordinates; v is 0 where the file gives u alone.
     pub uvs: Vec<Vec2>,
@@ -79,11 +79,11 @@ impl Index {
 /// A polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Face {
-    /// Where its corners begin in the document's.
+    /// The index of its first corner among the document's.
     pub first: u32,
     /// The number of its corners, at least three.
     pub count: u32,
-    /// Which of the document's materials it has.
+    /// The index of its material among the document's.
     pub material: Option<u32>,
     /// Its smoothing group; 0 is none.
     pub smoothing: u32,

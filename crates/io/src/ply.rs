@@ -31,7 +31,7 @@ use traylib_math::{Vec2, Vec3};
 /// The contents of a polygon file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
-    /// Where vertices are.
+    /// The positions of vertices.
     pub positions: Vec<Vec3>,
     /// Normals of any length, one for each position or none at all; zero where the file has a
     /// number that is none.

@@ -16,7 +16,7 @@ pub struct SourceText {
     pub text: String,
 }
 
-/// Where in a file an error is.
+/// The place of an error in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Spot {
     /// Nowhere in it.

@@ -1,4 +1,4 @@
-//! Where files come from: a folder on disk, or the set compiled in.
+//! Sources of files: a folder on disk, or the set compiled in.
 
 use crate::builtin;
 use crate::suggest::nearest;
@@ -61,7 +61,7 @@ impl Location {
         }
     }
 
-    /// What to do where there is no such file, `name` being how it is called in a text.
+    /// Advises what to do where there is no such file, `name` being how it is called in a text.
     pub(crate) fn advice(&self, name: &str) -> Option<String> {
         let Self::Disk(path) = self else { return None };
         if path.exists() {
@@ -106,7 +106,7 @@ pub(crate) fn joined(folder: &Path, name: &str) -> PathBuf {
     path
 }
 
-/// Why the system says no, without its numbers.
+/// Says why the system refuses, without its numbers.
 #[expect(clippy::wildcard_enum_match_arm, reason = "the system's open set")]
 pub(crate) fn why(error: &io::Error) -> String {
     match error.kind() {
@@ -120,7 +120,7 @@ pub(crate) fn why(error: &io::Error) -> String {
     }
 }
 
-/// Where text is not UTF-8.
+/// Says in which line text is not UTF-8.
 fn not_text(error: &FromUtf8Error) -> String {
     let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
     let line = before.split(|&byte| byte == b'\n').count();

@@ -1,6 +1,6 @@
 //! The sRGB curve (IEC 61966-2-1).
 
-/// What a screen is told to show a linear value in [0, 1].
+/// Codes a linear value in [0, 1] for a screen, by the curve of sRGB.
 pub(crate) fn encode(linear: f32) -> f32 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }

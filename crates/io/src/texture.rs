@@ -65,8 +65,8 @@ impl TextureLimits {
     }
 }
 
-/// What a pixel takes at the most: as a decoder has it, with four channels of 16 bits,
-/// and as light and opacity.
+/// The most bytes that a pixel takes: as a decoder has it, with four channels of 16 bits, and as
+/// light and opacity.
 pub(crate) const BYTES_OF_A_PIXEL: u64 = 8 + 8 + 16;
 
 /// The coding by which the numbers of a file stand for light.
@@ -87,8 +87,8 @@ pub struct Texture {
     /// Opacity from 0 to 1, in EXR as stored; of the same size. `None` if every pixel is
     /// opaque.
     pub alpha: Option<Grid<f32>>,
-    /// Whether the file says that its opacity is undefined and only to be kept, as TGA
-    /// can: who shows the picture takes it for opaque.
+    /// True if the file says that its opacity is undefined and only to be kept, as TGA can: who
+    /// shows the picture takes it for opaque.
     pub alpha_is_undefined: bool,
     /// The coding by which the numbers in the file stand for light.
     pub coding: Coding,
@@ -154,13 +154,13 @@ fn read(path: &Path, limits: TextureLimits) -> Result<Vec<u8>, TextureError> {
     Ok(bytes)
 }
 
-/// What comes out of a decoder.
+/// The output of a decoder.
 struct Decoded {
     pixels: Grid<Rgb>,
     alpha: Option<Grid<f32>>,
     alpha_is_undefined: bool,
     coding: Coding,
-    /// What was repaired, in words, each kind once.
+    /// The repairs, in words, each kind once.
     repairs: Vec<&'static str>,
 }
 

@@ -1,8 +1,8 @@
-//! Why a file is no picture.
+//! The reasons why a file is no picture.
 
 use std::io;
 
-/// Why a decoder gives up.
+/// The reason why a decoder gives up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
@@ -29,7 +29,8 @@ impl Fault {
     }
 }
 
-/// Why bytes are not a picture, as the cause in [`Error::ReadPicture`](crate::Error::ReadPicture).
+/// The reason why bytes are not a picture, as the cause in
+/// [`Error::ReadPicture`](crate::Error::ReadPicture).
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TextureError {
@@ -69,7 +70,7 @@ pub enum TextureError {
     Decoder {
         /// The format.
         format: &'static str,
-        /// Why.
+        /// The fault that the decoder met.
         fault: Fault,
         /// In the decoder's own words, which speak of its inside.
         source: Box<dyn std::error::Error + Send + Sync>,
@@ -77,9 +78,9 @@ pub enum TextureError {
     /// Something in a Radiance file is not as it must be.
     #[error("Radiance: at byte {at}: {what}")]
     Radiance {
-        /// Where, from the start of the file.
+        /// The offset from the start of the file.
         at: usize,
-        /// What is wrong.
+        /// The fault in words.
         what: &'static str,
     },
 }

@@ -75,7 +75,7 @@ pub struct Document {
     pub warnings: Warnings,
 }
 
-/// Why bytes are not a 3DS file. Damage further inside is a warning.
+/// The reason why bytes are not a 3DS file. Damage further inside is a warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {

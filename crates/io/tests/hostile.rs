@@ -27,7 +27,7 @@ use std::time::Instant;
 
 const MOST_KIB: u64 = 256 << 10;
 
-/// What became of the damaged copies of a file.
+/// The results of reading the damaged copies of a file.
 #[derive(Default)]
 struct Summary {
     tried: usize,

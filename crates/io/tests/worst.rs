@@ -54,7 +54,7 @@ fn measured(file: &Path) -> (f64, u64, String) {
     (next().parse().unwrap(), next().parse().unwrap(), next())
 }
 
-/// What [`measured`] starts; alone it has nothing to do.
+/// The test that [`measured`] starts; alone it has nothing to do.
 #[test]
 fn inner_process() {
     let Some(file) = std::env::var_os(FILE).map(PathBuf::from) else { return };

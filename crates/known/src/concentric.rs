@@ -7,10 +7,10 @@ use traylib_scene::{Camera, Scene};
 
 /// Radius of the ball within the hollow ball of radius 1.
 const RADIUS: f64 = 0.5;
-/// What the two reflect: the ball and the shell.
+/// The reflectances of the two: the ball and the shell.
 const REFLECTANCES: [f64; 2] = [0.5, 0.8];
 
-/// Which of the two.
+/// One of the two balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shell {
     /// The ball of radius 0.5.

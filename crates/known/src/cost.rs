@@ -93,8 +93,8 @@ impl Clock {
     }
 }
 
-/// What Linux has given this thread of its processors. The system adds up when it
-/// looks for other work, hence the offer; between times it is behind by a tick.
+/// Returns the processor time that Linux has given this thread, in nanoseconds. The system adds up
+/// when it looks for other work, hence the offer; between times it is behind by a tick.
 fn nanoseconds_of_thread() -> Option<u64> {
     std::thread::yield_now();
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;

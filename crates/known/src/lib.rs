@@ -60,7 +60,7 @@ pub mod variance;
 pub use case::{Case, mean_over_film, mean_over_floor};
 pub use passes::{SAMPLER_VARIABLE, each_pass, pass_means, samples_in_a_pass, settings_by_pass};
 
-/// What the package says of itself is run as a test.
+/// Runs the examples of the package's README as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

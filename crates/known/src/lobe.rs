@@ -159,7 +159,7 @@ impl Ring {
         [from, to].map(|phi| phi.clamp(-self.half, self.half))
     }
 
-    /// How much of these azimuths is above the horizon.
+    /// Returns how much of these azimuths is above the horizon.
     fn length(&self, from: f64, to: f64) -> f64 {
         let [from, to] = self.clamp(from, to);
         to - from

@@ -113,7 +113,8 @@ pub fn point_below_faded_mirror() -> Case {
     Case { name: "C3 by a faded mirror".into(), scene, max_depth: Some(3), truth }
 }
 
-/// What C3's camera sees on average of a floor whose points see this part of the image.
+/// Returns the mean radiance that C3's camera sees of a floor whose points see this part of the
+/// image.
 fn mean_of_mirrored_point(part: impl Fn(DVec3) -> f64) -> f64 {
     let shadow = 0.2 * 3.0 / (3.0 - f64::from(PLATE));
     crate::case::mean_over_floor(&from_below(), |x| {

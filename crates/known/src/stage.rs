@@ -16,7 +16,7 @@ use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBui
 pub struct Stage(SceneBuilder);
 
 impl Stage {
-    /// Nothing but a camera.
+    /// Returns a stage with nothing but a camera.
     pub fn new(camera: Camera) -> Self {
         Self(SceneBuilder::new(camera))
     }
@@ -214,7 +214,7 @@ pub fn pane(reflectance: f32, through: f32) -> Material {
     Material { through: Rgb::splat(through), ..mirror(reflectance, 0.0).into() }
 }
 
-/// What the library made of constants that it should not refuse.
+/// Returns the value that the library made of constants that it should not refuse.
 pub(crate) fn sound<T, E: Debug>(result: Result<T, E>) -> T {
     result.expect("parameters of a test scene")
 }

@@ -59,8 +59,8 @@ fn over_disk(radius: f64, f: impl Fn(f64) -> f64) -> f64 {
     TAU * step * sum
 }
 
-/// Where a walk and a light sample are equally noisy. With q = 1/(1 + R²) the
-/// two second moments are equal where 1 − q³ = 3q.
+/// Returns the radius R at which a walk and a light sample are equally noisy. With q = 1/(1 + R²)
+/// the two second moments are equal where 1 − q³ = 3q.
 pub fn crossing() -> f64 {
     let mut q: f64 = 0.3;
     for _ in 0..50 {

@@ -2,7 +2,7 @@
 
 use traylib_math::Rgb;
 
-/// Why a material cannot be built.
+/// The reason why a material cannot be built.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {

@@ -1,4 +1,4 @@
-//! Which part of a surface is sampled.
+//! The choice of the part of a surface that is sampled.
 
 use traylib_math::Rgb;
 

@@ -34,8 +34,7 @@ pub struct BsdfSample {
     pub pdf: SolidAnglePdf,
     /// Density of `wo` given `wi`; for a mirror the chance to choose it.
     pub pdf_reverse: SolidAnglePdf,
-    /// Whether this was an ideal reflection or refraction, which no connection
-    /// can find.
+    /// True if this was an ideal reflection or refraction, which no connection can find.
     pub is_delta: bool,
     /// The factor of refraction on radiance on its way from the medium of
     /// `wi` into that of `wo`, (n_o/n_i)²; one for all else. It is not in

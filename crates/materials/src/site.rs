@@ -2,7 +2,7 @@
 
 use traylib_math::{Vec2, Vec3};
 
-/// Where on a surface a material is asked for.
+/// The place on a surface at which a material is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Site {
     /// Texture coordinates.

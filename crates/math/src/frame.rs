@@ -62,7 +62,7 @@ mod tests {
         }
     }
 
-    /// Where a normal's zero comes from must not turn what is sampled around it.
+    /// The sign of a normal's zero must not turn what is sampled around it.
     #[test]
     fn zero_has_no_sign() {
         let frame = |z| Frame::around(Vec3::new(0.6, 0.8, z));

@@ -32,7 +32,7 @@ pub use mis::Heuristic;
 pub use rgb::Rgb;
 pub use sampler::Sampler;
 
-/// What the package says of itself is run as a test.
+/// Runs the examples of the package's README as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

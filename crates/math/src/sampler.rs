@@ -6,8 +6,8 @@ use rand_pcg::Pcg32;
 
 /// One stream of uniform random numbers: PCG-XSH-RR 64/32.
 ///
-/// Whatever can be done in any order has a stream of its own, so a result depends
-/// neither on the number of threads nor on their order.
+/// Work that can be done in any order has a stream of its own, so a result depends neither on the
+/// number of threads nor on their order.
 #[derive(Clone, Debug)]
 pub struct Sampler(Pcg32);
 

@@ -147,7 +147,7 @@ mod tests {
         }
     }
 
-    /// As `scipy.stats.qmc.Sobol` 1.17 has them, which counts in Gray code.
+    /// The points are those of `scipy.stats.qmc.Sobol` 1.17, which counts in Gray code.
     #[test]
     fn points_are_those_of_the_authors() {
         let eighths = |index| point(index).map(|value| value >> 29);

@@ -23,7 +23,7 @@ pub(crate) struct Artist {
     pace: (Method, Pace),
 }
 
-/// How often pictures are shown that are being refined.
+/// The time between showings of pictures that are being refined.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(30);
 
 /// No more of the time than one part of this goes into showing them.
@@ -40,8 +40,8 @@ impl Artist {
     }
 
     /// Draws until the picture is done or `is_stale` is cancelled, and hands over every frame.
-    /// What is quick is drawn whatever `is_stale` says, so that there is always something to
-    /// see while the camera moves; `end` ends that, too.
+    /// A quick picture is drawn whatever `is_stale` says, so that there is always something to see
+    /// while the camera moves; `end` ends that, too.
     ///
     /// # Errors
     /// A scene that must be loaded for the method cannot be.
@@ -140,7 +140,7 @@ impl Artist {
     }
 }
 
-/// What is being drawn.
+/// The picture that is being drawn.
 struct Picture<'a> {
     wanted: &'a Wanted,
     coarseness: u32,

@@ -7,9 +7,9 @@ use traylib_math::{Grid, Rgb};
 /// A picture of some passes.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
-    /// What it was to show.
+    /// The camera and the method that it was to show.
     pub(crate) wanted: Wanted,
-    /// How many columns of the window one of it fills; one but for a preview.
+    /// The columns of the window that one of its pixels fills; one but for a preview.
     pub(crate) coarseness: u32,
     /// Light, as far as it is known.
     pub(crate) radiance: Grid<Rgb>,

@@ -4,7 +4,7 @@ use crate::motion::Motion;
 use traylib_integrators::Method;
 use traylib_math::{Vec2, Vec3};
 
-/// What mouse and keyboard have done, and for how long.
+/// The actions of mouse and keyboard, and their time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Input {
     /// Seconds since the last.
@@ -17,11 +17,12 @@ pub(crate) struct Input {
     pub(crate) walk: Vec3,
     /// Held keys to the right and up, each -1, 0 or 1.
     pub(crate) look: Vec2,
-    /// Whether steps are to be long.
+    /// True if steps are to be long.
     pub(crate) fast: bool,
-    /// Where the mouse was drawn to with its left button, in pixels to the right and down.
+    /// The distance that the mouse was dragged with its left button, in pixels to the right and
+    /// down.
     pub(crate) turn: Vec2,
-    /// How far the mouse was dragged with another button.
+    /// The distance that the mouse was dragged with another button.
     pub(crate) shift: Vec2,
     /// Notches of the wheel, away from the hand.
     pub(crate) wheel: f32,

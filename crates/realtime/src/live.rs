@@ -68,13 +68,13 @@ struct Live<'a> {
     /// The last.
     frame: Option<Frame>,
     rates: Rates,
-    /// When the title was last set.
+    /// The time at which the title was last set.
     titled: Option<Instant>,
-    /// Whether the picture is to be written as soon as there is one.
+    /// True if the picture is to be written as soon as there is one.
     wants_file: bool,
 }
 
-/// Whether it goes on.
+/// The decision whether it goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Next {
     Look,

@@ -66,7 +66,7 @@ pub(crate) fn aimed_at(camera: CameraSettings, distance: f32) -> CameraSettings 
     CameraSettings { target: target.as_vec3(), ..camera }
 }
 
-/// What a camera's steps are measured by.
+/// The measures of a camera's steps.
 struct Frame {
     position: DVec3,
     target: DVec3,

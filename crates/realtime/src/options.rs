@@ -93,7 +93,7 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    /// What is to be read otherwise than files say.
+    /// Returns the options for reading files otherwise than they say.
     pub(crate) fn load_options(&self, headlight: Headlight) -> LoadOptions<'_> {
         let mut limits = ReadLimits::default();
         self.limit.iter().for_each(|&(limit, value)| limits.set(limit, value));

@@ -16,13 +16,13 @@ pub(crate) struct Painter {
     thread: JoinHandle<Result<(), Failure>>,
 }
 
-/// Where orders and frames lie.
+/// The exchange of orders and frames.
 #[derive(Debug, Default)]
 struct Desk {
     papers: Mutex<Papers>,
     /// There is an order.
     ordered: Condvar,
-    /// Nothing more is wanted at all.
+    /// The sign that nothing more is wanted at all.
     end: Control,
 }
 
@@ -30,7 +30,7 @@ struct Desk {
 struct Papers {
     /// An order that was not begun, and how it is called off.
     order: Option<(Wanted, Arc<Control>)>,
-    /// How the order is called off that was begun.
+    /// The control that calls off the order that was begun.
     begun: Arc<Control>,
     /// The newest frame that nobody has fetched.
     frame: Option<Frame>,
@@ -78,7 +78,7 @@ impl Painter {
     /// Ends the thread, at once.
     ///
     /// # Errors
-    /// What went wrong there.
+    /// Returns the failure of the thread.
     pub(crate) fn end(self) -> Result<(), Failure> {
         self.desk.end.cancel();
         let papers = self.desk.papers();

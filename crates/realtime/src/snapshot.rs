@@ -27,7 +27,7 @@ pub(crate) fn write(
     tell_name(&file)
 }
 
-/// How it was made, with the command that makes it again.
+/// Returns the description of how it was made, with the command that makes it again.
 fn info(frame: &Frame, scene: &str, is_moved: bool, options: &Options) -> PictureInfo {
     let (method, camera) = (frame.wanted.method, &frame.wanted.camera);
     let recipe = Recipe {

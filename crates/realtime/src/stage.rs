@@ -67,7 +67,7 @@ impl Stage {
         &self.by_points
     }
 
-    /// How far away that is which stands in the middle of the picture.
+    /// Returns the distance of the surface in the middle of the picture, in metres.
     pub(crate) fn focus(&self) -> Option<f32> {
         let scene = &self.by_points.scene;
         let camera = scene.camera();

@@ -5,7 +5,7 @@ use std::time::Duration;
 use traylib_demos::count;
 use traylib_integrators::Statistics;
 
-/// How fast frames come.
+/// The rates at which frames and rays come.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Rates {
     frames: u64,
@@ -47,7 +47,7 @@ pub(crate) fn title(scene: &str, frame: &Frame, [frames, rays]: [f64; 2]) -> Str
     )
 }
 
-/// How long one title stays.
+/// The time that one title stays.
 pub(crate) const TITLE_TIME: Duration = Duration::from_millis(300);
 
 #[cfg(test)]

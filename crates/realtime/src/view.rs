@@ -4,7 +4,7 @@ use crate::motion::{Motion, aimed_at, moved};
 use traylib_integrators::Method;
 use traylib_scene::{Camera, CameraSettings};
 
-/// What a picture is to show.
+/// The camera and the method of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Wanted {
     /// Seen from here.
@@ -13,13 +13,13 @@ pub(crate) struct Wanted {
     pub(crate) method: Method,
 }
 
-/// What is wanted now, and how it came about.
+/// The picture that is wanted now, and how it came about.
 #[derive(Clone, Debug)]
 pub(crate) struct View {
     home: CameraSettings,
     /// The method of the command line, which its key comes back to.
     given: Method,
-    /// How far away that is, seen from home, which stands in the middle of the picture.
+    /// The distance, seen from home, of the surface in the middle of the picture, in metres.
     focus: Option<f32>,
     wanted: Wanted,
 }
@@ -31,7 +31,7 @@ impl View {
         Self { home, given: method, focus, wanted: Wanted { camera: home, method } }
     }
 
-    /// What to draw. If it is what it was, the picture goes on to be refined.
+    /// Returns the picture to draw. If it is what it was, the picture goes on to be refined.
     pub(crate) fn wanted(&self) -> Wanted {
         self.wanted
     }

@@ -14,9 +14,9 @@ pub(crate) struct Window {
     events: Receiver<(Key, bool)>,
     /// Keys that are down, by their numbers.
     held: BTreeSet<u8>,
-    /// Whether they come to this window.
+    /// True if they come to this window.
     is_active: bool,
-    /// Where the mouse was, and the button that was down then.
+    /// The last position of the mouse, and the button that was down then.
     drag: Option<(Vec2, Button)>,
     last_input: Instant,
     last_drawn: Instant,
@@ -43,7 +43,7 @@ impl InputCallback for Keys {
 /// Times a second that mouse and keyboard are looked at.
 const LOOKS: usize = 60;
 
-/// What lay before the window may have left it without a picture, which is drawn again then.
+/// The time after which a picture is drawn again that other windows may have erased.
 const DRAWN_AGAIN: Duration = Duration::from_millis(200);
 
 impl Window {
@@ -94,7 +94,7 @@ impl Window {
         drawn.map_err(|error| Failure::output(format_args!("the window is lost: {error}")))
     }
 
-    /// What was done since the last time; `None` if the window was closed.
+    /// Returns the actions since the last time; `None` if the window was closed.
     pub(crate) fn input(&mut self) -> Option<Input> {
         if !self.screen.is_open() {
             return None;
@@ -143,7 +143,7 @@ impl Window {
         f32::from(u8::from(self.held.contains(&(key as u8))))
     }
 
-    /// Where the mouse was drawn to with its left button, and with another.
+    /// Returns the distances that the mouse was dragged with its left button, and with another.
     fn drawn(&mut self) -> (Vec2, Vec2) {
         let last = self.drag.take();
         let place = self.screen.get_unscaled_mouse_pos(MouseMode::Pass).map(Vec2::from);
@@ -164,7 +164,7 @@ impl Window {
     }
 }
 
-/// What a key does at once, if anything.
+/// Returns the immediate action of a key, if it has one.
 #[expect(clippy::wildcard_enum_match_arm, reason = "a keyboard has many keys")]
 fn meaning(key: Key) -> Option<Press> {
     match key {

@@ -105,7 +105,7 @@ impl Running {
         (status.code(), out, err)
     }
 
-    /// What it has printed until its end.
+    /// Returns the text that it has printed until its end.
     fn read(&mut self) -> [String; 2] {
         let [mut out, mut err] = [String::new(), String::new()];
         self.0.stdout.take().unwrap().read_to_string(&mut out).unwrap();

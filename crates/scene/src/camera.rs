@@ -45,7 +45,7 @@ pub struct Camera {
     pixels_per_unit: f32,
 }
 
-/// Where a point in the scene appears in the picture.
+/// The place of a point of the scene in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
     /// Column of the pixel.
@@ -153,7 +153,7 @@ impl Camera {
         SolidAnglePdf(self.pixels_per_unit * self.pixels_per_unit / (cosine * cosine * cosine))
     }
 
-    /// Where `point` appears, if it lies before the camera and inside the
+    /// Returns the place of `point` in the picture, if it lies before the camera and inside the
     /// picture. The inverse of [`ray`](Self::ray).
     pub fn project(&self, point: Vec3) -> Option<Projection> {
         let offset = point - self.position;

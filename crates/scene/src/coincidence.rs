@@ -1,10 +1,10 @@
 //! Lamps that lie in one place with other surfaces.
 //!
-//! Which of two surfaces in one place is seen would be decided by rounding, and by each
-//! program in its own way. So lamps are lifted off their fronts when the scene is built,
-//! by a few times what rounding can move a point: a lamp flush with its ceiling shines.
-//! Of lamps in one place that face the same way the first is lifted highest and hides
-//! the rest. Of other surfaces in one place the one added first is seen.
+//! Rounding would decide which of two surfaces in one place is seen, and each program in its own
+//! way. So lamps are lifted off their fronts when the scene is built, by a few times what rounding
+//! can move a point: a lamp flush with its ceiling shines. Of lamps in one place that face the same
+//! way the first is lifted highest and hides the rest. Of other surfaces in one place the one added
+//! first is seen.
 
 use crate::Light;
 use crate::surfaces::Surfaces;
@@ -148,7 +148,7 @@ mod tests {
         Primitive::Quad(Quad::new(corner, u, Vec3::new(0.0, 0.0, 2.0 * half)).unwrap())
     }
 
-    /// What is seen from below at random points of the square.
+    /// Returns the light that is seen from below at random points of the square.
     fn seen(scene: &Scene, slope: f32) -> Vec<f32> {
         let mut sampler = Sampler::numbered(3, 0);
         let mut draw = || {

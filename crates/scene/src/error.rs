@@ -1,4 +1,4 @@
-//! Why a scene cannot be built.
+//! The reasons why a scene cannot be built.
 
 /// A scene that makes no sense.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

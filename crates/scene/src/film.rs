@@ -1,4 +1,4 @@
-//! Where light is gathered.
+//! The film, which gathers light.
 
 mod block;
 mod pass_image;
@@ -32,7 +32,7 @@ pub struct Film {
     sequences: Vec<Sequence>,
 }
 
-/// Why two films cannot become one.
+/// The reason why two films cannot become one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MergeError {

@@ -13,13 +13,13 @@ use traylib_math::{Rgb, Vec2, Vec3};
 pub struct PointImage {
     /// Unit direction from the surface to where it sees the image.
     pub wi: Vec3,
-    /// That place on the mirror.
+    /// The place on the mirror.
     pub seen_at: SurfaceSite,
     /// The place on the mirror that is seen there, if not the light itself.
     pub shown_at: Option<SurfaceSite>,
     /// The light.
     pub x0: LightPoint,
-    /// Which light that is.
+    /// The light.
     pub light: LightId,
     /// The irradiance, unless something stands in the way, of a surface that faces the image, in
     /// W/m²; reflectance and opacity of mirrors are in it, and the chance to have looked for
@@ -36,7 +36,7 @@ impl PointImage {
         1 + u32::from(self.shown_at.is_some())
     }
 
-    /// Where the light falls on a mirror.
+    /// Returns the point at which the light falls on a mirror.
     pub fn lit_at(&self) -> &SurfaceSite {
         self.shown_at.as_ref().unwrap_or(&self.seen_at)
     }
@@ -54,8 +54,8 @@ impl Scene {
     /// are few of them. Of very many one is looked for at random, by `u`, uniform on [0, 1), so
     /// that the mean over `u` is right.
     ///
-    /// What stands between is left out: the segments from the surface to the mirror and from
-    /// there on to the light have to be asked for.
+    /// Occlusion is left out: the segments from the surface to the mirror and from there on to the
+    /// light have to be asked for.
     pub fn point_images<'a>(
         &'a self,
         point: &'a SurfacePoint,

@@ -8,7 +8,7 @@ use traylib_math::Vec3;
 /// The seat of a lamp: the surface that it lies on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Seat {
-    /// Nothing that matters: a surface that is there all over, or free space.
+    /// A place where nothing matters: a surface that is there all over, or free space.
     Plain,
     /// The lamp is this surface of the scene, parts of which may not be there.
     Masked(u32),

@@ -1,4 +1,4 @@
-//! All that rays can meet, by number.
+//! The surfaces that rays can meet, by number.
 
 use crate::LightId;
 use traylib_geometry::{
@@ -19,8 +19,8 @@ pub(crate) struct Surfaces {
     count: u32,
 }
 
-/// So many entries the list of stretches has at most, or every hit of a large mesh would wait
-/// for memory once more.
+/// The most entries of the list of stretches, or every hit of a large mesh would wait for memory
+/// once more.
 const MOST_STRETCHES: usize = 1 << 16;
 
 /// One shape, or a mesh, and what all of it has in common.
@@ -158,7 +158,7 @@ impl Surface<'_> {
         self.part.material as usize
     }
 
-    /// Where rays meet it.
+    /// Returns the sides on which rays meet it.
     pub(crate) fn sides(&self) -> Sides {
         self.part.sides
     }
@@ -230,7 +230,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Where on its textures it is at these surface coordinates; `None` on shapes without
+    /// Returns its place on its textures at these surface coordinates; `None` on shapes without
     /// texture coordinates.
     pub(crate) fn site_of_textures(&self, at: Vec2) -> Option<Site> {
         match &self.part.shape {

@@ -1,4 +1,4 @@
-//! Whether something happens as often as it should.
+//! Tests whether something happens as often as it should.
 
 use statrs::distribution::{Binomial, DiscreteCDF};
 

@@ -97,9 +97,9 @@ mod tests {
         (0..n).map(|_| -f64::from(1.0 - sampler.next_1d()).ln()).collect()
     }
 
-    /// How many of 200 intervals miss the truth. At a level of 5 % it is 10 ± 3; as
-    /// the bootstrap promises its level only nearly, 20 are allowed, which plain
-    /// percentiles of 16 such values exceed more often than not.
+    /// Returns how many of 200 intervals miss the truth. At a level of 5 % it is 10 ± 3; as the
+    /// bootstrap promises its level only nearly, 20 are allowed, which plain percentiles of 16 such
+    /// values exceed more often than not.
     fn misses(interval: impl Fn(&mut Sampler) -> Estimate) -> usize {
         let mut sampler = Sampler::numbered(5, 0);
         let missed = |e: Estimate| !(e.low..=e.high).contains(&1.0);

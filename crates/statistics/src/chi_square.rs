@@ -1,4 +1,4 @@
-//! Whether counts follow stated probabilities.
+//! Tests whether counts follow stated probabilities.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 

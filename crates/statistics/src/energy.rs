@@ -1,4 +1,4 @@
-//! Where the energy of a stream of values lies: in many, or in a few large ones.
+//! The distribution of the energy of a stream of values: over many, or over a few large ones.
 
 /// Bins an octave.
 const FINENESS: f64 = 8.0;

@@ -11,8 +11,8 @@ pub fn sidak(family: f64, tests: usize) -> f64 {
     -((-family).ln_1p() / tests.max(1) as f64).exp_m1()
 }
 
-/// Which of these hypotheses are refused when a false alarm among them all may
-/// have the probability `family`, however they depend on one another.
+/// Tells which of these hypotheses are refused when a false alarm among them all may have the
+/// probability `family`, however they depend on one another.
 ///
 /// Holm, *A simple sequentially rejective multiple test procedure*, 1979.
 pub fn holm(p_values: &[f64], family: f64) -> Vec<bool> {

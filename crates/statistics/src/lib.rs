@@ -71,7 +71,7 @@ pub use shortfall::shortfall;
 pub use uniformity::uniformity;
 pub use welch::welch;
 
-/// What the package says of itself is run as a test.
+/// Runs the examples of the package's README as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

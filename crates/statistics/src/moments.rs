@@ -33,10 +33,10 @@ impl Moments {
         (spread / self.count as f64).sqrt()
     }
 
-    /// Where the law's variance lies: its estimate is nearly normal for many
-    /// samples of a bounded law, with variance (μ₄ − σ⁴)/n. That is nothing for a
-    /// fair coin, so the error of the mean's place is added, which is of second
-    /// order. `quantile` is that of the normal law.
+    /// Returns an interval for the law's variance: its estimate is nearly normal for many samples
+    /// of a bounded law, with variance (μ₄ − σ⁴)/n. That is nothing for a fair coin, so the error
+    /// of the mean's place is added, which is of second order. `quantile` is that of the normal
+    /// law.
     pub fn variance_interval(&self, quantile: f64) -> Interval {
         let of_mean = quantile * quantile * self.variance / self.count as f64;
         Interval { mean: self.variance, half_width: quantile * self.error_of_variance() + of_mean }

@@ -13,7 +13,7 @@ pub struct Sample {
     pub variance_of_mean: f64,
 }
 
-/// Where the mean of a law lies.
+/// The interval in which the mean of a law lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// Mean of the values.

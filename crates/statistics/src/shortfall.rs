@@ -1,4 +1,4 @@
-//! Whether rare large values were missed.
+//! Bounds on the chance that rare large values were missed.
 
 /// Probability, at most, that the mean of `samples` values in 0..`largest`, whose law has this
 /// `mean`, falls `short` of it by so much, whatever the law is: exp(−n·d²/(2Mμ)). It needs no

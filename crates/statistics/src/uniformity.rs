@@ -1,4 +1,4 @@
-//! Whether values are spread evenly.
+//! Tests whether values are spread evenly.
 
 /// Probability that values drawn evenly from [0, 1] are spread as unevenly as
 /// these or more, by the greatest distance between the two distributions.

@@ -1,4 +1,4 @@
-//! Whether two means are the same.
+//! Tests whether two means are the same.
 
 use crate::sample::Sample;
 use crate::student;

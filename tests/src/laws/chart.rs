@@ -171,7 +171,7 @@ pub struct View {
     pub name: &'static str,
     /// The lamp.
     pub shape: Primitive,
-    /// Where it is seen from.
+    /// The point from which it is seen.
     pub from: Vec3,
 }
 

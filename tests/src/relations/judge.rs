@@ -22,7 +22,7 @@ const FEW: usize = 20;
 /// Part of the brightest light that may be lost where numbers become too small.
 const LOST: f64 = 1e-14;
 
-/// How many times as many passes each look has as the first.
+/// The factors between the passes of each look and those of the first.
 const PASSES: [u32; 3] = [1, 4, 16];
 
 /// A rendering that is one side of a claim, or a part of it.
@@ -35,8 +35,8 @@ pub struct Part {
     /// The greatest sample that there can be: says how rare light can be that was
     /// not met.
     pub brightest: f64,
-    /// Whether much of the light may come in such samples. If not, this matters only
-    /// where hardly any light was met.
+    /// True if much of the light may come in such samples. If not, this matters only where hardly
+    /// any light was met.
     pub is_rare: bool,
 }
 
@@ -90,7 +90,7 @@ pub struct Claim {
     pub left: Side,
     /// The other.
     pub right: Side,
-    /// Whether the right picture is the left one with left for right.
+    /// True if the right picture is the left one with left for right.
     pub flipped: bool,
     /// The factor by which the left picture is as bright as the right one.
     pub factor: f64,
@@ -270,8 +270,8 @@ impl Seen<'_> {
         }
     }
 
-    /// How improbable such a difference is if the means are the same but for the
-    /// margin: Student's law, both sides.
+    /// Returns the probability of such a difference if the means are the same but for the margin:
+    /// Student's law, both sides.
     fn p(&self, cell: usize, margin: f64) -> f64 {
         let difference = self.difference(cell);
         let means = [self.mean(0, cell), self.mean(1, cell)];
@@ -289,8 +289,8 @@ impl Seen<'_> {
         by_spread.max(self.by_rarity(cell, means))
     }
 
-    /// How probable it is that the darker side missed light that comes in samples
-    /// as bright as its brightest; zero where that is not known.
+    /// Returns the probability that the darker side missed light that comes in samples as bright as
+    /// its brightest; zero where that is not known.
     fn by_rarity(&self, cell: usize, means: [f64; 2]) -> f64 {
         let darker = usize::from(means[1] < means[0]);
         let Some(cells) = &self.sides[darker] else { return 0.0 };

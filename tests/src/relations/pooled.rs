@@ -6,7 +6,7 @@ use traylib_statistics::normal::two_sided_quantile;
 
 /// Spreads of single scenes below this weigh alike, so that no scene decides alone.
 const FLOOR: f64 = 0.01;
-/// How often the interval misses by chance, both sides.
+/// The probability that the interval misses by chance, both sides.
 const LEVEL: f64 = 1e-4;
 
 /// The mean of the logarithm of right over left, over scenes in which both are

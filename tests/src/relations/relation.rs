@@ -1,5 +1,5 @@
-//! Which relations there are. Each makes claims about a scene; where a relation
-//! says nothing about it, none.
+//! The list of relations. Each makes claims about a scene; where a relation says nothing about it,
+//! none.
 
 mod changed;
 mod furnace;
@@ -62,7 +62,7 @@ pub struct Subject<'a> {
     pub built: Arc<Built>,
     /// The right mean over the picture, where it is known.
     pub right: Option<Known>,
-    /// Where to build others.
+    /// The workshop that builds other scenes.
     pub workshop: &'a Workshop,
 }
 

@@ -45,7 +45,7 @@ impl Estimator {
     }
 }
 
-/// Why a scene gave no numbers.
+/// The reason why a scene gave no numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Trouble {
     /// The library refused it.
@@ -260,7 +260,7 @@ impl Cells {
         self
     }
 
-    /// So many times as bright.
+    /// Returns it so many times as bright.
     #[must_use]
     pub fn times(mut self, factor: f64) -> Self {
         self.values.iter_mut().flatten().for_each(|value| *value *= factor);

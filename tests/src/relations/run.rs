@@ -143,7 +143,7 @@ fn chosen(plan: &Plan, dice: &mut Dice) -> Vec<Relation> {
 /// The settings with which one scene is judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Bench<'a> {
-    /// Where files go.
+    /// The workshop that files go to.
     pub workshop: &'a Workshop,
     /// Seed of the run.
     pub seed: u64,

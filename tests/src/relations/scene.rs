@@ -13,7 +13,7 @@ use traylib_math::Vec3;
 /// A scene. Lengths are metres, angles degrees.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnScene {
-    /// Where it is seen from.
+    /// The camera.
     pub camera: Camera,
     /// The objects of the scene.
     pub objects: Vec<Object>,
@@ -47,14 +47,14 @@ pub struct Object {
     pub material: Material,
     /// Radiance of its front in W/(m²·sr).
     pub emission: Vec3,
-    /// Which sides are there for light.
+    /// The sides that are there for light.
     pub sides: Sides,
 }
 
 /// A point that shines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// Where it is.
+    /// The position.
     pub position: Vec3,
     /// W/sr, where it is full.
     pub intensity: Vec3,

@@ -13,7 +13,7 @@ pub const RUNS: u64 = 16;
 /// The sum of one run's passes, each time their number is a power of two.
 pub type Sums = Vec<Vec<f64>>;
 
-/// All that is kept of a cell's passes. Values are means of the bands.
+/// The data that is kept of a cell's passes. Values are means of the bands.
 #[derive(Clone, Debug, Default)]
 pub struct Kept {
     /// Passes in each run, a power of two.

@@ -86,7 +86,7 @@ pub fn upright_factor(a: f64, b: f64, c: f64) -> f64 {
     (foot - c / slant * (b / slant).atan()) / (2.0 * PI)
 }
 
-/// Where a ray meets the floor.
+/// Returns the point at which a ray meets the floor.
 fn floor_point(origin: Vec3, direction: Vec3) -> [f64; 2] {
     let along = -f64::from(origin.y) / f64::from(direction.y);
     let at = |from: f32, step: f32| f64::from(from) + along * f64::from(step);

@@ -16,7 +16,7 @@ const REFLECTANCE: f64 = 0.5;
 const OTHERS: u32 = 999;
 /// The power of each weak lamp, over that of the relevant one.
 const WEAKNESS: f64 = 1e-4;
-/// So that radius² carries that ratio at equal radiance.
+/// The radius of the weak lamps: its square carries that ratio at equal radiance.
 const WEAK_RADIUS: f64 = 0.01;
 
 /// F8: the relevant lamp is a disk of radius 1 at the height 1, the others disks
@@ -93,7 +93,7 @@ fn floor_point(origin: Vec3, direction: Vec3) -> Vec3 {
     origin - direction * (origin.z / direction.z)
 }
 
-/// How far a lamp's axis is from a point of the floor.
+/// Returns the distance of a lamp's axis from a point of the floor.
 fn aside(x: Vec3, lamp: Vec3) -> f64 {
     f64::from(x.x - lamp.x).hypot(f64::from(x.y - lamp.y))
 }

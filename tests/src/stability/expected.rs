@@ -71,7 +71,7 @@ pub struct Correction {
     pub method: Method,
     /// The verdict that stands.
     pub verdict: Expected,
-    /// Why, in a line.
+    /// The reason, in a line.
     pub reason: &'static str,
 }
 

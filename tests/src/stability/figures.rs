@@ -43,7 +43,7 @@ pub struct Figures {
     pub far_tail: Option<TailIndex>,
     /// Excess kurtosis of pass values, all pixels together, each in its unit.
     pub kurtosis: Option<f64>,
-    /// That over the kurtosis of the first half; about 2 means without bound.
+    /// The kurtosis over that of the first half; about 2 means without bound.
     pub kurtosis_growth: Option<f64>,
     /// Share of the largest 0.1 % of pass values in their sum of squares.
     pub energy_share: f64,

@@ -8,7 +8,7 @@ use traylib_statistics::tail;
 /// Times the best method's time to relMSE 10⁻² beyond which a cell is slow.
 pub const SLOW: f64 = 10.0;
 
-/// Where even the best needs more passes than this to relMSE 10⁻², all are slow.
+/// The passes to relMSE 10⁻² beyond which all are slow, if even the best needs more.
 pub const ALL_SLOW: f64 = 16384.0;
 
 /// The relative error that an image mean may have, where its interval can tell.
@@ -17,7 +17,7 @@ pub const EQUIVALENCE: f64 = 5e-3;
 /// Fireflies per megapixel.
 const FIREFLIES: f64 = 10.0;
 
-/// How far a slope may be from −1.
+/// The greatest deviation of a slope from −1.
 const SLOPE: f64 = 0.05;
 
 /// The verdict on a cell.
@@ -126,7 +126,7 @@ fn blind(figures: &Figures, word: Word) -> Verdict {
     }
 }
 
-/// What makes an estimate wrong, whatever its noise.
+/// Says why an estimate is wrong, whatever its noise; `None` if it is not.
 fn wrong(figures: &Figures) -> Option<String> {
     let Figures { mean, half_width, truth, rejected, .. } = *figures;
     let narrow = half_width <= EQUIVALENCE * truth;
@@ -140,7 +140,7 @@ fn wrong(figures: &Figures) -> Option<String> {
     }
 }
 
-/// What keeps a fast method from being ok.
+/// Says why a fast method is not ok; `None` if it is.
 fn unsteady(figures: &Figures) -> Option<String> {
     match figures.slope {
         Some(slope) if (slope.slope + 1.0).abs() > SLOPE => {

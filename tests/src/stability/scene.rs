@@ -14,7 +14,7 @@ pub struct FailureScene {
     pub id: &'static str,
     /// The title of the scene.
     pub title: &'static str,
-    /// Where it comes from.
+    /// The file or the code that it is made by.
     pub source: Source,
     /// The longest path, in edges.
     pub max_depth: Option<u32>,
@@ -27,7 +27,7 @@ pub struct FailureScene {
     pub passes: u32,
 }
 
-/// Where a scene comes from.
+/// The source of a scene.
 #[derive(Clone, Copy, Debug)]
 pub enum Source {
     /// A file of `scenes/failure`, without its ending.

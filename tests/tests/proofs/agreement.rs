@@ -35,7 +35,7 @@ fn methods_agree() {
     settle(&findings);
 }
 
-/// How far the means may be apart, the interval included.
+/// The relative difference that the means may have, the interval included.
 const SAME: f64 = 5e-3;
 
 /// Every method whose light on this scene has a usable variance, to 0.5 % of the

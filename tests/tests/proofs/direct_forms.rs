@@ -36,7 +36,7 @@ fn a6_standing_rectangle() {
 }
 
 /// Lamps of several triangles, which are drawn by how large and how near they are.
-/// What of the pentagon is nearest is below the floor, which draws cannot know.
+/// The nearest part of the pentagon is below the floor, which draws cannot know.
 #[test]
 fn a7_polygons() {
     all_hold(&tilted_triangle(), 71, &[(DIRECT_LIGHT, 64), (BDPT, 64)]);

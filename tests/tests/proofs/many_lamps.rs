@@ -33,7 +33,7 @@ fn middle([column, row]: [u16; 2]) -> Vec3 {
     Vec3::new(f32::from(column) + 0.5, f32::from(row) + 0.5, 0.0) * ROOM
 }
 
-/// What is looked at.
+/// Returns the point that is looked at.
 fn relevant([columns, rows]: [u16; 2]) -> Vec3 {
     middle([columns / 2, rows / 2])
 }

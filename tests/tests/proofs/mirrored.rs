@@ -41,7 +41,7 @@ fn render(picture: &Picture, method: Method, passes: u32, seed: u64) -> Passes {
     Passes { blocks, image: Measured { means, statistics, samples } }
 }
 
-/// What the blocks should be.
+/// Returns the true means of the blocks.
 fn blocks(picture: &Picture) -> Vec<f64> {
     tile_means(picture.truth.values(), picture.truth.width(), BLOCK)
 }
@@ -65,7 +65,7 @@ fn compare(
     [image, all_blocks(picture, method, &rendered, &truth)]
 }
 
-/// How far the worst block is from the truth, in half widths of its interval.
+/// Finds how far the worst block is from the truth, in half widths of its interval.
 fn all_blocks(picture: &Picture, method: Method, rendered: &Passes, truth: &[f64]) -> Finding {
     let level = sidak(FAMILY_LEVEL, truth.len());
     let off = rendered.blocks.iter().zip(truth).map(|(means, truth)| {
@@ -118,7 +118,8 @@ fn seconds_to_a_percent(picture: &Picture, method: Method, passes: u32) -> f64 {
     seconds * variance_of_mean / (0.01 * mean_of(&blocks(picture))).powi(2)
 }
 
-/// What walks from both ends are for, unless images of lamps are aimed at: with them
+/// Walks from both ends pay here, unless images of lamps are aimed at: with them `directlight` is
+/// as quick.
 /// `directlight` is as quick here. The times are this machine's; the factors are 10 and more.
 #[test]
 #[ignore = "at length: cargo xtask prove"]

@@ -15,7 +15,7 @@ const RADII: [f64; 6] = [0.1, 0.3, 1.0, 2.0, 3.0, 10.0];
 /// Pixels of which each is asked twice: 1024 samples.
 const PROBES: u32 = 512;
 
-/// What light samples cost where a walk costs 1.
+/// The costs of light samples where a walk costs 1.
 const COSTS: [f64; 3] = [1.0, 2.0, 4.0];
 
 /// A walk and a light sample, or both.

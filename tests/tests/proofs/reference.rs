@@ -19,7 +19,7 @@ const REFERENCE_RUNS: usize = 8;
 /// A block brighter than this sees the lamp, whose edge alone would fill the
 /// interval of a picture's mean: a pixel there is bright or not.
 const SEES_LAMP: f64 = 1.2;
-/// How far the means may lie apart, relative to them.
+/// The relative difference that the means may have.
 const EQUIVALENCE: f64 = 2e-3;
 const MAX_DEPTH: Option<u32> = Some(5);
 

@@ -8,7 +8,7 @@ use traylib_statistics::{Sample, welch};
 use traylib_tests::findings::{Finding, settle};
 use traylib_tests::still_life::still_life;
 
-/// How often a right program fails by chance.
+/// The probability that a right program fails by chance.
 const LEVEL: f64 = 1e-5;
 /// Renderings of either size, each with numbers of its own.
 const RENDERINGS: u64 = 16;

@@ -19,7 +19,7 @@ use traylib_tests::stability::reference::Reference;
 use traylib_tests::stability::scene::SCENES;
 use traylib_tests::stability::table::{Agreement, Judged};
 
-/// How many draws the laws below are known by.
+/// The number of draws by which the laws below are known.
 const DRAWS: u32 = 400_000;
 
 /// Uniform on (0, 1].
@@ -60,7 +60,7 @@ fn hill_knows_power_laws() {
     settle(&findings);
 }
 
-/// How many of 60 samples of a law, 20,000 values each, raise the alarm.
+/// Returns how many of 60 samples of a law, 20,000 values each, raise the alarm.
 fn alarms(law: impl Fn(f64) -> f64) -> usize {
     let raised = |run| {
         let mut sampler = Sampler::new(8, [Sampler::TESTS, 2, run]);
@@ -211,7 +211,7 @@ fn the_best_of_the_slow() {
     assert_eq!(judge(&other, Word::Sees, best), Verdict::Slow);
 }
 
-/// What is wrong is never best, and never anything but unsettled.
+/// A wrong estimate is never best, and never anything but unsettled.
 #[test]
 fn wrong_is_not_slow_and_not_ok() {
     let quick = sound(1.0);

@@ -5,8 +5,8 @@ use serde_json::Value;
 /// Relative, of numbers that are not whole: others sum in another order.
 const TOLERANCE: f64 = 1e-4;
 
-/// Where what was found is not what was expected; keys that were not looked for are
-/// left alone, but one that is found must be expected.
+/// Lists the differences between what was expected and what was found; keys that were not looked
+/// for are left alone, but one that is found must be expected.
 pub(super) fn differences(expected: &Value, found: &Value) -> Vec<String> {
     let Some(keys) = found.as_object() else {
         return vec![String::from("nothing was found")];

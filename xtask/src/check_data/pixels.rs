@@ -8,11 +8,11 @@ use traylib_io::{Error, Texture, TextureLimits, load_texture};
 
 type Pixels = Vec<[u8; 4]>;
 
-/// What is made of pixels before they are held against a hash.
+/// A change of pixels before they are held against a hash.
 type Adjust = fn(Pixels) -> Pixels;
 
-/// Where other readers disagree with one another or with ours for a reason: the file,
-/// what is done with its pixels, the file whose hash they then have.
+/// The files on which other readers disagree with one another or with ours for a reason: the file,
+/// the change of its pixels, the file whose hash they then have.
 const OTHERWISE: [(&str, Adjust, &str); 5] = [
     ("gif/gd_small_frame_big_canvas.gif", with_background, "gif/gd_small_frame_big_canvas.gif"),
     ("tga/b5-attrib.tga", cut_to_five_bits, "tga/b5-noattrib.tga"),
@@ -21,13 +21,14 @@ const OTHERWISE: [(&str, Adjust, &str); 5] = [
     ("tga/utc16.tga", cut_to_five_bits, "tga/utc16.tga"),
 ];
 
-/// Which pixels are transparent is agreed on, not their colour.
+/// The file of which others agree on which pixels are transparent, not on their colour.
 const BY_COVER: &str = "gif/pil_first_frame_transparency.gif";
 
 /// Read by others, refused here: without colours there is nothing to show.
 const REFUSED: &str = "gif/pil_no_palette.gif";
 
-/// What is not as expected of a file, by its name in the list; nothing, else.
+/// Describes the difference of a file from what is expected, by its name in the list; `None`
+/// without one.
 pub(super) fn complaint(folder: &Path, list: &Value, name: &str) -> Option<String> {
     let (expected, found) =
         (&list[name], load_texture(&folder.join(name), TextureLimits::default()));

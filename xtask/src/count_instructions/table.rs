@@ -4,14 +4,14 @@ use anyhow::{Context, Result};
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
-/// What a case took.
+/// The instructions that a case took.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Count {
     /// In all.
     instructions: u64,
-    /// How many rays or triangles it worked on.
+    /// The number of rays or triangles that it worked on.
     items: u64,
-    /// Which.
+    /// The name of these items.
     unit: String,
 }
 

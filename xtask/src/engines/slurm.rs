@@ -48,7 +48,7 @@ pub(super) fn run(place: &Place) -> Result<String> {
     ))
 }
 
-/// What the parts and the controller have said.
+/// Returns the messages of the parts and of the controller.
 fn logs(place: &Place) -> String {
     let parts = (0..PARTS).map(|part| format!("part-{part}.log"));
     let files = parts.chain(["slurm/slurmctld.said".to_string()]);
@@ -134,7 +134,9 @@ fn key_bytes() -> Result<Vec<u8>> {
     Ok(key)
 }
 
-/// What is queued again waits for as long as a credential is valid, which is two minutes unless
+/// Writes Slurm's configuration. A job that is queued again waits for as long as a credential is
+/// valid, which is two minutes unless `cred_expire` says otherwise, and then for the next look at
+/// the queue.
 /// `cred_expire` says otherwise, and then for the next look at the queue.
 fn configuration(here: &str, host: &str, user: &str) -> String {
     // Two of those that systems give to nobody for long.

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// Where everything is kept that is made of faults, from the workspace's root.
+/// The folder of all that is made of faults, from the workspace's root.
 pub(super) const FOLDER: &str = "target/faults";
 
 /// Makes `copy` the workspace under `root` with `changed` texts. What is right already

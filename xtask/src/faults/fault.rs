@@ -10,9 +10,9 @@ use std::path::Path;
 /// A mistake, and the patch that puts it into the clean sources, asleep.
 #[derive(Clone, Debug)]
 pub(super) struct Fault {
-    /// How the environment and the name of its file call it.
+    /// The name, by which the environment and its file call it.
     pub(super) name: String,
-    /// What is wrong, in words: whatever stands before the patch.
+    /// The mistake in words: the text before the patch.
     pub(super) wrong: String,
     /// A unified diff.
     patch: String,
@@ -75,7 +75,7 @@ impl Fault {
         Ok(())
     }
 
-    /// What it changes, one file each.
+    /// Returns its changes, one file each.
     pub(super) fn changes(&self) -> Result<Vec<Change<'_>>> {
         PatchSet::parse(&self.patch, ParseOptions::unidiff())
             .map(|patch| {
@@ -98,7 +98,7 @@ impl Fault {
     }
 }
 
-/// Where a fault is kept, from the workspace's root.
+/// Returns the file of a fault, from the workspace's root.
 pub(super) fn file_of(name: &str) -> String {
     format!("xtask/faults/{name}.patch")
 }

@@ -105,7 +105,7 @@ fn a_fault_says_what_is_wrong_and_asks_for_itself_alone() {
     assert_eq!(why("Sound", &silent), "changes file without asking for `injected!(Sound)`");
 }
 
-/// What is written from a changed copy is the change.
+/// The patch that is saved from a changed copy is the change.
 #[test]
 fn a_patch_is_saved_from_a_changed_copy() {
     let folder = tempfile::tempdir().unwrap();

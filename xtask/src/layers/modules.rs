@@ -12,7 +12,7 @@ use syn::{Attribute, Ident, ItemFn, ItemImpl, ItemMod, ItemUse, UseTree};
 /// A path of names below the root of the package.
 pub(super) type Names = Vec<String>;
 
-/// What a file names.
+/// The names in a file.
 #[derive(Debug, Default)]
 pub(super) struct Module {
     /// Paths that begin at the root.
@@ -42,7 +42,7 @@ pub(super) fn read(root: &Path) -> Result<BTreeMap<Names, Module>> {
     Ok(modules)
 }
 
-/// What a file at this path names, and the modules that have files of their own below.
+/// Returns the names in a file at this path, and the modules that have files of their own below.
 pub(super) fn parse(path: &[String], text: &str) -> Result<(Module, Names)> {
     let mut reader =
         Reader { path: path.to_vec(), module: Module::default(), children: Names::new() };

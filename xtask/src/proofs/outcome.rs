@@ -1,17 +1,17 @@
-//! Which tests passed.
+//! The results of tests.
 
 use super::Finding;
 use std::path::Path;
 use std::process::Output;
 
-/// What came of running test programs.
+/// The results of test programs.
 #[derive(Debug, Default)]
 pub(crate) struct Outcome {
     /// Names of the tests that passed, and of those that did not. A program that
     /// died stands for itself.
     pub(crate) passed: Vec<String>,
     pub(crate) failed: Vec<String>,
-    /// What the failing programs printed.
+    /// The output of the failing programs.
     pub(crate) complaints: String,
     pub(crate) findings: Vec<Finding>,
 }

@@ -78,7 +78,7 @@ fn interrupted(signal: Option<Signal>, what: &str) -> Failure {
     Failure::interrupted(signal, format_args!("{}{what}", word(signal)))
 }
 
-/// How it is called to be asked to stop.
+/// Returns the words that name a signal in messages.
 fn word(signal: Signal) -> &'static str {
     match signal {
         Signal::Hangup => "terminal closed",

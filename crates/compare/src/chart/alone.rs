@@ -18,7 +18,7 @@ const GAP: i32 = 48;
 const LEFT: i32 = 30;
 const RADIUS: f64 = 10.0;
 
-/// What the page's style does for charts inside of it.
+/// The style of text in a chart by itself, in place of the page's style.
 const STYLE: &str = "text{paint-order:stroke;stroke:#FFFFFF;stroke-width:6px;\
     stroke-linejoin:round}";
 

@@ -70,7 +70,7 @@ impl Ranged for Decades {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
 
-    /// What lies outside, and what has no logarithm, is moved to the nearer end.
+    /// Values outside are moved to the nearer end, those that cannot be drawn to the low one.
     fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
         let log = if drawable(*value) { value.log10() } else { self.low };
         let share = ((log - self.low) / (self.high - self.low)).clamp(0.0, 1.0);

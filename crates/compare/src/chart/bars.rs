@@ -31,7 +31,7 @@ pub(crate) struct Bar {
     pub(crate) words: String,
 }
 
-/// Where bars begin, and how broad their chart is.
+/// The place where bars begin, which decides how broad their chart is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Baseline {
     /// At the left end, in a chart by itself.

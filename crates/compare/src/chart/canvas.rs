@@ -7,9 +7,9 @@ use plotters::prelude::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea, SVGB
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, IntoFont, RGBColor, TextStyle};
 
-/// What is drawn on.
+/// The SVG area that a chart is drawn on.
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-/// Why a drawing failed.
+/// The reason why a drawing failed.
 pub(crate) type Failed = DrawingAreaErrorKind<std::io::Error>;
 /// A place on it.
 pub(crate) type Place = (i32, i32);

@@ -42,15 +42,15 @@ const ROLE_INKS: [Ink; 5] = [
 
 /// Text and axes.
 pub(crate) const INK: RGBColor = ROLE_INKS[0].light;
-/// What is less important.
+/// The colour of less important elements.
 pub(crate) const MUTED: RGBColor = ROLE_INKS[1].light;
 /// Lines to read values by.
 pub(crate) const GRID: RGBColor = ROLE_INKS[2].light;
 /// The background.
 pub(crate) const PAPER: RGBColor = ROLE_INKS[3].light;
-/// What is beaten by something else.
+/// The colour of elements that another one beats.
 pub(crate) const PALE: RGBColor = ROLE_INKS[4].light;
-/// How many colours there are for methods.
+/// The number of method colours.
 pub(crate) const METHODS: usize = METHOD_INKS.len();
 
 /// The colour of a method.

@@ -1,4 +1,4 @@
-//! Where the methods reach the errors that are asked for.
+//! The crossings of the methods' curves with the errors that are asked for.
 //!
 //! Curves fall from left to right. Below a level line and to the left of a crossing,
 //! and above it to the right of the last, there is nothing but paper: there the
@@ -69,7 +69,7 @@ pub(crate) fn write(plot: &Plot<'_, '_>, labels: &[Label]) -> Result<(), Failed>
     })
 }
 
-/// Who reaches the error at a time that the chart shows, soonest first.
+/// Returns the methods that reach the error at a time that the chart shows, soonest first.
 fn reached(
     plot: &Plot<'_, '_>,
     scene: &SceneResults,
@@ -96,7 +96,7 @@ fn words(seconds: f64, badge: Option<&str>) -> String {
     format!("{}{}", number::seconds(seconds), badge.unwrap_or_default())
 }
 
-/// Where a time stands.
+/// The side of its tick on which a time is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     /// Below the line, left of the first tick of a group.
@@ -121,7 +121,7 @@ impl Side {
 struct TextSpace {
     left: i32,
     right: i32,
-    /// Whether a line of text fits between the level line and the axis.
+    /// True if a line of text fits between the level line and the axis.
     below: bool,
 }
 

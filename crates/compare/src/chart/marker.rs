@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// How many there are.
+/// The number of marker shapes.
 pub(crate) const SHAPES: usize = 5;
 /// The one of other programs.
 pub(crate) const DIAMOND: usize = 3;

@@ -10,12 +10,12 @@ use maud::Markup;
 
 const SIZE: (u32, u32) = (HALF, 640);
 
-/// What is drawn over R/h.
+/// The quantity drawn over R/h.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Quantity {
     /// Variance of one sample, in units of (ρ·Le)².
     Variance,
-    /// That times its seconds.
+    /// Variance times seconds of a sample.
     Cost,
 }
 

@@ -1,4 +1,4 @@
-//! Which settings are worth using: what nothing else beats in both time and error.
+//! The Pareto front of the settings: those that nothing else beats in both time and error.
 
 use crate::chart::axis::{Decades, visible};
 use crate::chart::canvas::{BREADTH, svg};
@@ -15,7 +15,7 @@ const SIZE: (u32, u32) = (BREADTH, 720);
 pub(crate) struct Setting {
     at: (f64, f64),
     name: String,
-    /// Whether the number is what it seems.
+    /// True if the reference is good enough here and its method bears no badge.
     solid: bool,
 }
 

@@ -19,7 +19,7 @@ pub(crate) struct Plot<'a, 'b> {
 /// Shape and colour of a marker.
 pub(crate) type Mark = (usize, RGBColor);
 
-/// How a line is drawn.
+/// The stroke of a line.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Stroke {
     /// Unbroken.
@@ -55,7 +55,7 @@ impl<'a, 'b> Plot<'a, 'b> {
         Ok(Self { area, chart })
     }
 
-    /// What it is drawn on.
+    /// Returns the area that it is drawn on.
     pub(crate) fn area(&self) -> &'a Area<'b> {
         self.area
     }
@@ -65,17 +65,17 @@ impl<'a, 'b> Plot<'a, 'b> {
         self.chart.as_coord_spec().y_spec().ends()
     }
 
-    /// Where the axes end at the right.
+    /// Returns the pixel column where the axes end at the right.
     pub(crate) fn right_end(&self) -> i32 {
         self.chart.plotting_area().get_pixel_range().0.end
     }
 
-    /// Where they end at the bottom.
+    /// Returns the pixel row where the axes end at the bottom.
     pub(crate) fn bottom_end(&self) -> i32 {
         self.chart.plotting_area().get_pixel_range().1.end
     }
 
-    /// Where a point lies; moved to the edge if outside.
+    /// Returns the place of a point, moved to the edge if it is outside.
     pub(crate) fn place(&self, point: (f64, f64)) -> Place {
         self.chart.backend_coord(&point)
     }

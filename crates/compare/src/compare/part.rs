@@ -1,7 +1,7 @@
 //! A comparison in parts: references once, then runs by anybody, then the page of all.
 //!
-//! All that is made lies in the folder under keys of what decides it, so the runs of all parts
-//! need no merging: a comparison finds them there.
+//! All results lie in the folder under keys of what decides them, so the runs of all parts need no
+//! merging: a comparison finds them there.
 
 use super::{Work, warn};
 use crate::options::Options;

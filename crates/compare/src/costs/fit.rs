@@ -4,8 +4,8 @@ use super::Sample;
 use traylib_integrators::Engine;
 use traylib_integrators::planner::Work;
 
-/// What is multiplied with prices: the sample itself, a camera path's further rays and shadow
-/// rays, and the same of light paths.
+/// Returns the quantities that prices are multiplied with: the sample itself, a camera path's
+/// further rays and shadow rays, and the same of light paths.
 fn quantities(work: &Work) -> [f64; 6] {
     let Work { camera_bounces, camera_shadows, light_paths, light_bounces, light_shadows } = *work;
     [1.0, camera_bounces, camera_shadows, light_paths, light_bounces, light_shadows]
@@ -36,7 +36,7 @@ pub fn fit(samples: &[Sample], engine: Engine, size: impl Fn(usize) -> f64) -> (
     (prices, mean.sqrt())
 }
 
-/// What all prices but one explain.
+/// Returns the cost that all prices but one explain.
 fn without(row: &[f64; 6], prices: &[f64; 6], left_out: usize) -> f64 {
     (0..row.len()).filter(|&i| i != left_out).map(|i| row[i] * prices[i]).sum()
 }

@@ -1,4 +1,4 @@
-//! Whether a method's good average can be relied on.
+//! Tests whether a method's good average can be relied on.
 
 use super::{Entry, raw_errors};
 use crate::picture::{Picture, grey};

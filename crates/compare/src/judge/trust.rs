@@ -1,4 +1,4 @@
-//! Whether a reference that nobody has checked can be what the methods render.
+//! Tests whether a reference that nobody has checked can be what the methods render.
 //!
 //! One of two methods, or a closed form, has been checked; a picture that was given is
 //! taken for true. If it is not, the error of a method is no longer its noise: what the

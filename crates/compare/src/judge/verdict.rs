@@ -4,7 +4,7 @@ use crate::number::{percent, ratio};
 use crate::results::{Estimate, LEAST_ERROR, MethodResults, Metrics, ReferenceResults, Verdict};
 use traylib_integrators::Method;
 
-/// Which method to use, from methods that have been judged; `None` without any.
+/// Chooses the method to use among methods that have been judged; `None` without any.
 pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Option<Verdict> {
     let first = methods.iter().find(|method| is_best(method))?;
     let exact = exact(methods, reference);
@@ -29,7 +29,7 @@ pub fn verdict(methods: &[MethodResults], reference: &ReferenceResults) -> Optio
     })
 }
 
-/// That there is no answer, and why; `unseen` is light that no method sees.
+/// Returns the verdict that there is no answer, and why; `unseen` is light that no method sees.
 pub fn no_verdict(why: &str, unseen: &[String], reference: &ReferenceResults) -> Verdict {
     let mut sentences = vec![format!("Nothing can be compared: {why}.")];
     sentences.extend(nobody_sees(&unseen.iter().map(String::as_str).collect::<Vec<_>>()));
@@ -53,7 +53,7 @@ fn exact<'a>(methods: &'a [MethodResults], reference: &ReferenceResults) -> Vec<
     methods.iter().filter(exact).map(|m| m.name.as_str()).collect()
 }
 
-/// Why the reference is not to be trusted, if it is not.
+/// Says why the reference is not to be trusted; `None` if it is.
 fn distrust(methods: &[MethodResults], reference: &ReferenceResults) -> Option<String> {
     let witness = methods.iter().find(|m| Some(&m.name) == reference.doubted_by.as_ref())?;
     let Metrics { bias, bias_z, noise_share, .. } = witness.metrics;
@@ -92,8 +92,8 @@ fn lead(best: &MethodResults, rivals: &[&str], all: &[MethodResults]) -> String 
     }
 }
 
-/// How much longer the other methods take, each without settings of its own, the shortest
-/// time first.
+/// Says how much longer the other methods take, each without settings of its own, the shortest time
+/// first.
 fn times(all: &[MethodResults], told: &[&str]) -> Vec<String> {
     let mut others: Vec<&MethodResults> = all
         .iter()
@@ -108,7 +108,7 @@ fn is_set(name: &str) -> bool {
     name.parse().is_ok_and(|method: Method| !Method::COMPARED.contains(&method))
 }
 
-/// What a plan chose, and what that took.
+/// Says what a plan chose and how long that took; `None` without a plan.
 fn planned(method: &MethodResults) -> Option<String> {
     let plans: Vec<&str> = method.plans.iter().map(String::as_str).collect();
     let chose = format!("{} chose {}", method.name, listed(&plans)?);
@@ -119,7 +119,7 @@ fn planned(method: &MethodResults) -> Option<String> {
     })
 }
 
-/// Whose values seem to have no variance.
+/// Names the methods whose values seem to have no variance, if any.
 fn alarms(methods: &[MethodResults]) -> Option<String> {
     let alarming: Vec<&str> =
         methods.iter().filter(|m| m.stability.alarm).map(|m| m.name.as_str()).collect();
@@ -127,7 +127,7 @@ fn alarms(methods: &[MethodResults]) -> Option<String> {
     Some(format!("No error bar holds for {names}: such values seem to have no variance."))
 }
 
-/// What a method does not see and others can.
+/// Names the light that a method loses and others see; `None` if it loses none.
 fn loss(method: &MethodResults) -> Option<String> {
     let longer = |edges: u32| {
         format!("all paths of more than {edges} edge{}", if edges == 1 { "" } else { "s" })
@@ -137,7 +137,7 @@ fn loss(method: &MethodResults) -> Option<String> {
     method.biased.then(|| format!("{} loses light: {}.", method.name, lost.join(" and ")))
 }
 
-/// What those do not see either that lose nothing against the others.
+/// Names the light to which even the methods without bias are blind, if any.
 fn unseen(methods: &[MethodResults]) -> Option<String> {
     let mut spots: Vec<&str> = Vec::new();
     for spot in methods.iter().filter(|m| !m.biased).flat_map(|m| &m.blind) {
@@ -152,7 +152,7 @@ fn nobody_sees(spots: &[&str]) -> Option<String> {
     Some(format!("No method here sees {}.", listed(spots)?))
 }
 
-/// What stands against the reference.
+/// States in how many tiles the methods of the reference differ; `None` if they agree.
 fn doubt(reference: &ReferenceResults) -> Option<String> {
     let agreement = reference.agreement.as_ref().filter(|agreement| agreement.refused > 0)?;
     let [a, b] = &agreement.methods;

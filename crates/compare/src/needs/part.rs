@@ -33,7 +33,7 @@ impl Part {
         BdptSettings::DEFAULT.integrator(Report::None)
     }
 
-    /// All that there is to take away in a scene.
+    /// Returns all parts that can be taken away in a scene.
     pub fn of(scene: &Scene) -> Vec<Self> {
         let has_areas = scene.lights().iter().any(|light| !light.is_point());
         let areas = [Self::Hits, Self::LightSamples].into_iter().filter(|_| has_areas);
@@ -88,7 +88,7 @@ impl Part {
     }
 }
 
-/// As the end of "without …".
+/// Writes it as the end of "without …".
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -49,7 +49,7 @@ pub fn table(name: &str, needs: &Needs) -> String {
     text
 }
 
-/// What the want of a part does.
+/// The effect of leaving a part out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Light,

@@ -1,4 +1,4 @@
-//! Where walks and light samples are worth the same.
+//! The radii at which walks and light samples are worth the same.
 //!
 //! With V for the variance of one sample and c for its seconds, both are equal
 //! where ln(V_l/V_w) = ln(c_w/c_l), and equally noisy where that is zero. The left
@@ -41,7 +41,7 @@ fn cost_ratio(size: &Size) -> Measured {
     Measured { value, error }
 }
 
-/// Where ln(V_l/V_w) has this value.
+/// Measures the radius at which ln(V_l/V_w) has this value.
 fn crossing(size: &Size, target: Measured, seed: u64) -> OracleCrossing {
     let theory = radius_of(target.value);
     let step = STEP * theory;
@@ -65,8 +65,8 @@ fn log_variance(moments: &Moments) -> Measured {
     Measured { value: moments.variance.ln(), error }
 }
 
-/// Where the parabola through the ratios meets the target. Its error is what the
-/// errors of the four numbers move it by, which are independent.
+/// Returns the radius at which the parabola through the ratios meets the target. Its error is what
+/// the errors of the four numbers move it by, which are independent.
 fn root(middle: f64, step: f64, target: Measured, ratios: [Measured; 3]) -> Estimate {
     let values = ratios.map(|ratio| ratio.value);
     let at = |target: f64, values: [f64; 3]| root_near(middle, step, values.map(|v| v - target));
@@ -82,7 +82,7 @@ fn root(middle: f64, step: f64, target: Measured, ratios: [Measured; 3]) -> Esti
     Estimate { value, low: value - width, high: value + width }
 }
 
-/// Where theory has this ln(V_l/V_w), by halving.
+/// Returns the radius at which ln(V_l/V_w) has this value in theory, by halving.
 fn radius_of(log_ratio: f64) -> f64 {
     let (mut low, mut high) = (1e-2_f64, 1e2_f64);
     for _ in 0..60 {

@@ -1,4 +1,4 @@
-//! Everything about one scene.
+//! The part of the page on one scene.
 
 use crate::chart::MethodStyles;
 use crate::number::{prefixed, short};

@@ -1,4 +1,4 @@
-//! Which settings are worth using.
+//! The section on settings that are worth using.
 
 use crate::chart::{MethodStyles, front, pareto};
 use crate::page::legend;

@@ -1,4 +1,4 @@
-//! Whether two methods render the same picture.
+//! Tests whether two methods render the same picture.
 
 use super::method_reference::Numbers;
 use crate::results::ReferenceAgreement;

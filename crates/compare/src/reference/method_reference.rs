@@ -34,11 +34,11 @@ impl MethodReference {
 /// The figures of such a picture beside its pixels.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Numbers {
-    /// Who made it.
+    /// The method that made it.
     pub method: String,
     /// In how many passes.
     pub passes: u32,
-    /// And seconds.
+    /// The seconds that it took.
     pub(super) seconds: f64,
     /// Means of tiles over passes, and the variances of these; `None` for tiles
     /// that hardly have a pixel to compare. The last entry is the whole picture.
@@ -53,14 +53,14 @@ impl Numbers {
     }
 }
 
-/// What a reference by one method is rendered from.
+/// The request for a reference by one method.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Order<'a> {
     /// The scene.
     pub(super) scene: &'a Scene,
     /// Pixels that are not compared.
     pub(super) masked: &'a Grid<bool>,
-    /// How long to render.
+    /// The length of the rendering, in seconds.
     pub(super) seconds: f64,
     /// The seed, which is that of no run.
     pub(super) seed: u64,

@@ -40,17 +40,17 @@ pub struct Making<'a> {
     pub threads: usize,
     /// Raised when the user wants to stop.
     pub stop: &'a Control,
-    /// Where finished references of single methods are.
+    /// The store of finished references of single methods.
     pub store: &'a Store,
 }
 
-/// Why there is no reference.
+/// The reason why there is no reference.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum MakeError {
     /// The system refuses threads.
     Threads(ThreadError),
-    /// What was rendered cannot be kept.
+    /// The rendering cannot be kept.
     Store(StoreError),
 }
 
@@ -148,13 +148,13 @@ impl Making<'_> {
         key_of(&(self.scene_key, "second method"))
     }
 
-    /// What [`Self::choose_second`] has found before.
+    /// Returns the method that [`Self::choose_second`] has found before, if any.
     fn chosen_second(&self) -> Option<Method> {
         let index: usize = self.store.numbers(self.second_key())?;
         [SECOND, LAST_RESORT].get(index).copied()
     }
 
-    /// Which method the first is checked by: known from last time, or found by short
+    /// Chooses the method by which the first is checked: known from last time, or found by short
     /// renders of all three, compared where no mirror is seen.
     fn choose_second(&self, mirrors: &Grid<bool>) -> Result<Option<Method>, MakeError> {
         if let Some(second) = self.chosen_second() {

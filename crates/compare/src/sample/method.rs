@@ -2,10 +2,10 @@
 
 use crate::results::{Estimate, MethodResults, Metrics, Point, Rays, Stability, Target};
 
-/// When runs are looked at, in seconds.
+/// The times at which runs are looked at, in seconds.
 pub(super) const BUDGETS: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 
-/// What a method is made up from.
+/// The properties that a method's results are made up from.
 pub(super) struct Kind {
     pub(super) name: &'static str,
     /// Error times seconds.
@@ -23,7 +23,7 @@ pub(super) const fn kind(name: &'static str, cost: f64, pass: f64) -> Kind {
     Kind { name, cost, pass, floor: 0.0, blind: false, alarm: false }
 }
 
-/// What would have been found of it, the best of its scene costing `best`.
+/// Makes up the results of a method, the best of its scene costing `best`.
 pub(super) fn method(kind: &Kind, best: f64) -> MethodResults {
     let ratio = kind.cost / best;
     let spread = if kind.alarm { 2.5 } else { 1.15 };

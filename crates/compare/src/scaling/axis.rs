@@ -39,7 +39,7 @@ pub struct Level {
 /// All of one axis.
 #[derive(Clone, Debug, Serialize)]
 pub struct AxisResults {
-    /// Which.
+    /// The axis.
     pub axis: Axis,
     /// From the smallest on.
     pub levels: Vec<Level>,
@@ -50,7 +50,7 @@ impl Axis {
     pub const ALL: [Self; 5] =
         [Self::Triangles, Self::Lamps, Self::PathLength, Self::Pixels, Self::Threads];
 
-    /// As it stands on axes and in tables.
+    /// Returns its name on axes and in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Triangles => "triangles",
@@ -61,7 +61,7 @@ impl Axis {
         }
     }
 
-    /// Where it is measured, ascending.
+    /// Returns the sizes at which it is measured, ascending.
     pub fn sizes(self) -> Vec<u64> {
         match self {
             Self::Triangles => vec![1_000, 10_000, 100_000, 1_000_000, 4_000_000],

@@ -57,7 +57,8 @@ fn ground(triangles: u64) -> Result<Scene, String> {
     Ok(Stage::new(view(SIDE)).mesh(mesh, lambert(0.7)).light(lamp(), 1.0, lambert(0.0)).build())
 }
 
-/// So many lamps in a square above a floor, in rows, all together of the same size.
+/// Returns a scene of so many lamps in a square above a floor, in rows, all together of the same
+/// size.
 fn lamps(count: u64) -> Scene {
     let rows = (count as f64).sqrt().ceil() as u64;
     let step = 2.0 / rows as f32;

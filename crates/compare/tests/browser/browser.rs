@@ -22,19 +22,19 @@ const QUIET: [&str; 11] = [
     "--dump-dom",
 ];
 
-/// What the system prefers.
+/// The colour scheme that the system prefers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Scheme {
     Light,
     Dark,
 }
 
-/// What a browser left.
+/// The output of a browser.
 #[derive(Debug)]
 pub(crate) struct Dump {
     /// The document after its scripts ran.
     pub(crate) document: String,
-    /// What it complained of on its console.
+    /// The complaints on its console.
     pub(crate) complaints: Vec<String>,
 }
 

@@ -14,7 +14,7 @@ use std::path::Path;
 use traylib_compare::results::Results;
 use traylib_compare::{page::page, sample::sample};
 
-/// Where the page is looked at.
+/// The window in which the page is looked at.
 #[derive(Clone, Copy, Debug)]
 struct Window {
     /// In pixels of the style.
@@ -25,7 +25,7 @@ struct Window {
 const WIDE_AND_LIGHT: Window = Window { width: 1200, scheme: Scheme::Light };
 const NARROW_AND_DARK: Window = Window { width: 360, scheme: Scheme::Dark };
 
-/// What a script finds in a page in a window.
+/// Returns the findings of the script in a page in a window; `None` without a browser.
 fn probed(page: &str, window: Window) -> Option<probe::Findings> {
     let browser = Browser::find()?;
     let dump = browser.open(&probe::framed(&probe::into(page), window.width), window.scheme);

@@ -17,7 +17,7 @@ pub(crate) struct Wipe {
     pub(crate) exchanged: bool,
 }
 
-/// What the script finds.
+/// The findings of the script.
 #[derive(Debug, Deserialize)]
 pub(crate) struct Findings {
     pub(crate) wipes: Vec<Wipe>,

@@ -88,7 +88,7 @@ fn all_that_is_promised_lies_there() {
     assert!(told.contains(&scene.verdict.sentence) && told.contains("index.html"), "{told}");
 }
 
-/// What is done is not done again: all runs are found, so even their times stay.
+/// Finished runs are not done again: all are found, so even their times stay.
 #[test]
 fn a_second_time_goes_on_from_the_first() {
     let out = Folder::new("again");
@@ -285,7 +285,7 @@ fn results_of_other_scenes_are_replaced_with_a_word() {
     assert!(!out.0.join("results.csv").exists());
 }
 
-/// What cannot be shown apart, or by nobody, is refused before any work.
+/// Scenes of one name, and scenes for which no method is left, are refused before any work.
 #[test]
 fn names_and_methods_that_do_not_fit_are_told_at_once() {
     let out = Folder::new("fit");

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::process::{Child, Stdio};
 use std::time::Duration;
 
-/// What is kept of runs and references, by name.
+/// Returns the files that are kept of runs and references, by name.
 fn kept(out: &Folder) -> BTreeMap<String, Vec<u8>> {
     let files = ["references", "runs"].map(|folder| (folder, out.files(folder)));
     let path = |folder, name| format!("{folder}/{name}");

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use traylib_demos::{CommandLine, Explain, Job, PixelName, print_notes, run, save_techniques};
 use traylib_integrators::{Method, Report};
 
-/// What it shows beside the picture.
+/// The reports beside the picture.
 #[derive(Args, Clone, Debug)]
 struct Reports {
     /// Also write a picture of each technique (s, t), raw and weighted, into a

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use traylib_demos::{CommandLine, Job, PixelName, print_notes, run};
 use traylib_integrators::{Method, Report};
 
-/// What it shows beside the picture.
+/// The reports beside the picture.
 #[derive(Args, Clone, Debug)]
 struct Reports {
     /// Print the paths that add to a pixel, counted from 0,0 at the top left,

@@ -1,4 +1,5 @@
-//! What picture files hold, how far two are apart, one format made another, and one film of many.
+//! Commands on picture files: their contents, how far two are apart, one format made another, and
+//! one film of many.
 
 use clap::Parser;
 use std::process::ExitCode;

@@ -1,4 +1,4 @@
-//! What a film says of the rendering it is of.
+//! The description of a rendering in its film.
 
 use crate::VERSION;
 use crate::job::Job;
@@ -24,12 +24,12 @@ const SPP: &str = "spp";
 /// The note of which part it is.
 pub(crate) const SHARD: &str = "shard";
 
-/// What was counted, by name.
+/// The names of the counters.
 const COUNTERS: [&str; 6] =
     ["camera rays", "bounce rays", "shadow rays", "camera paths", "light paths", REJECTED];
 const REJECTED: &str = "rejected samples";
 
-/// What the film of a job says of itself before anything is counted.
+/// Returns the description of a job for its film, before anything is counted.
 pub(super) fn about(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> FilmAbout {
     let options = job.options;
     let pictures = if job.layers > 0 { "techniques" } else { "none" };
@@ -62,7 +62,7 @@ pub(super) fn about(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> FilmAbout {
     }
 }
 
-/// What was counted before and now.
+/// Returns the sums of the counters before and now.
 pub(super) fn counters(before: &[(String, u64)], now: Statistics) -> Vec<(String, u64)> {
     let Statistics { camera_rays, bounce_rays, shadow_rays, camera_paths, light_paths, rejected } =
         now;
@@ -95,17 +95,17 @@ fn read_frame(text: &str) -> Option<PictureFrame> {
     Some(PictureFrame { size: (width, height), corner: (x, y) })
 }
 
-/// How many passes the whole has, if the film says it.
+/// Returns the number of passes of the whole, if the film says it.
 pub(crate) fn spp(about: &FilmAbout) -> Option<u32> {
     text(&about.notes, SPP)?.parse().ok()
 }
 
-/// Which part the film is, if it says it.
+/// Returns the part that the film is of, if it says it.
 pub(crate) fn shard(about: &FilmAbout) -> Option<Shard> {
     text(&about.notes, SHARD)?.parse().ok()
 }
 
-/// What a picture made of a film says of itself: the same as that of the program.
+/// Returns the description of a picture made of a film: the same as that of the program.
 pub(crate) fn picture_info(about: &FilmAbout, passes: u32) -> PictureInfo {
     let note = |name| text(&about.notes, name).unwrap_or_default().to_string();
     let setting = |name| text(&about.settings, name).unwrap_or_default();

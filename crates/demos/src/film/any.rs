@@ -35,8 +35,8 @@ pub(super) fn load_texture_aloud(path: &Path) -> Result<Texture, Failure> {
     Ok(picture)
 }
 
-/// All that is in a picture's file. One that is not EXR has a layer of red, green and
-/// blue light, and opacity if some is; what it says of itself is known of PNG alone.
+/// Reads all that is in a picture's file. One that is not EXR has a layer of red, green and blue
+/// light, and opacity if some is; what it says of itself is known of PNG alone.
 pub(super) fn open(path: &Path) -> Result<ExrFile, Failure> {
     if is_exr(path) {
         return Ok(open_exr(path)?);

@@ -1,4 +1,4 @@
-//! Whether one picture is brighter than another, or only noisier.
+//! Tests whether one picture is brighter than another, or only noisier.
 
 use traylib_math::Grid;
 use traylib_statistics::{Sample, tile_sums};

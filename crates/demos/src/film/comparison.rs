@@ -6,7 +6,7 @@ use traylib_statistics::{PictureError, error_floor, relative_square_errors};
 
 type Light = [f64; 3];
 
-/// How far a picture is from a reference.
+/// The difference of a picture from a reference.
 ///
 /// Pixels that are not finite in one of the two are left out of every figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +17,7 @@ pub(super) struct Comparison {
     pub epsilon: f64,
     /// Measures of difference.
     pub error: PictureError,
-    /// Whether the means differ by more than noise.
+    /// The test of whether the means differ by more than noise.
     pub bias: BlockTest,
     /// The pixel with the largest relative square error; `None` if none has any.
     pub worst: Option<Worst>,

@@ -60,7 +60,8 @@ fn convert_film(options: &ConvertOptions) -> Result<(), Failure> {
     tell_name(output)
 }
 
-/// How an EXR file says it was made; of any other picture only who converts it.
+/// Returns the attributes by which an EXR file says how it was made; of any other picture, only the
+/// program that converts it.
 fn attributes(input: &Path) -> Vec<(String, String)> {
     let own = || vec![("software".to_string(), format!("film {VERSION}"))];
     let layers = open_exr(input).map(|file| file.layers.into_iter());

@@ -37,7 +37,7 @@ pub(super) fn info(options: &InfoOptions) -> Result<(), Failure> {
     })
 }
 
-/// What a film says of itself; its sums are not looked at.
+/// Lists the description of a film; its sums are not looked at.
 fn film_lines(film: &FilmReader) -> Vec<String> {
     let [width, height] = film.size();
     let passes = ranges(film.shape().pass_numbers().into_iter());
@@ -106,7 +106,7 @@ fn channel_line(channel: &ExrChannel) -> String {
     format!("    {name} {kind}: {range}; {not_finite} not finite, {negative} negative")
 }
 
-/// What the values of a channel are like.
+/// The statistics of a channel's values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Summary {
     /// Mean, least and greatest of those that are finite, if any is.

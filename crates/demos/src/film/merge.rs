@@ -51,7 +51,7 @@ pub(super) fn merge(options: &MergeOptions) -> Result<(), Failure> {
     tell_name(outfile)
 }
 
-/// Which passes and parts are missing, if any.
+/// Names the passes and parts that are missing, if any.
 fn missing(films: &[FilmReader], whole: &Film) -> Option<String> {
     let spp = films.iter().filter_map(|film| spp(film.about())).max()?;
     let has: BTreeSet<u32> = whole.pass_numbers().into_iter().collect();

@@ -84,7 +84,7 @@ fn what_a_plan_chooses_is_not_for_others_to_say() {
     assert!(folder.names().is_empty());
 }
 
-/// What has too few samples is rendered by all techniques at once.
+/// A picture of too few samples is rendered by all techniques at once.
 #[test]
 fn a_small_picture_is_worth_no_plan() {
     let folder = Folder::new();

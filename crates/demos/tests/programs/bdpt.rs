@@ -1,5 +1,5 @@
-//! What `bdpt` shows beside a picture, and `directlight` a part of: techniques and single
-//! pixels.
+//! The reports of `bdpt` beside a picture, some of which `directlight` has, too: techniques and
+//! single pixels.
 
 use crate::common::Folder;
 use std::collections::BTreeMap;

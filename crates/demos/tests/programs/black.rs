@@ -24,7 +24,7 @@ const BACKDROP: &str = "(shape: Quad(corner: (-9, -9, -2), edge_u: (18, 0, 0),
 const TURNED: &str = "(shape: Quad(corner: (-9, -9, -2), edge_u: (0, 18, 0),
     edge_v: (18, 0, 0)), material: \"grey\", sides: Front),";
 
-/// What a program says of why its picture is black.
+/// Returns the reason that a program gives for a black picture.
 fn said(program: &str, text: &str, arguments: &str) -> Option<String> {
     let folder = Folder::new();
     folder.write("a.ron", text);

@@ -9,7 +9,7 @@ use traylib_io::{load_film, save_film};
 
 const SIZE: &str = "spheres --resolution 24x18 -q -o a.exr -o a.png";
 
-/// What a run leaves that nothing disturbs, but for the checkpoint before the last.
+/// Returns the files of a run that nothing disturbs, but for the checkpoint before the last.
 pub(crate) fn undisturbed(program: &str, options: &str) -> BTreeMap<String, Vec<u8>> {
     let folder = Folder::new();
     let run = folder.run(program, &format!("{options} --checkpoint a.film"));
@@ -185,7 +185,7 @@ fn another_rendering_is_refused_by_what_differs() {
     assert!(run.err.contains("its revision is 0.0.1, not "), "{}", run.err);
 }
 
-/// What it says counts, not how it is written, nor where.
+/// The content of a scene counts, not how it is written, nor where.
 #[test]
 fn a_scene_that_was_changed_is_another() {
     let folder = Folder::new();

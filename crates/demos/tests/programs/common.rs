@@ -1,4 +1,4 @@
-//! What the tests of the programs have in common.
+//! The parts that the tests of the programs have in common.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -50,7 +50,7 @@ impl Folder {
         std::fs::write(self.0.join(name), text).unwrap();
     }
 
-    /// What is in a file.
+    /// Returns the contents of a file.
     pub(crate) fn bytes(&self, name: &str) -> Vec<u8> {
         std::fs::read(self.0.join(name)).unwrap()
     }
@@ -122,7 +122,7 @@ impl Dice {
     }
 }
 
-/// What came of a program.
+/// The output and the status of a program.
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) status: Option<i32>,

@@ -68,7 +68,7 @@ fn exposure_is_for_formats_that_a_screen_shows() {
     assert!((shown[1].b - 0.5).abs() < 0.005 && shown[2].g == 1.0, "{shown:?}");
 }
 
-/// How an EXR file was made is known; nothing is known of others.
+/// The making of an EXR file is known; nothing is known of others.
 #[test]
 fn how_a_picture_was_made_is_kept() {
     let folder = folder();

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 use traylib_io::load_film;
 
-/// What happens to a program at work.
+/// An event that disturbs a program at work.
 #[derive(Clone, Copy, Debug)]
 enum Disturbance {
     /// It is killed, and hears nothing of it.
@@ -66,11 +66,11 @@ impl Disturbance {
     }
 }
 
-/// How late and how large a disturbance may be.
+/// The bounds on how late and how large a disturbance may be.
 #[derive(Clone, Copy)]
 struct Worst {
     wait: Duration,
-    /// Of 512 bytes.
+    /// The largest bound on the size of files, in blocks of 512 bytes.
     blocks: u64,
 }
 

@@ -9,7 +9,7 @@ use traylib_io::load_exr;
 
 const ENDLESS: &str = "cornell --resolution 32x24 --time-limit 1h -o a.exr";
 
-/// Nothing takes light away, and so many pixels that a pass is not done in a minute.
+/// A room in which nothing takes light away, of so many pixels that a pass is not done in a minute.
 const WHITE_ROOM: &str = r#"(
     camera: (position: (0, 0, 2), target: (0, 0, 0), fov: 60, resolution: (2000, 2000)),
     materials: { "white": Lambert(reflectance: (1, 1, 1)) },
@@ -146,7 +146,7 @@ fn before_the_work_the_first_interrupt_stops_at_once() {
     }
 }
 
-/// As under `nohup`.
+/// A hangup that is ignored from the start stays so, as under `nohup`.
 #[test]
 #[cfg(target_os = "linux")]
 fn what_is_ignored_from_the_start_stays_so() {

@@ -5,7 +5,7 @@ use serde_json::Value;
 
 const SCENE: &str = "cornell --resolution 16x12";
 
-/// What was done, by the file that says it.
+/// Returns the work that was done, by the file that says it.
 fn stats(folder: &Folder) -> Value {
     serde_json::from_slice(&folder.bytes("done.json")).unwrap()
 }

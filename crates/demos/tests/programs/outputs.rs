@@ -8,7 +8,7 @@ use traylib_io::load_exr;
 
 const TINY: &str = "cornell --resolution 8x6 --spp 1 -q";
 
-/// Whoever may write to a folder could have put a link where a program writes first.
+/// Another user who may write to a folder could have put a link where a program writes first.
 #[test]
 fn nothing_is_written_through_a_link_that_waits_for_it() {
     let folder = Folder::new();

@@ -77,8 +77,8 @@ fn the_end_of_a_run_says_what_ended_it() {
     assert!(both.err.contains("; ended by --spp\n"), "{}", both.err);
 }
 
-/// What a picture says of itself makes it again, bit for bit, whatever else was asked
-/// for, and no folder's name is in it.
+/// The description in a picture makes it again, bit for bit, whatever else was asked for, and no
+/// folder's name is in it.
 #[test]
 fn a_picture_says_how_to_make_it_again() {
     let folder = Folder::new();

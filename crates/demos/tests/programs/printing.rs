@@ -9,7 +9,7 @@ use traylib_math::{Grid, Rgb};
 const ODD: &str = "\u{1b}[2J\u{7}\u{1}\r\u{9b}2J\u{202e}";
 const SHOWN: &str = r"\u{1b}[2J\u{7}\u{1}\u{d}\u{9b}2J\u{202e}";
 
-/// What a program printed, both ways; it ended with this status.
+/// Returns the output of a program, both ways; it ended with this status.
 #[track_caller]
 fn prints(folder: &Folder, program: &str, arguments: &[&str], status: i32) -> Run {
     let run = Run::from(folder.command(program, "").args(arguments).output().unwrap());
@@ -52,7 +52,7 @@ fn names_on_the_command_line_are_shown() {
     }
 }
 
-/// As who reads a name needs it, where that is no terminal.
+/// Names are written as their reader needs them, where that is no terminal.
 #[test]
 fn a_name_that_is_a_result_is_the_name() {
     let folder = Folder::new();

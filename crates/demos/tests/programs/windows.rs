@@ -3,8 +3,8 @@
 use crate::common::{Folder, SCENE};
 use traylib_io::{load_exr, open_exr};
 
-/// What camera paths find in a pixel does not know of other pixels, and rounding of its place
-/// on the film is all that is left: to a hundredth.
+/// The light that camera paths find in a pixel does not depend on other pixels, and rounding of its
+/// place on the film is all that is left: to a hundredth.
 #[test]
 fn a_part_shows_what_the_whole_does() {
     let folder = Folder::new();
@@ -70,7 +70,7 @@ fn what_is_no_part_is_told() {
     assert!(outside.err.contains("outside the 4x6 picture, 4,8,0,6"), "{}", outside.err);
 }
 
-/// What `realtime` prints, pasted; the command of the picture has it.
+/// The camera that `realtime` prints can be pasted; the command of the picture has it.
 #[test]
 fn a_camera_takes_the_place_of_the_scenes() {
     let folder = Folder::new();

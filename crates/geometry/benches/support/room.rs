@@ -13,7 +13,7 @@ pub(crate) struct Room {
     pub(crate) mesh: Mesh,
 }
 
-/// Where the camera stands, and what it looks at.
+/// The position of the camera, and below it the point that it looks at.
 pub(crate) const EYE: Vec3 = Vec3::new(0.5, 1.7, 4.6);
 pub(crate) const TARGET: Vec3 = Vec3::new(3.4, 0.8, 1.8);
 

@@ -55,7 +55,7 @@ impl Surfaces {
     }
 }
 
-/// Which coordinates corner `i` of a box has from the highest corner.
+/// Returns which coordinates of a box's corner `i` are those of the highest corner.
 fn corner_mask(i: u32) -> BVec3 {
     BVec3::new(i & 1 != 0, i & 2 != 0, i & 4 != 0)
 }

@@ -16,7 +16,7 @@ pub(crate) struct Entry {
     built: Box<dyn Built>,
 }
 
-/// What building took.
+/// The time and memory that building took.
 pub(crate) struct Build {
     pub(crate) name: &'static str,
     /// The time of all threads together.
@@ -37,13 +37,13 @@ enum Question {
     AnyHit(Vec<bool>),
 }
 
-/// How somebody did with a set of rays.
+/// The result of a contestant with a set of rays.
 pub(crate) struct Score {
     pub(crate) name: &'static str,
     /// Millions of rays a second.
     pub(crate) rate: Median,
-    /// How many times as fast our own are, watertight and fast; both are the first
-    /// two of the list.
+    /// The factors by which our own are faster, watertight and fast; both are the first two of the
+    /// list.
     pub(crate) ours_to_it: [Median; 2],
     /// Rays answered otherwise than by the reference.
     pub(crate) wrong: usize,
@@ -96,7 +96,7 @@ impl RaySet {
         self.rays.len()
     }
 
-    /// How many answers are wrong. Also warms up.
+    /// Returns the number of wrong answers. Also warms up. Also warms up.
     ///
     /// t is wrong when it is off by more than a thousandth, which is ten thousand
     /// roundings: only rays that almost slide along a surface lose more.

@@ -1,4 +1,4 @@
-//! Who takes part.
+//! The contestants.
 
 mod bvh_crate;
 mod embree;
@@ -34,7 +34,7 @@ pub(crate) trait Built {
     }
 }
 
-/// What everyone has to say of a hit.
+/// The facts that every contestant reports of a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
     /// Infinite without a hit.
@@ -56,7 +56,7 @@ impl Contestant {
     }
 
     /// # Errors
-    /// What the library refuses, with its name.
+    /// Returns the refusal of the library, with its name.
     pub(crate) fn build(&self, mesh: &Mesh) -> Result<Box<dyn Built>, String> {
         (self.build)(mesh).map_err(|error| format!("{}: {error}", self.name))
     }

@@ -1,4 +1,4 @@
-//! How many bytes the process has asked for and not given back.
+//! Counts the bytes that the process has asked for and not given back.
 #![allow(unsafe_code, reason = "an allocator cannot be written without")]
 
 use std::alloc::{GlobalAlloc, Layout, System};

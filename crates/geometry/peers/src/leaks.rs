@@ -4,7 +4,7 @@ use crate::contestant::{Contestant, Found};
 use crate::support::ball;
 use std::error::Error;
 
-/// How many rays got through.
+/// The numbers of rays that got through.
 pub(crate) struct Leaks {
     pub(crate) name: &'static str,
     pub(crate) rays: usize,

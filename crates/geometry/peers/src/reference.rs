@@ -1,4 +1,4 @@
-//! What a ray meets, in double precision: slow, plain, and independent of everyone.
+//! The hits of rays in double precision: slow, plain, and independent of everyone.
 
 mod tree;
 
@@ -13,7 +13,7 @@ pub(crate) struct Reference {
     nodes: Vec<Node>,
 }
 
-/// What a ray found: t and the number of the triangle.
+/// A hit: t and the number of the triangle.
 pub(crate) type Exact = (f64, u32);
 
 impl Reference {
@@ -74,7 +74,7 @@ impl Line {
         Self { origin, direction, reciprocal }
     }
 
-    /// Where it enters a box.
+    /// Returns the t at which it enters a box; `None` if it misses.
     fn enters(&self, node: &Node) -> Option<f64> {
         let a = (node.low - self.origin) * self.reciprocal;
         let b = (node.high - self.origin) * self.reciprocal;

@@ -27,7 +27,7 @@ impl Median {
     }
 }
 
-/// How many of `n` sorted values may be cut off either end.
+/// Returns how many of `n` sorted values may be cut off either end.
 ///
 /// The k-th value is above the median when fewer than k values are below it, which
 /// has the probability of fewer than k heads in `n` throws.

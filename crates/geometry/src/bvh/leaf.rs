@@ -20,7 +20,7 @@ pub trait LeafKind: Leaf {}
 impl<C: Leaf> LeafKind for C {}
 
 pub(crate) trait Leaf: Send + Sync + Sized {
-    /// Whether all leaves are blocks of triangles.
+    /// True if all leaves are blocks of triangles.
     const ONLY_TRIANGLES: bool = false;
 
     /// Numbers of shapes are below this.

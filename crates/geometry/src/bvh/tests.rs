@@ -4,7 +4,7 @@ use crate::{
     Facing, Primitive, Quad, Shape, ShapeHit, SidedPrimitive, Sides, Sphere, Triangle, Vec3,
 };
 
-/// What the tree must find, by asking every shape: of ties, the first in the list.
+/// Returns the hit that the tree must find, by asking every shape: of ties, the first in the list.
 fn brute_force<S: Shape>(shapes: &[S], ray: &Ray) -> Option<Hit> {
     let hits = shapes.iter().enumerate().filter_map(|(i, shape)| {
         let ShapeHit { t, u, v } = shape.intersect(ray)?;

@@ -159,8 +159,8 @@ fn fast_hits<L: intersector::TriangleIntersector, Q: Query>(
     ControlFlow::Continue(())
 }
 
-/// Where signs are not certain, as exactly as can be, but between the depths of the corners: a
-/// triangle that begins beyond a hit by these is not asked.
+/// Meets a triangle where signs are not certain, as exactly as can be, but between the depths of
+/// the corners: a triangle that begins beyond a hit by these is not asked.
 #[cold]
 #[inline(never)]
 fn unsettled_hit(block: &Block, lane: usize, ray: &Ray, limit: f32) -> Option<ShapeHit> {

@@ -51,7 +51,7 @@ pub(super) fn packet<C: Leaf, E: Simd, Q: Query>(
     }
 }
 
-/// Where rounding decides for one of the rays.
+/// Meets the rays one by one, where rounding decides for one of them.
 #[cold]
 #[inline(never)]
 fn one_by_one<C: Leaf, Q: Query>(

@@ -135,8 +135,8 @@ fn segments_to_free_points_leave_the_surface() {
     }
 }
 
-/// What lies close above a surface is not skipped: the lift is a millionth of
-/// the shape's size and distance from the origin at most.
+/// Things close above a surface are not skipped: the lift is a millionth of the shape's size and
+/// distance from the origin at most.
 #[test]
 fn lifts_are_small() {
     let mut random = Random::new(5);

@@ -9,7 +9,7 @@ pub enum Form {
     Flat {
         /// The unit normal of its front.
         normal: Vec3,
-        /// Where in the plane it ends.
+        /// The outline in the plane.
         outline: Outline,
     },
     /// It is a whole sphere.
@@ -18,7 +18,7 @@ pub enum Form {
     Bent(Aabb),
 }
 
-/// Where a flat shape ends.
+/// The outline of a flat shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outline {
     /// A triangle with these corners.

@@ -54,7 +54,7 @@ impl Cone {
         self.radii
     }
 
-    /// Which side is the front.
+    /// Returns the side that is the front.
     pub fn facing(&self) -> Facing {
         self.facing
     }
@@ -101,7 +101,7 @@ impl Cone {
         (radii * along.max(self.axis().length().hypot(0.5 * along))) as f32
     }
 
-    /// Where a ray meets it.
+    /// Returns the first hit of a ray with it.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
         let hits = crossings(self, ray)?.into_iter().filter_map(|crossing| {

@@ -81,7 +81,7 @@ impl Disk {
         area_between(self.inner_radius, self.radius) as f32
     }
 
-    /// Where a ray meets it.
+    /// Returns the hit of a ray with it.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
         let (direction, normal) = (ray.direction.as_dvec3(), self.normal.as_dvec3());

@@ -1,8 +1,8 @@
-//! Which way a round shape faces.
+//! The direction in which a round shape faces.
 
 use std::ops::Neg;
 
-/// Which side of a sphere or a cone is its front.
+/// The side of a sphere or a cone that is its front.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Facing {
     /// Normals point away from the centre or the axis.

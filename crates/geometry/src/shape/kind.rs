@@ -16,7 +16,7 @@ pub enum ShapeKind {
     Sphere(Sphere, Sides),
     /// A disk, and where rays may meet it.
     Disk(Disk, Sides),
-    /// Whoever asks the tree has to meet it.
+    /// A shape that the one who asks the tree has to meet.
     Other,
 }
 
@@ -25,6 +25,6 @@ pub enum ShapeKind {
 pub struct SidedTriangle {
     /// Counter-clockwise from the front.
     pub corners: [Vec3; 3],
-    /// Where rays may meet it.
+    /// The sides on which rays may meet it.
     pub sides: Sides,
 }

@@ -84,7 +84,7 @@ impl Quad {
         self.area
     }
 
-    /// Where a ray meets it, with the coordinates along its edges.
+    /// Returns the hit of a ray with it, with the coordinates along its edges.
     ///
     /// Cramer's rule in double precision for o + t·d = c + u·e_u + v·e_v: as Möller and
     /// Trumbore, *Fast, Minimum Storage Ray/Triangle Intersection*, 1997, but t first,
@@ -118,7 +118,7 @@ impl Quad {
     }
 }
 
-/// Whether two edges are at right angles, up to a few roundings of their coordinates.
+/// Tells whether two edges are at right angles, up to a few roundings of their coordinates.
 fn is_square(along: DVec3, aside: DVec3) -> bool {
     const SLANT: f64 = 4.0 * f32::EPSILON as f64;
     let lengths = along.length_squared() * aside.length_squared();

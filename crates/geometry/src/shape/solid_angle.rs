@@ -17,9 +17,9 @@ use crate::Vec3;
 /// rounds is then 2⁻²² of it, as much as single precision rounds of any number.
 const LEAST: f64 = 1.0 / (1 << 30) as f64;
 
-/// Whether a shape is sampled by area, since its centre, here from the viewpoint, is further away
-/// than it is wide. Its points' density per steradian is then nowhere more than 27 times what it
-/// is elsewhere, (1.5 / 0.5)³, and seldom twice, so that evening it out gains little more.
+/// Tells whether a shape is sampled by area, since its centre, here from the viewpoint, is further
+/// away than it is wide. Its points' density per steradian is then nowhere more than 27 times what
+/// it is elsewhere, (1.5 / 0.5)³, and seldom twice, so that evening it out gains little more.
 #[inline]
 fn is_far(width_squared: f32, centre: Vec3) -> bool {
     width_squared < centre.length_squared()

@@ -40,7 +40,7 @@ impl Sphere {
         self.radius
     }
 
-    /// Which side is the front.
+    /// Returns the side that is the front.
     pub fn facing(&self) -> Facing {
         self.facing
     }
@@ -56,7 +56,7 @@ impl Sphere {
         (4.0 * PI * f64::from(self.radius).powi(2)) as f32
     }
 
-    /// Where a ray meets it first.
+    /// Returns the first hit of a ray with it.
     ///
     /// The discriminant comes from the distance between centre and ray and the
     /// roots from a sum of equal signs, so that neither a far camera nor a
@@ -134,7 +134,7 @@ impl Sphere {
 
     /// The site in a direction that is of length one up to roundings.
     ///
-    /// What is off by δ is off by 3/8 δ² after one step of Newton's method for 1/√x.
+    /// An error of δ becomes one of 3/8 δ² by one step of Newton's method for 1/√x.
     fn site_toward(&self, direction: Vec3) -> SurfaceSite {
         let direction = direction.as_dvec3();
         self.site_at(direction * (1.5 - 0.5 * direction.length_squared()))

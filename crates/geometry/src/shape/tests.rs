@@ -93,8 +93,8 @@ fn fronts_are_met_from_the_front_only() {
     }
 }
 
-/// Whether a point a hundredth inside of a cone may be outside again: across it,
-/// at a cosine of 0.1, its surfaces are a fifth of its radius apart.
+/// Tells whether a point a hundredth inside of a cone may be outside again: across it, at a cosine
+/// of 0.1, its surfaces are a fifth of its radius apart.
 fn is_thin_at(shape: &Primitive, site: &SurfaceSite) -> bool {
     let Primitive::Cone(cone) = shape else { return false };
     let [one, other] = cone.ends();

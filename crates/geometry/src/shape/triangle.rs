@@ -47,7 +47,7 @@ impl Triangle {
         Aabb::around(self.corners())
     }
 
-    /// Whether [`new`](Self::new) would take these corners, which must be finite.
+    /// Tells whether [`new`](Self::new) would take these corners, which must be finite.
     pub(crate) fn has_area(corners: [Vec3; 3]) -> bool {
         sound_area(0.5 * watertight::normal(corners).length()).is_ok()
     }
@@ -62,8 +62,8 @@ impl Triangle {
         (0.5 * watertight::normal(corners).length()) as f32
     }
 
-    /// Where a ray meets it, with the barycentric coordinates of the second and
-    /// the third corner; without gaps where triangles share their corners.
+    /// Returns the hit of a ray with it, with the barycentric coordinates of the second and the
+    /// third corner; without gaps where triangles share their corners.
     #[inline]
     pub fn intersect(&self, ray: &Ray, sides: Sides) -> Option<ShapeHit> {
         if !sides.admit(ray.direction.dot(self.normal)) {
@@ -75,7 +75,7 @@ impl Triangle {
         watertight::meet(ray, axes, ray.t_max, corners).filter(|_| ray.is_traceable())
     }
 
-    /// Whether barycentric coordinates lie on an edge.
+    /// Tells whether barycentric coordinates lie on an edge.
     #[inline]
     pub fn is_on_edge(u: f32, v: f32) -> bool {
         u <= 0.0 || v <= 0.0 || u + v >= 1.0

@@ -102,7 +102,7 @@ pub(crate) fn scaled(shape: &Primitive, scale: f32) -> Primitive {
     }
 }
 
-/// Whether a site is within a ten thousandth of an edge or a rim.
+/// Tells whether a site is within a ten thousandth of an edge or a rim.
 pub(crate) fn on_border(shape: &Primitive, site: &SurfaceSite) -> bool {
     let beside = |from: Vec3, along: Vec3| {
         (site.position - from).cross(along).length() < 1e-4 * along.length()
@@ -130,8 +130,8 @@ pub(crate) fn on_border(shape: &Primitive, site: &SurfaceSite) -> bool {
     }
 }
 
-/// Whether a ray that leaves a site into the hemisphere of `normal` must not
-/// meet the shape again: all but those into a sphere or a cone.
+/// Tells whether a ray that leaves a site into the hemisphere of `normal` must not meet the shape
+/// again: all but those into a sphere or a cone.
 pub(crate) fn is_final(shape: &Primitive, side: f32) -> bool {
     match shape {
         Primitive::Sphere(sphere) => is_outside(sphere.facing(), side),
@@ -221,8 +221,8 @@ pub(crate) fn thickness(shape: &Primitive) -> f64 {
     }
 }
 
-/// Where a line meets the surface that a shape is a part of: each t, and whether the shape is
-/// there.
+/// Returns the crossings of a line with the surface that a shape is a part of: each t, and whether
+/// the shape is there.
 pub(crate) fn crossings(shape: &Primitive, line: &Line) -> Vec<(f64, bool)> {
     match shape {
         Primitive::Triangle(triangle) => {

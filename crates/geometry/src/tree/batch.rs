@@ -12,7 +12,7 @@ use crate::Ray;
 use std::ops::Range;
 use std::vec::IntoIter;
 
-/// So many rays at once are best where the tree fits into the cache of a core.
+/// The number of rays at once that is best where the tree fits into the cache of a core.
 const FEW: usize = 4;
 
 /// Questions about many rays, and where the answers go.

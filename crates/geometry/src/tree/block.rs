@@ -13,7 +13,8 @@ pub(crate) struct Block {
     /// The corners by number, by axis, by triangle. Where there is none they are not numbers,
     /// and no ray passes them.
     pub(crate) corners: [[[f32; LEAF]; 3]; 3],
-    /// Which triangles they are, their sides, and how large, as [`QuantisedExtents`] has it.
+    /// The numbers of the triangles, their sides, and how large they are, as [`QuantisedExtents`]
+    /// has it.
     pub(crate) words: [u32; LEAF],
 }
 
@@ -49,7 +50,7 @@ impl Block {
         QuantisedExtents::number(self.words[lane])
     }
 
-    /// Whether a ray in this direction meets one of its triangles from a side that is there,
+    /// Tells whether a ray in this direction meets one of its triangles from a side that is there,
     /// as [`Triangle::intersect`](crate::Triangle::intersect) decides it.
     #[inline(always)]
     pub(crate) fn admits(&self, lane: usize, direction: Vec3) -> bool {

@@ -19,14 +19,14 @@ const ROUNDING: f32 = f32::EPSILON / 2.0;
 pub(crate) const ERROR_BY_DEPTH: f32 = 48.0 * ROUNDING;
 pub(crate) const ERROR_BY_SIZE: f32 = 96.0 * ROUNDING;
 
-/// Where in a word the class is.
+/// The position of the class in a word, in bits.
 pub(crate) const CLASS_SHIFT: i32 = 28;
 
 /// The smallest class. The next would make a word of ones with the greatest number, which
 /// stands for no triangle.
 const SMALLEST: u32 = 14;
 
-/// Where in a float the power of two is.
+/// The position of the power of two in a float, in bits.
 const EXPONENT_SHIFT: i32 = 23;
 
 /// The exponent, with bias, of the largest extents of which edge functions do not overflow:

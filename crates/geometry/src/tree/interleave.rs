@@ -5,7 +5,7 @@ use super::Tree;
 use super::prefetch::Prefetcher;
 use super::stack::{Stack, StackMemory};
 
-/// So many at once are best where the tree does not fit into the cache of a core.
+/// The number of rays at once that is best where the tree does not fit into the cache of a core.
 const MANY: usize = 8;
 
 /// A ray, or a packet of rays, that is on its way through the tree.

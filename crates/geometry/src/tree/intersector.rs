@@ -1,7 +1,7 @@
 //! One ray against eight boxes or four triangles, for each instruction set.
 //!
-//! What decides is the same operations in the same order for all, so they agree to the bit;
-//! what only leaves out may differ.
+//! The operations that decide are the same in the same order for all, so they agree to the bit;
+//! those that only leave out may differ.
 
 mod scalar;
 #[cfg(target_arch = "x86_64")]
@@ -85,8 +85,8 @@ pub(crate) trait TriangleIntersector: Copy {
     }
 }
 
-/// Where a ray meets the triangles of a block, or the rays of a packet one triangle; one bit for
-/// each that does meet.
+/// The hits of a ray with the triangles of a block, or of the rays of a packet with one triangle;
+/// one bit for each.
 pub(crate) struct Hits<const N: usize> {
     pub(crate) mask: u32,
     pub(crate) t: [f32; N],
@@ -171,7 +171,8 @@ fn push(
     }
 }
 
-/// What is not a number loses; of two, the second stays.
+/// Returns the greater of two numbers. A value that is not a number loses; of two, the second
+/// stays.
 #[inline(always)]
 pub(super) fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }

@@ -1,4 +1,4 @@
-//! Which instruction set walks the tree: told once, when the tree is built.
+//! The instruction set that walks the tree: told once, when the tree is built.
 
 #![allow(unsafe_code)]
 
@@ -33,7 +33,7 @@ enum Set {
 }
 
 impl Kernel {
-    /// All that this machine can run, the slowest first.
+    /// Returns all that this machine can run, the slowest first.
     pub(crate) fn available() -> Vec<Self> {
         let mut sets = vec![Set::Scalar];
         #[cfg(all(target_arch = "x86_64", not(miri)))]

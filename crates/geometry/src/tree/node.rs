@@ -64,7 +64,7 @@ impl Child {
     pub(crate) const MAX: usize = 1 << 28;
     const LEAF: u32 = 1 << 31;
     const SHAPES: u32 = 1 << 30;
-    /// Where the kind of a block is, or how many shapes there are, less one.
+    /// The position, in bits, of the kind of a block or of the number of shapes, less one.
     const KIND_SHIFT: u32 = 28;
     /// The child in the empty boxes of a node: the first block of triangles, which every tree has,
     /// so that no input can lead a ray in circles.
@@ -86,7 +86,7 @@ impl Child {
         Self(Self::LEAF | Self::SHAPES | ((count - 1) as u32) << Self::KIND_SHIFT | first as u32)
     }
 
-    /// Whether it is no node.
+    /// Tells whether it is no node.
     #[inline]
     pub(crate) fn is_leaf(self) -> bool {
         self.0 & Self::LEAF != 0

@@ -21,7 +21,7 @@ use std::iter::Enumerate;
 use std::ops::Range;
 use std::slice::Chunks;
 
-/// So many packets at once are best where the tree fits into the cache of a core.
+/// The number of packets at once that is best where the tree fits into the cache of a core.
 const FEW: usize = 2;
 
 /// Takes all packets among the rays to their leaves. The places of the rays that are left.

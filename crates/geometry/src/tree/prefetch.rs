@@ -9,10 +9,10 @@ use super::node::{Child, Node};
 /// Bytes that memory moves at once.
 const LINE: usize = 64;
 
-/// Where a tree has what is in its boxes.
+/// The addresses of nodes and blocks of a tree.
 pub(crate) struct Prefetcher {
-    /// Where the nodes start and how large each is, and the same for blocks of triangles. Looked up
-    /// by kind: a branch on what comes next would be hard to predict.
+    /// The addresses at which the nodes start and how large each is, and the same for blocks of
+    /// triangles. Looked up by kind: a branch on what comes next would be hard to predict.
     lists: [(*const u8, usize); 2],
     is_of_use: bool,
 }

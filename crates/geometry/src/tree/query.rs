@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 /// A question that is answered hit by hit.
 pub(crate) trait Query {
-    /// Whether the nearer boxes are better opened first.
+    /// True if the nearer boxes are better opened first.
     const IN_ORDER: bool;
 
     /// Hits count below this t: none, once it has broken.
@@ -29,7 +29,7 @@ impl<Q: Query> Query for &mut Q {
     }
 }
 
-/// Which hit comes first?
+/// The query for the hit that comes first.
 ///
 /// Of hits at the same t the one with the lowest number counts: so the answer does
 /// not depend on the order in which shapes are tried.
@@ -99,7 +99,7 @@ impl Query for Any {
     }
 }
 
-/// Which hits are there?
+/// The query for all hits.
 pub(crate) struct All {
     pub(crate) limit: f32,
     pub(crate) found: Vec<Hit>,

@@ -28,7 +28,7 @@ pub(crate) trait ShapeBlock {
     /// Returns the numbers of the shapes.
     fn numbers(&self) -> &[u32; LEAF];
 
-    /// Where a ray meets them at 0 < t < `limit`.
+    /// Returns the hits of a ray with them at 0 < t < `limit`.
     fn hits<E: Simd>(&self, line: &Line<E>, limit: f32) -> Hits<LEAF>;
 
     /// Tells of each hit, and of the number of the shape, until it is told to stop.
@@ -89,7 +89,7 @@ fn scaled<D: F64x4>(a: Vectors<D>, by: D) -> Vectors<D> {
     a.map(|x| x * by)
 }
 
-/// Which of them count; see [`Ray::contains`].
+/// Returns a mask of those that count; see [`Ray::contains`].
 #[inline(always)]
 fn contained<E: Simd>(simd: E, t: E::F32x4, limit: f32) -> u32 {
     simd.splat_four(0.0).below(t) & t.below(simd.splat_four(limit))
@@ -98,7 +98,7 @@ fn contained<E: Simd>(simd: E, t: E::F32x4, limit: f32) -> u32 {
 /// Coordinates as blocks keep them: by axis, by shape.
 type Rows = [[f64; LEAF]; 3];
 
-/// As of no shape: not numbers.
+/// The rows of no shape: not numbers.
 const NO_ROWS: Rows = [[f64::NAN; LEAF]; 3];
 
 fn write(rows: &mut Rows, lane: usize, vector: DVec3) {

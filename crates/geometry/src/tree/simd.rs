@@ -11,7 +11,7 @@ pub(crate) use x86::{Avx2Simd, Sse41Simd};
 
 use std::ops::{Add, Div, Mul, Sub};
 
-/// So many at once.
+/// The number of rays in a packet, one a lane.
 pub(crate) const PACKET: usize = 8;
 
 /// One for each shape of a block.
@@ -61,10 +61,10 @@ pub(crate) trait Float:
     /// The greater of each pair; if one is not a number, that of `other`.
     fn greater(self, other: Self) -> Self;
 
-    /// Which are less than those of `other`.
+    /// Returns a mask of those that are less than those of `other`.
     fn below(self, other: Self) -> u32;
 
-    /// Which are not greater than those of `other`, and numbers.
+    /// Returns a mask of those that are not greater than those of `other`, and numbers.
     fn at_most(self, other: Self) -> u32;
 
     /// The least of three.
@@ -91,7 +91,7 @@ pub(crate) trait F32x8: Float {
 
     fn reciprocal(self) -> Self;
 
-    /// Which have a minus, zeros too.
+    /// Returns a mask of those that have a minus, zeros too.
     fn signs(self) -> u32;
 
     fn widen(self) -> Self::F64x8;
@@ -122,10 +122,10 @@ pub(crate) trait F64x4: Float {
 
     fn square_root(self) -> Self;
 
-    /// As large as before, with the signs of `other`, which zeros have too.
+    /// Returns numbers as large as before, with the signs of `other`, which zeros have too.
     fn with_signs_of(self, other: Self) -> Self;
 
-    /// Which have a minus, zeros too.
+    /// Returns a mask of those that have a minus, zeros too.
     fn signs(self) -> u32;
 
     fn narrow(self) -> Self::F32x4;

@@ -30,7 +30,7 @@ impl StackMemory {
 /// The boxes that wait, with where the ray enters them.
 pub(crate) struct Stack<'a> {
     memory: &'a mut StackMemory,
-    /// So many are there. Not beside the boxes, so that it can stay in a register.
+    /// The number of entries. Not beside the boxes, so that it can stay in a register.
     len: usize,
 }
 
@@ -123,7 +123,7 @@ mod tests {
         assert_eq!(stack.top(), None);
     }
 
-    /// As deep as a tree can be: seven stay behind on each level.
+    /// The tree is as deep as it can be: seven stay behind on each level.
     #[test]
     fn spare_room_is_taken_over_and_suffices() {
         let mut memory = StackMemory::new();

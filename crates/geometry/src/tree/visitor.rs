@@ -14,11 +14,11 @@ use std::ops::{ControlFlow, Range};
 
 /// A visitor: it does what a ray asks for in the leaves that the ray comes to.
 pub(crate) trait Visitor: Sized {
-    /// Whether the nearer boxes are better opened first. Where any hit will do they are not:
-    /// most rays start on a surface, and what is in the boxes around it they just left.
+    /// True if the nearer boxes are better opened first. Where any hit will do they are not: most
+    /// rays start on a surface, and what is in the boxes around it they just left.
     const IN_ORDER: bool;
 
-    /// Whether all leaves are blocks of triangles: then none is asked what it is.
+    /// True if all leaves are blocks of triangles: then none is asked what it is.
     const ONLY_TRIANGLES: bool;
 
     /// Boxes that begin beyond it are left out: all, once it has broken.
@@ -52,7 +52,7 @@ pub(crate) trait Visitor: Sized {
 /// The visitors of the rays of a packet.
 pub(crate) struct Visitors<V> {
     pub(crate) each: [V; PACKET],
-    /// As they were before the leaf.
+    /// The limits before the leaf.
     pub(crate) limits: [f32; PACKET],
     /// The farthest of them.
     pub(super) limit: f32,

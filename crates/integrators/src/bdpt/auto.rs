@@ -1,9 +1,9 @@
-//! What a plan is free to do.
+//! The choices that are left to a plan.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// That a plan chooses the method, and what else it may do.
+/// The choice to leave the method to a plan, and what else the plan may do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Auto {
     /// The part of all light that may be lost by a longest path, which the plan then chooses.
@@ -17,7 +17,7 @@ pub struct MayLose {
 }
 
 impl MayLose {
-    /// Nothing.
+    /// No light.
     pub const NOTHING: Self = Self { millionths: 0 };
 
     /// The part itself.
@@ -26,7 +26,7 @@ impl MayLose {
     }
 }
 
-/// As after `--max-depth`: `auto:0.5%`.
+/// Writes it as after `--max-depth`: `auto:0.5%`.
 impl fmt::Display for MayLose {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "auto:{}%", f64::from(self.millionths) / 1e4)

@@ -29,7 +29,7 @@ pub(crate) struct Joiner<'a> {
 /// A joined path that carries light, unless something stands between.
 struct Found<'a> {
     path: JoinedPath<'a>,
-    /// What its technique alone would add.
+    /// The contribution of its technique alone.
     value: Rgb,
     weight: f64,
 }

@@ -1,4 +1,4 @@
-//! Which connections are tried, and which are worth a shadow ray.
+//! The choice of the connections that are tried and of those that are worth a shadow ray.
 
 use traylib_math::{Rgb, Sampler};
 
@@ -36,9 +36,9 @@ impl<'a> ConnectionRoulette<'a> {
         Self { threshold: THRESHOLD * found.max_band(), looked_at, sampler }
     }
 
-    /// How many pairs of vertices to leave out before the next that is looked at:
-    /// ⌊ln u/ln(1 − chance)⌋, which is as rare as so many refusals. Where every pair is
-    /// looked at no number is drawn.
+    /// Returns the number of pairs of vertices to leave out before the next that is looked at:
+    /// ⌊ln u/ln(1 − chance)⌋, which is as rare as so many refusals. Where every pair is looked at
+    /// no number is drawn.
     pub(super) fn pairs_left_out(&mut self) -> usize {
         if self.looked_at >= 1.0 {
             return 0;
@@ -83,8 +83,7 @@ mod tests {
         }
     }
 
-    /// Of so many pairs as many are looked at as one path may have, and each counts for
-    /// those that are not.
+    /// As many pairs are looked at as one path may have, and each counts for those that are not.
     #[test]
     fn some_of_many_pairs_stand_for_all() {
         let mut sampler = Sampler::numbered(1, 0);

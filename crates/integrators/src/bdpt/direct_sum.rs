@@ -42,7 +42,8 @@ pub(crate) enum Joint {
     Splat { pdf_back: SolidAnglePdf, camera_pdf: f32 },
 }
 
-/// Where a point light is reflected ideally on its way: x₁, and x₂ if there are two mirrors.
+/// The points at which a point light is reflected ideally on its way: x₁, and x₂ if there are two
+/// mirrors.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mirrors {
     x1: Vec3,
@@ -66,7 +67,7 @@ pub(crate) struct PathDensities {
     pub(crate) is_delta: Vec<bool>,
     pub(crate) toward: f64,
     pub(crate) is_point: bool,
-    /// Where mirrors are the first vertices behind a point light.
+    /// The vertex that only mirrors separate from a point light, if there is one.
     pub(crate) behind_mirrors: Option<BehindMirrors>,
 }
 
@@ -95,7 +96,7 @@ impl JoinedPath<'_> {
         (s, self.camera.len() + 1)
     }
 
-    /// Whether the camera path was joined with a point light by way of a mirror.
+    /// Tells whether the camera path was joined with a point light by way of a mirror.
     pub(crate) fn is_joined_by_mirror(&self) -> bool {
         matches!(self.joint, Joint::Mirror { .. })
     }
@@ -115,7 +116,7 @@ impl JoinedPath<'_> {
         }
     }
 
-    /// Whether technique (s, t) takes part in finding this path.
+    /// Tells whether technique (s, t) takes part in finding this path.
     pub(crate) fn allows(&self, techniques: Techniques, s: usize, t: usize) -> bool {
         if self.mirror_joint() == Some(s) {
             techniques.mirror_connections
@@ -261,8 +262,8 @@ impl PathDensities {
         (0..=k).map(log).collect()
     }
 
-    /// Whether technique s can find the path: no edge can be chosen freely beside
-    /// an ideal reflection.
+    /// Tells whether technique s can find the path: no edge can be chosen freely beside an ideal
+    /// reflection.
     fn is_possible(&self, s: usize) -> bool {
         let k = self.forward.len() - 1;
         // A light path does not hit a pinhole, nor see it from the lamp itself.

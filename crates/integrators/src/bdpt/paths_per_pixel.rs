@@ -1,4 +1,4 @@
-//! How many light paths a pass has.
+//! The number of light paths of a pass.
 
 use std::fmt;
 use std::str::FromStr;
@@ -11,10 +11,10 @@ pub struct PathsPerPixel {
 }
 
 impl PathsPerPixel {
-    /// As many as there are pixels.
+    /// One light path for each pixel.
     pub const ONE: Self = Self::of_thousandths(1000);
 
-    /// So many thousandths of one; at least one.
+    /// Returns so many thousandths of one; at least one.
     pub const fn of_thousandths(thousandths: u32) -> Self {
         Self { thousandths: if thousandths == 0 { 1 } else { thousandths } }
     }
@@ -24,7 +24,7 @@ impl PathsPerPixel {
         f64::from(self.thousandths) / 1000.0
     }
 
-    /// How many there are over a film of so many pixels: at least one.
+    /// Returns the number of light paths over a film of so many pixels: at least one.
     pub fn over(self, pixels: u32) -> u32 {
         let paths = u64::from(pixels) * u64::from(self.thousandths) / 1000;
         u32::try_from(paths).unwrap_or(u32::MAX).max(1)

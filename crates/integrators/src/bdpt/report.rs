@@ -1,4 +1,4 @@
-//! What to record beside the picture, for those who doubt it.
+//! The output that is recorded beside the picture, for those who doubt it.
 
 use super::direct_sum::{JoinedPath, Joint};
 use crate::ChunkOutput;
@@ -26,11 +26,11 @@ pub struct Technique {
     pub s: u8,
     /// Vertices from the camera.
     pub t: u8,
-    /// Whether the last vertex from the camera is joined with a point light by way of mirrors:
-    /// s then stands for the light and one or two of them.
+    /// True if the last vertex from the camera is joined with a point light by way of mirrors: s
+    /// then stands for the light and one or two of them.
     pub by_mirror: bool,
-    /// Whether its paths carry their weights, so that all pictures add up to the
-    /// whole, or stand for themselves.
+    /// True if its paths carry their weights, so that all pictures add up to the whole; false if
+    /// they stand for themselves.
     pub weighted: bool,
 }
 

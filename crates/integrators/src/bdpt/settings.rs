@@ -1,4 +1,4 @@
-//! What is chosen of bidirectional path tracing on a command line.
+//! The settings of bidirectional path tracing on a command line.
 
 use super::{Auto, Bdpt, PathsPerPixel, Report, Techniques, Weighting};
 use crate::Limits;
@@ -8,22 +8,23 @@ use traylib_math::Heuristic;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "each stands for an option of its own")]
 pub struct BdptSettings {
-    /// How long paths get.
+    /// Bounds on the length of paths.
     pub limits: Limits,
-    /// How densities become weights.
+    /// The heuristic that turns densities into weights.
     pub heuristic: Heuristic,
-    /// Whether weights are computed by [`Weighting::DirectSum`].
+    /// True if weights are computed by [`Weighting::DirectSum`].
     pub direct_sum: bool,
-    /// Whether the techniques with s ≥ 2 and t ≥ 2 are left out.
+    /// True if the techniques with s ≥ 2 and t ≥ 2 are left out.
     pub no_connections: bool,
-    /// Whether light paths are not joined to the camera: the techniques with t = 1.
+    /// True if light paths are not joined to the camera: the techniques with t = 1.
     pub no_splats: bool,
     /// Light paths of a pass, for each of its pixels.
     pub light_paths: PathsPerPixel,
-    /// Whether images of lamps in mirrors are neither aimed at nor, of point lights, joined.
+    /// True if images of lamps in mirrors are neither aimed at nor, of point lights, joined.
     pub no_images: bool,
-    /// Whether a [plan](crate::planner) chooses for each scene which method to render by, be it
-    /// another; without one all techniques take part. What is set above is left as it is then.
+    /// The freedom of a [plan](crate::planner) that chooses for each scene which method to render
+    /// by, be it another; without one all techniques take part. What is set above is left as it is
+    /// then.
     pub auto: Option<Auto>,
 }
 

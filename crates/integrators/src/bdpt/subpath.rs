@@ -27,7 +27,8 @@ impl Subpath {
         }
     }
 
-    /// How a walk from the camera goes on from one of its vertices.
+    /// Returns how a walk from the camera chooses the direction in which it goes on from one of its
+    /// vertices.
     #[inline]
     pub(crate) fn toward_light(&self, vertex: &Vertex) -> TowardLight<'_> {
         TowardLight::of(vertex.images.and_then(|index| self.images.get(index as usize)))

@@ -11,7 +11,7 @@ impl TechniqueSet {
         Self(bits.fold(0, |set, bit| set | bit))
     }
 
-    /// Whether (s, t) is one of them.
+    /// Tells whether (s, t) is one of them.
     pub fn contains(self, s: usize, t: usize) -> bool {
         bit(s, t).is_some_and(|bit| self.0 & bit != 0)
     }

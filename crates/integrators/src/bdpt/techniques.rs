@@ -1,6 +1,6 @@
-//! Which techniques take part.
+//! The techniques that take part.
 
-/// Which lamps are aimed at from the vertices of camera paths.
+/// The lamps that are aimed at from the vertices of camera paths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightSampling {
     /// None.
@@ -29,7 +29,7 @@ pub struct Techniques {
 }
 
 impl Techniques {
-    /// All that a pinhole allows.
+    /// All techniques that a pinhole allows.
     pub const ALL: Self = Self {
         hits: true,
         light_samples: LightSampling::All,
@@ -60,7 +60,7 @@ impl Techniques {
         self.connections || self.splats
     }
 
-    /// Whether lamps of this kind are sampled.
+    /// Tells whether lamps of this kind are sampled.
     pub(crate) fn samples_light(self, is_point: bool) -> bool {
         match self.light_samples {
             LightSampling::Off => false,
@@ -69,7 +69,7 @@ impl Techniques {
         }
     }
 
-    /// Whether technique (s, t) takes part for paths from such a lamp.
+    /// Tells whether technique (s, t) takes part for paths from such a lamp.
     pub(crate) fn allow(self, s: usize, t: usize, is_point: bool) -> bool {
         match (s, t) {
             (0, 2) => true,

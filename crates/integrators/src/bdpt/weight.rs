@@ -82,8 +82,8 @@ pub(crate) fn mirror_connection(
     1.0 / (1.0 + last.competition(walked, pdf_back, heuristic))
 }
 
-/// How many light paths count in the weights as having been able to find a vertex that the
-/// camera sees: all, or half of them where the points of camera paths are even.
+/// Returns the number of light paths that count in the weights as having been able to find a vertex
+/// that the camera sees: all, or half of them where the points of camera paths are even.
 ///
 /// To a pixel a light path is a rare event, however even light paths are, while what camera
 /// paths find gets the better. Any number that is the same in all weights leaves their sum one.

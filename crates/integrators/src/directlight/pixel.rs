@@ -32,7 +32,7 @@ impl Integrator for DirectLightOfPixel {
     }
 }
 
-/// How a walk from the camera found light at its last vertex.
+/// The way in which a walk from the camera found light at its last vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Way {
     /// s = 0: the vertex is on a lamp.

@@ -1,4 +1,4 @@
-//! Which loop a method is.
+//! The loop that a method runs.
 
 /// Methods that share a loop, and so the prices of their work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

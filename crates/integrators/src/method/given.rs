@@ -4,7 +4,7 @@ use super::option::{MethodOption, MethodSetting};
 use crate::{MayLose, PathsPerPixel, Roulette};
 use traylib_math::Heuristic;
 
-/// What was given, and nothing of what was not.
+/// The settings that were given; those that were not are `None` or false.
 #[derive(Clone, Copy, Debug, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each stands for an option of its own")]
 pub(super) struct Given {

@@ -32,7 +32,7 @@ pub enum MethodOption {
     Auto,
 }
 
-/// What may stand after an option.
+/// The values that may follow an option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptionValues {
     /// Nothing.
@@ -56,7 +56,7 @@ pub enum MethodSetting {
     Roulette(Roulette),
     /// Light samples and hits are weighted against each other.
     Combine,
-    /// How densities become weights.
+    /// The heuristic that turns densities into weights.
     Heuristic(Heuristic),
     /// Weights are summed over all techniques.
     DirectSum,
@@ -90,7 +90,7 @@ impl MethodOption {
         }
     }
 
-    /// What may stand after it.
+    /// Returns the values that may follow it.
     pub fn values(self) -> OptionValues {
         match self {
             Self::MaxDepth | Self::LightPaths => OptionValues::Text("N"),
@@ -130,7 +130,7 @@ impl MethodOption {
         }
     }
 
-    /// What it is for.
+    /// Returns its help text.
     pub fn help(self) -> &'static str {
         match self {
             Self::Jitter => {
@@ -178,7 +178,7 @@ impl MethodOption {
     /// The option with a value, as it stands on a command line; one without has none.
     ///
     /// # Errors
-    /// What was wanted instead.
+    /// Returns a description of the value that was wanted instead.
     pub fn read(self, value: &str) -> Result<MethodSetting, &'static str> {
         let alone = |setting| if value.is_empty() { Ok(setting) } else { Err("takes no value") };
         match self {
@@ -256,7 +256,7 @@ impl MethodSetting {
     }
 }
 
-/// As on a command line: `--max-depth 6`.
+/// Writes it as on a command line: `--max-depth 6`.
 impl fmt::Display for MethodSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (name, value) = (self.option().name(), self.value());

@@ -4,7 +4,7 @@ use super::{Method, MethodOption, MethodSetting, OptionValues};
 use std::fmt;
 use std::str::FromStr;
 
-/// Why text is no method.
+/// The reason why text is no method.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MethodError {
@@ -20,11 +20,11 @@ pub enum MethodError {
     Twice(MethodOption),
     /// Without roulette paths need a longest one.
     Endless,
-    /// Where nothing is weighted a heuristic has no meaning.
+    /// A heuristic was given where nothing is weighted.
     NothingWeighted,
     /// The option is for the plan to choose.
     Planned(MethodOption),
-    /// How much light may be lost is for a plan to know.
+    /// The light that may be lost was given without a plan.
     NothingPlanned,
 }
 

@@ -1,4 +1,4 @@
-//! Where the numbers of one path come from.
+//! The source of the numbers of one path.
 
 use super::{RealNumbers, VertexNumbers};
 use traylib_math::{Sampler, Vec2};

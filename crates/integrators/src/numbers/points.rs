@@ -1,12 +1,12 @@
-//! Which points of the space of all paths are sampled.
+//! The points that are sampled in the space of all paths.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// How the numbers of the paths of different passes belong together.
+/// The relation between the numbers of the paths of different passes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PointSet {
-    /// Not at all: every path has random numbers of its own.
+    /// No relation: every path has random numbers of its own.
     Independent,
     /// The first [dimensions](traylib_math::sobol::DIMENSIONS) of a path are a point of
     /// Sobol's sequence, which fills them more evenly from pass to pass; the rest is
@@ -24,7 +24,7 @@ impl PointSet {
     /// All, in the order in which they are listed.
     pub const ALL: [Self; 2] = [Self::Independent, Self::Sobol];
 
-    /// How it is written on command lines.
+    /// Returns its name on command lines.
     pub fn name(self) -> &'static str {
         match self {
             Self::Independent => "independent",

@@ -5,8 +5,7 @@ use traylib_math::sampler::{hash, mix};
 use traylib_math::{Vec2, sobol};
 use traylib_scene::{Light, Scene};
 
-/// What a scene makes of the numbers of a vertex: what it leaves unused takes no dimension
-/// of the sequence.
+/// The numbers of a vertex that a scene uses: an unused one takes no dimension of the sequence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimensions {
     /// Some light has an area, and a place on it.
@@ -28,7 +27,7 @@ impl Dimensions {
     }
 }
 
-/// What is left of a point, coordinate by coordinate.
+/// The coordinates of a point, handed out one by one.
 ///
 /// A coordinate is shifted by exclusive or with bits that belong to the seed, the sequence,
 /// the path's own number and the dimension: that leaves the evenness of all points that
@@ -55,7 +54,7 @@ fn place(pass: u64) -> (u64, u64) {
     (pass % sequences, pass / sequences)
 }
 
-/// Which of `count` light paths of a pass is which in its run of the sequence.
+/// Returns the rotation of the `count` light paths of a pass within its run of the sequence.
 ///
 /// A pixel that is always joined with the light path of one number would meet the points at
 /// a stride of their count, all in one strip, and never see the others.

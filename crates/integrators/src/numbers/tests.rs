@@ -99,8 +99,8 @@ fn quasi_random_points_are_even() {
     assert!(even < 0.01 * plain, "{even:e} {plain:e}");
 }
 
-/// What joins a pixel's number and a light path's is a shift of its own for either: the same
-/// for both would leave the two in step from seed to seed.
+/// A pixel's numbers and a light path's have each a shift of their own: the same for both would
+/// leave the two in step from seed to seed.
 #[test]
 fn both_ends_and_all_pixels_are_shifted_apart() {
     let control = Control::default();
@@ -118,8 +118,8 @@ fn both_ends_and_all_pixels_are_shifted_apart() {
     assert!(together.iter().all(|differences| differences.len() == 32), "{together:?}");
 }
 
-/// What a film says of its error is what renderings of other seeds have: sixteen of them, a
-/// thousand pixels each. The ratio has a standard deviation of a twentieth.
+/// The error that a film states is that of renderings by other seeds: sixteen of them, a thousand
+/// pixels each. The ratio has a standard deviation of a twentieth.
 #[test]
 fn the_stated_error_is_that_of_other_seeds() {
     const SEEDS: u64 = 16;

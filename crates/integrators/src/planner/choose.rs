@@ -17,7 +17,7 @@ use crate::{Method, SceneFacts};
 /// Methods that are tried for their forecasts; with those that always are there may be more.
 pub(super) const TRIED: usize = 3;
 
-/// What a choice is made from.
+/// The data that a choice is made from.
 pub(super) struct Planner<'a> {
     pub(super) probes: &'a Probes<'a>,
     /// Some of the probes, on which methods are tried and work is counted.
@@ -82,7 +82,8 @@ impl Planner<'_> {
         }
     }
 
-    /// Whether the pilot knows all that a method does: not what directlight aims at in mirrors.
+    /// Tells whether the pilot knows all that a method does: not what directlight aims at in
+    /// mirrors.
     fn knows(&self, method: Method) -> bool {
         method.techniques().need_light_paths() || !self.probes.scene.lights_are_small()
     }

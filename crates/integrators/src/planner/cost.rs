@@ -1,4 +1,4 @@
-//! What work costs.
+//! The prices of work.
 //!
 //! The table was made by `cargo xtask costs`, which times every method on scenes of all sizes
 //! and fits these numbers; only their ratios matter. A plan never looks at a clock.
@@ -27,7 +27,7 @@ struct Price {
 /// Shapes of the scenes that the table is for.
 const FEW: f64 = 16.0;
 
-/// What each doubling of them adds.
+/// The relative increase of prices with each doubling of them.
 const A_DOUBLING: f64 = 0.1;
 
 const PURE_MC: Price = Price { sample: 150.0, camera_bounce: 290.0, ..Price::NOTHING };
@@ -73,13 +73,13 @@ impl Price {
     }
 }
 
-/// What a sample costs, in nanoseconds of the machine that the table was made on.
+/// Returns the cost of a sample, in nanoseconds of the machine that the table was made on.
 pub(super) fn price(method: Method, work: &Work, scene: &Scene) -> f64 {
     growth(scene.primitive_count()) * Price::of(method.engine()).of_work(work)
 }
 
-/// How much dearer everything is in a scene of so many shapes than in one of a few: rays go
-/// deeper into a larger tree, and find less of it in caches.
+/// Returns the factor by which everything is dearer in a scene of so many shapes than in one of a
+/// few: rays go deeper into a larger tree, and find less of it in caches.
 pub fn growth(primitives: usize) -> f64 {
     let doublings = (primitives.max(1) as f64 / FEW).log2().max(0.0);
     1.0 + A_DOUBLING * doublings

@@ -1,4 +1,4 @@
-//! Why a method was chosen.
+//! The measurements by which a method was chosen.
 
 use super::forecast::{Kind, Share};
 use crate::{BlindSpot, Method};
@@ -23,21 +23,21 @@ impl Choice {
         self.tried.map_or(f64::INFINITY, |variance| variance * self.cost)
     }
 
-    /// What it takes to reach an error, but for a factor that all have in common: variance
+    /// Returns the effort to reach an error, but for a factor that all have in common: variance
     /// times cost, by the forecast.
     pub fn expected(&self) -> f64 {
         self.forecast * self.cost
     }
 }
 
-/// What decided.
+/// The measurements that decided a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
     /// All that was chosen from: first those that were tried, each group with the best first.
     pub choices: Vec<Choice>,
-    /// What is blind to light of such scenes, and to which.
+    /// The methods that are blind to light of such scenes, and the light of each.
     pub blind: Vec<(Method, BlindSpot)>,
-    /// What the chosen one's techniques hold, those that hold anything.
+    /// The shares of the chosen method's techniques, of those that hold anything.
     pub techniques: Vec<TechniqueShare>,
     /// The part of all light on paths with more than 0, 1, 2 … edges.
     pub beyond: Vec<f64>,
@@ -45,7 +45,7 @@ pub struct Evidence {
     pub spent: f64,
 }
 
-/// What the techniques of a kind hold in a method.
+/// The share of the techniques of a kind in a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TechniqueShare {
     /// The kind.

@@ -13,24 +13,24 @@ use crate::FoundPath;
 use crate::{Method, MethodOption, MethodSetting, Techniques};
 use traylib_math::Heuristic;
 
-/// What is to be expected of a method.
+/// The expected variance of a method, with the shares of its techniques.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Forecast {
     /// Variance of one sample a pixel, relative as relMSE is; infinite if it cannot find what
     /// was found.
     pub(super) variance: f64,
-    /// Of that, what samples of more than [`RARE`] times the light around add above it.
+    /// The part of it that samples of more than [`RARE`] times the light around add above it.
     pub(super) rare: f64,
-    /// What its techniques hold of light and of second moments.
+    /// The shares of its techniques in light and in second moments.
     pub(super) shares: [Share; Kind::ALL.len()],
 }
 
 /// Parts of wholes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Share {
-    /// Of the picture's light.
+    /// The part of the picture's light.
     pub(super) light: f64,
-    /// Of the squares of what samples add, relative to the light around.
+    /// The part of the squares of what samples add, relative to the light around.
     pub(super) squares: f64,
 }
 
@@ -65,7 +65,7 @@ impl Kind {
         }
     }
 
-    /// That of technique s for a path.
+    /// Returns the kind of technique s for a path.
     fn of(path: &FoundPath, s: usize) -> Self {
         match s {
             _ if s == path.edges() && s > 1 => Self::Splats,
@@ -84,7 +84,7 @@ pub(super) const RARE: f64 = 8.0;
 /// Light that may be missing for rounding alone, as a part of all.
 const NEGLIGIBLE: f64 = 1e-5;
 
-/// What the paths of the pilot say of a method.
+/// Forecasts a method from the paths of the pilot.
 pub(super) fn forecast(pilot: &Pilot, method: Method) -> Forecast {
     let use_of = Use::by(method);
     let mut sums = [Share::default(); Kind::ALL.len()];
@@ -142,7 +142,7 @@ pub(super) fn forecast(pilot: &Pilot, method: Method) -> Forecast {
     Forecast { variance, rare: rare / pilot.samples(), shares }
 }
 
-/// How a method uses techniques.
+/// The use that a method makes of techniques.
 struct Use {
     techniques: Techniques,
     heuristic: Heuristic,

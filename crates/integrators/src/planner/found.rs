@@ -23,8 +23,8 @@ impl FoundPath {
         (!self.is_splat).then(|| self.value * (1.0 / self.found_from_camera()) as f32)
     }
 
-    /// How much more often techniques from the camera find it, all together, than the one that
-    /// did.
+    /// Returns how many times as often techniques from the camera find it, all together, as the one
+    /// that did.
     pub(super) fn found_from_camera(&self) -> f64 {
         // The last, t = 1, begins at no camera.
         self.ratios[..self.edges()].iter().sum()

@@ -1,4 +1,4 @@
-//! How long paths need to be.
+//! The choice of the longest path.
 
 use super::bands::grey;
 use super::pilot::{LONGEST, Pilot};

@@ -1,15 +1,15 @@
-//! How much better means of many samples are than single ones.
+//! The gain of means of many samples over single ones.
 
 use crate::PointSet;
 
 /// Passes that are rendered to tell of a picture.
 #[derive(Clone, Copy)]
 pub(super) struct Passes {
-    /// Where their numbers come from.
+    /// The source of their numbers.
     pub(super) points: PointSet,
-    /// How many they are.
+    /// The number of these passes.
     pub(super) count: u32,
-    /// How many the picture has.
+    /// The number of passes of the picture.
     pub(super) spp: u32,
 }
 
@@ -39,7 +39,8 @@ impl Passes {
     }
 }
 
-/// What is left of a sample's variance in means of `wanted`, for each that is left in those of
+/// Returns the factor by which the part left of a sample's variance changes from means of
+/// `measured` to means of `wanted`, where `left` is left in the former: it goes on as a power.
 /// `measured`, where `left` is left of it in these: it goes on as a power.
 fn grown(left: f64, measured: usize, wanted: usize) -> f64 {
     let doublings = |of: usize| (of.max(1) as f64).log2();

@@ -10,7 +10,7 @@ use crate::{Bdpt, BdptSettings, Limits, PointSet, Report};
 /// find one grows with its length. Trials have them.
 pub(super) const LONGEST: u32 = 16;
 
-/// What the pilot found, but for lamps that the camera sees.
+/// The paths that the pilot found, but for lamps that the camera sees.
 pub(super) struct Pilot {
     /// Each path with the number of the probe that brought it and that of the pass, in the order
     /// of the probes.
@@ -19,7 +19,7 @@ pub(super) struct Pilot {
     pub(super) pixels: Vec<u32>,
     /// Passes of each.
     pub(super) passes: u32,
-    /// What errors are relative to.
+    /// The tiles that errors are relative to.
     pub(super) tiles: Tiles,
 }
 

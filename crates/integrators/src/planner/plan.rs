@@ -1,9 +1,9 @@
-//! What is asked of a plan, and what it is.
+//! The request for a plan, and the plan.
 
 use super::evidence::Evidence;
 use crate::{Method, PointSet};
 
-/// What is to be planned.
+/// A request for a plan.
 #[derive(Clone, Copy, Debug)]
 pub struct Request {
     /// The longest path, for the methods that are chosen from.
@@ -15,17 +15,17 @@ pub struct Request {
     pub spp: u32,
     /// Seed of the picture.
     pub seed: u64,
-    /// Where the picture's numbers will come from.
+    /// The source of the picture's numbers.
     pub points: PointSet,
     /// Threads; 0 for one a processor. Does not change the plan.
     pub threads: usize,
 }
 
-/// What was chosen, and why.
+/// The chosen method with the evidence for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// The method to render by.
     pub method: Method,
-    /// What it was chosen for; `None` if the picture is too small to spend anything on it.
+    /// The evidence for it; `None` if the picture is too small to spend anything on it.
     pub evidence: Option<Evidence>,
 }

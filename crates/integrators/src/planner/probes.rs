@@ -24,7 +24,7 @@ pub(super) struct Probes<'a> {
     control: &'a Control,
 }
 
-/// What one probe brought in one pass.
+/// The light and paths of one probe in one pass.
 #[derive(Debug, Default)]
 pub(super) struct Probed {
     /// Light of its camera path.
@@ -144,7 +144,8 @@ mod tests {
     use super::*;
     use crate::Method;
 
-    /// Else the picture would be rendered with the samples that it was chosen by.
+    /// Trials have numbers of their own: else the picture would be rendered with the samples that
+    /// it was chosen by.
     #[test]
     fn a_plan_draws_no_sample_of_its_picture() {
         let (scene, control, seed) = (crate::bdpt::room(), Control::default(), 7);

@@ -5,7 +5,7 @@ use super::means::Passes;
 use super::probes::Probes;
 use crate::Method;
 
-/// What the camera sees of lights themselves, by the rays that all methods begin with: far
+/// The light of lamps that the camera sees directly, by the rays that all methods begin with: far
 /// brighter as a rule than what they light, and no matter of choice.
 pub(super) struct LightsSeen {
     /// Pass by pass for each probe.
@@ -26,7 +26,7 @@ impl LightsSeen {
         self.passes
     }
 
-    /// What a probe saw in a pass.
+    /// Returns the light that a probe saw in a pass.
     pub(super) fn of(&self, probe: usize, pass: u32) -> [f64; 3] {
         self.values[probe * self.passes.count as usize + pass as usize]
     }

@@ -1,4 +1,4 @@
-//! How much an error weighs where.
+//! The weights of errors over the picture.
 
 use super::bands::grey;
 use super::found::Found;
@@ -19,7 +19,7 @@ const BRIGHT: f64 = 4.0;
 pub(super) struct Tiles {
     /// One over that, for each probe.
     weights: Vec<f64>,
-    /// What is added to squares of light.
+    /// The term that is added to squares of light.
     dark: f64,
     grid: Grid,
 }
@@ -70,7 +70,7 @@ impl Tiles {
         &self.weights
     }
 
-    /// What the square of an error at this pixel is multiplied with.
+    /// Returns the factor of the square of an error at this pixel.
     pub(super) fn weight(&self, pixel: u32) -> f64 {
         self.weights[self.grid.cell(pixel)]
     }

@@ -7,7 +7,7 @@ use super::seen::LightsSeen;
 use super::tiles::Tiles;
 use crate::Method;
 
-/// What a method made of the probes.
+/// The light that a method found at the probes.
 pub(super) struct Trial {
     /// Light of camera paths, pass by pass for each probe.
     own: Vec<[f64; 3]>,
@@ -57,9 +57,9 @@ impl Trial {
     }
 }
 
-/// What squares are multiplied with at each probe: as [`Tiles`] has it, but by the light of the
-/// probe itself, which so many samples tell. The most that any method has counts, since camera
-/// paths of some leave a part of it to splats.
+/// Returns the factors of squares at each probe: as [`Tiles`] has it, but by the light of the probe
+/// itself, which so many samples tell. The most that any method has counts, since camera paths of
+/// some leave a part of it to splats.
 pub(super) fn weights(trials: &[Trial], tiles: &Tiles, seen: &LightsSeen) -> Vec<f64> {
     let count = seen.passes().count as usize;
     let probes = trials.first().map_or(0, |trial| trial.own.len() / count);

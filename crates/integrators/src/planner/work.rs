@@ -1,4 +1,4 @@
-//! What a method does for a sample, counted.
+//! The counted work of a method for a sample.
 
 use super::probes::Probes;
 use crate::{Method, MethodSetting, PathsPerPixel, PointSet, Statistics};
@@ -31,8 +31,8 @@ impl Work {
     }
 }
 
-/// What has been counted, for methods that differ only in weights or in how many light paths
-/// they have: both leave the work of each path as it is, but for a few connections.
+/// The work counted so far, shared by methods that differ only in weights or in how many light
+/// paths they have: both leave the work of each path as it is, but for a few connections.
 #[derive(Default)]
 pub(super) struct Counted(Vec<(Method, Work)>);
 
@@ -49,7 +49,7 @@ impl Counted {
         work.with_light_paths(method.light_paths_per_pixel())
     }
 
-    /// How many methods were counted.
+    /// Returns the number of methods counted.
     pub(super) fn methods(&self) -> usize {
         self.0.len()
     }

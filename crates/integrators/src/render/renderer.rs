@@ -64,12 +64,12 @@ impl<'a> Renderer<'a> {
         self
     }
 
-    /// What came of the passes so far.
+    /// Returns the result of the passes so far.
     pub fn rendering(&self) -> &Rendering {
         &self.rendering
     }
 
-    /// What came of all passes.
+    /// Returns the result of all passes.
     pub fn finish(self) -> Rendering {
         self.rendering
     }
@@ -138,7 +138,8 @@ impl<'a> Renderer<'a> {
         true
     }
 
-    /// What a chunk adds to its pass, from what the light work left, or from the chunk alone;
+    /// Returns the contribution of a chunk to its pass, from what the light work left, or from the
+    /// chunk alone; `None` if the pass was given up meanwhile.
     /// `None` if the pass was given up meanwhile.
     fn render_chunk(
         &self,
@@ -184,7 +185,7 @@ impl<'a> Renderer<'a> {
     }
 }
 
-/// What the chunks of a pass have added to it so far.
+/// The sums of the chunks of a pass so far.
 struct PassSums {
     image: PassImage,
     notes: Vec<String>,

@@ -92,7 +92,7 @@ fn films_of_parts_make_that_of_the_whole() {
     }
 }
 
-/// What is done meanwhile sees the passes before, and changes nothing.
+/// Work that is done meanwhile sees the passes before, and changes nothing.
 #[test]
 fn passes_beside_other_work_are_the_same() {
     let scene = room();

@@ -8,7 +8,7 @@ use std::io::Read;
 use traylib_math::Grid;
 use traylib_scene::{Film, FilmBlock, FilmSquares};
 
-/// How every film begins. A byte that is no text, and line ends of two kinds, show what
+/// The first bytes of every film. A byte that is no text, and line ends of two kinds, show what
 /// carelessness does to files on their way.
 const MAGIC: [u8; 8] = *b"\x89FILM\r\n\n";
 
@@ -19,7 +19,7 @@ const BYTES_BEFORE: usize = 16;
 const BYTES_OF_CHECKSUM: usize = 4;
 const BYTES_OF_PIXEL: u64 = 24;
 
-/// Everything but the sums.
+/// The contents of a film but for its sums.
 #[derive(Debug)]
 pub(super) struct Header {
     pub(super) width: u32,
@@ -52,12 +52,12 @@ impl Header {
         BYTES_OF_PIXEL * self.shape.sequences().flatten().map(planes).sum::<u64>()
     }
 
-    /// How many pixels there are.
+    /// Returns the number of pixels.
     pub(super) fn pixels(&self) -> u64 {
         u64::from(self.width) * u64::from(self.height)
     }
 
-    /// Where the sums of a stripe begin, or the file ends.
+    /// Returns the offset in bytes of the sums of a stripe, or of the end of the file.
     pub(super) fn offset(&self, pixel: u64) -> u64 {
         let stripes = pixel.div_ceil(STRIPE as u64);
         self.bytes + pixel * self.bytes_per_pixel() + stripes * BYTES_OF_CHECKSUM as u64
@@ -211,7 +211,7 @@ impl Output {
     }
 }
 
-/// What [`Output`] wrote; `None` where it ends too soon.
+/// Reads the bytes that [`Output`] wrote; `None` where they end too soon.
 struct Input<'a>(&'a [u8]);
 
 impl<'a> Input<'a> {

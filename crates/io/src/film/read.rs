@@ -19,7 +19,7 @@ pub struct FilmReader {
     header: Header,
     /// Open as long as it is read often.
     file: Option<File>,
-    /// Where in the file the next byte is, if it is open.
+    /// The offset of the next byte in the file, if it is open.
     at: u64,
 }
 
@@ -183,7 +183,7 @@ fn decode_into(blocks: &mut [(usize, FilmBlock)], bytes: &[u8], pixels: &Range<u
     }
 }
 
-/// What is read of a block, in this order.
+/// Returns the planes of a block in the order in which they are read.
 fn planes_mut(block: &mut FilmBlock) -> impl Iterator<Item = &mut Grid<[f64; 3]>> {
     let squares = match &mut block.squares {
         FilmSquares::Sum(squares) => Some(squares),

@@ -30,7 +30,7 @@ impl StripeWriter {
     }
 }
 
-/// What is written of a block, in this order.
+/// Returns the planes of a block in the order in which they are written.
 fn planes(block: &FilmBlock) -> impl Iterator<Item = &Grid<[f64; 3]>> {
     let squares = match &block.squares {
         FilmSquares::Sum(squares) => Some(squares),

@@ -90,9 +90,9 @@ impl<'a> Strided<'a> {
     }
 }
 
-/// How an element lies in bytes.
+/// The layout of an element in bytes.
 struct Layout<R> {
-    /// How many bytes it has.
+    /// The number of its bytes.
     size: usize,
     /// Makes it of these.
     read: R,

@@ -3,7 +3,7 @@
 use super::Cause;
 use crate::Limit;
 
-/// What is left of a bound.
+/// A bound with the part of it that is left.
 pub(super) struct Budget {
     what: &'static str,
     most: u64,

@@ -1,4 +1,4 @@
-//! Why bytes are no glTF.
+//! The reasons why bytes are no glTF.
 
 use crate::Limit;
 
@@ -18,9 +18,9 @@ pub enum Error {
     /// The parts of a binary glTF make no sense.
     #[error("byte {byte}: {what}")]
     Container {
-        /// Where.
+        /// The offset of the fault.
         byte: usize,
-        /// What is wrong.
+        /// The fault in words.
         what: &'static str,
     },
     /// The JSON text makes no sense.
@@ -30,7 +30,7 @@ pub enum Error {
         line: usize,
         /// The column, from 1.
         column: usize,
-        /// What is wrong.
+        /// The fault in words.
         what: String,
     },
     /// An extension without which shapes are not known.
@@ -39,9 +39,9 @@ pub enum Error {
     /// A value makes no sense.
     #[error("{place}: {cause}")]
     Value {
-        /// Where, as `meshes[0].primitives[1]`.
+        /// The place, as `meshes[0].primitives[1]`.
         place: String,
-        /// Why.
+        /// The cause.
         cause: Cause,
     },
 }
@@ -52,26 +52,26 @@ impl Error {
     }
 }
 
-/// Why a value makes no sense.
+/// The reason why a value makes no sense.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
     /// An index of something that is not there.
     #[error("there is no {what} {index}: there are {count}")]
     OutOfRange {
-        /// What it is an index of.
+        /// The kind of thing that it is an index of.
         what: &'static str,
         /// The index.
         index: u64,
-        /// How many there are.
+        /// The number of things there are.
         count: usize,
     },
     /// There are fewer bytes than it needs.
     #[error("it needs {needed} bytes where there are {there}")]
     TooFewBytes {
-        /// How many it needs.
+        /// The number of bytes needed.
         needed: u64,
-        /// How many there are.
+        /// The number of bytes there are.
         there: u64,
     },
     /// Elements lie more closely than they are long.
@@ -83,9 +83,9 @@ pub enum Cause {
     /// There are more or fewer of one than of the other.
     #[error("it has {given} elements where there are {wanted} positions")]
     Count {
-        /// How many there are.
+        /// The number that is given.
         given: usize,
-        /// How many there should be.
+        /// The number that is wanted.
         wanted: usize,
     },
     /// A number is infinite or none.
@@ -100,7 +100,7 @@ pub enum Cause {
     /// There is too much of something.
     #[error("there are more than {most} {what}; {}", .limit.remedy(*.most))]
     TooMany {
-        /// What there is too much of.
+        /// The kind of thing that there is too much of.
         what: &'static str,
         /// The bound.
         most: u64,

@@ -14,7 +14,7 @@ const READ: [&str; 5] = [
     "KHR_texture_transform",
 ];
 
-/// What begins the names of extensions without which a file can be shown all the same.
+/// The prefixes of extensions without which a file can be shown all the same.
 const OF_SURFACES: [&str; 5] =
     ["KHR_materials_", "KHR_technique", "KHR_texture_", "EXT_texture_", "MSFT_texture_"];
 

@@ -60,7 +60,7 @@ pub(super) struct Root {
     pub(super) extensions: RootExtensions,
 }
 
-/// What every version has.
+/// The fields that every version has.
 #[derive(Debug, Derive)]
 struct Head {
     asset: Asset,
@@ -235,12 +235,12 @@ fn half() -> f32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Derive)]
 #[serde(rename_all = "UPPERCASE")]
 pub enum AlphaMode {
-    /// Nothing.
+    /// Alpha means nothing.
     #[default]
     Opaque,
     /// All is there or nothing.
     Mask,
-    /// As much is there as it says.
+    /// As much of the surface is there as alpha says.
     Blend,
 }
 

@@ -4,8 +4,7 @@ use super::counter::Counter;
 use crate::Warning;
 use traylib_scene::{Coincidences, Scene};
 
-/// What there is to say of lamps and of a camera that lay in one place with something
-/// else.
+/// Warns of lamps and of a camera that lay in one place with something else.
 pub(super) fn warnings(scene: &Scene, file: &str) -> impl Iterator<Item = Warning> {
     let Coincidences { lifted_lights, points_in_surfaces, surfaces_at_camera } =
         scene.coincidences();

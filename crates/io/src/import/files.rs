@@ -46,7 +46,7 @@ pub(crate) fn gather(root: &Location, widened: Option<&FilePath>) -> Result<Vec<
 }
 
 struct Gathering {
-    /// What included files are in, by its one name; `None` of built-in scenes.
+    /// The canonical path of the folder that holds included files; `None` of built-in scenes.
     folder: Option<PathBuf>,
     files: Vec<SceneFile>,
     problems: Problems,

@@ -7,7 +7,7 @@ use traylib_math::Rgb;
 /// A material of a file.
 #[derive(Clone, Debug)]
 pub(super) struct ImportedMaterial {
-    /// As the file calls it; may be empty, or that of others too.
+    /// The name in the file; may be empty, or that of others too.
     pub(super) name: String,
     pub(super) surface: Material,
     pub(super) sides: Sides,

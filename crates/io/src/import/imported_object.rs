@@ -12,7 +12,7 @@ pub(super) struct ImportedObject {
     pub(super) sides: Sides,
     pub(super) material: ObjectMaterial,
     pub(super) emission: Rgb,
-    /// Which sides it stands for: of a lamp of two sides, each is an object of its own.
+    /// The sides that it stands for: of a lamp of two sides, each is an object of its own.
     pub(super) side: ModelSide,
 }
 
@@ -55,7 +55,7 @@ impl ImportedObject {
         }
     }
 
-    /// What rays can meet of it.
+    /// Returns the primitives of it that rays can meet.
     pub(super) fn primitives(&self) -> impl Iterator<Item = SidedPrimitive> {
         let (single, mesh) = match &self.shape {
             ObjectShape::Primitive(primitive) => (Some(*primitive), None),

@@ -11,7 +11,7 @@ pub(super) struct ModelPart {
     pub(super) side: ModelSide,
 }
 
-/// Which part of a surface this is. Surfaces emit from their fronts only, so that
+/// The part of a surface that an object stands for. Surfaces emit from their fronts only, so that
 /// one which emits from both sides becomes two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum ModelSide {

@@ -15,8 +15,8 @@ use traylib_geometry::Sides;
 use traylib_math::Rgb;
 use traylib_scene::ObjectShape;
 
-/// What the scene is built from. A box is six of these, a mesh one for each
-/// material of its file.
+/// An object with its place, from which the scene is built. A box is six of these, a mesh one for
+/// each material of its file.
 pub(super) struct Part {
     pub(super) place: Place,
     pub(super) item: ImportedObject,

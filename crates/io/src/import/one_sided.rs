@@ -27,7 +27,7 @@ pub(super) struct Described<'a> {
     pub(super) name: &'a str,
     /// The file that can be changed.
     pub(super) file: &'a str,
-    /// How.
+    /// The way to change it, in words.
     pub(super) remedy: &'a str,
 }
 
@@ -70,7 +70,7 @@ fn bends_or_scatters(model: &SurfaceModel) -> bool {
     matches!(model, SurfaceModel::Dielectric(_)) || !scattered(model).is_black()
 }
 
-/// What goes on straight, where a sheet's lobe is highest.
+/// Returns the BSDF for light that goes straight on, where a sheet's lobe is highest.
 fn scattered(model: &SurfaceModel) -> Rgb {
     if model.transmits() { model.evaluate(Vec3::Z, Vec3::Z, Vec3::NEG_Z).f } else { Rgb::BLACK }
 }

@@ -66,12 +66,12 @@ impl Copies {
         self.0.push(segment);
     }
 
-    /// How many parts a copy is computed from; 17 at most.
+    /// Returns the number of parts that a copy is computed from; 17 at most.
     pub(super) fn segments(&self) -> u64 {
         self.0.len() as u64
     }
 
-    /// How many there are, at most `u64::MAX`.
+    /// Returns the number of copies, at most `u64::MAX`.
     pub(super) fn count(&self) -> u64 {
         self.0.iter().fold(1, |product: u64, segment| product.saturating_mul(segment.size()))
     }

@@ -3,7 +3,7 @@
 use super::Cause;
 use crate::Limit;
 
-/// Nothing, if a number is within its bound.
+/// Checks that a number is within its bound.
 pub(super) fn limit(
     what: &'static str,
     value: u64,
@@ -13,7 +13,7 @@ pub(super) fn limit(
     if value <= limit { Ok(()) } else { Err(Cause::Limit { what, limit, option }) }
 }
 
-/// What may still be used of something.
+/// A bound with the part of it that may still be used.
 pub(super) struct Budget {
     what: &'static str,
     limit: u64,
@@ -26,7 +26,7 @@ impl Budget {
         Self { what, limit, left: limit, option }
     }
 
-    /// What is left, and what there was.
+    /// Returns the part that is left, and the bound.
     pub(super) fn left(&self) -> (u64, u64) {
         (self.left, self.limit)
     }

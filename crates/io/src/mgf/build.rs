@@ -10,7 +10,7 @@ use super::{Cause, Shape, Vertex};
 use crate::Limit;
 use traylib_math::glam::DVec3;
 
-/// What a shape is made with.
+/// The data that a shape is made with.
 pub(super) struct Builder<'a> {
     pub(super) vertices: &'a Names<Vertex>,
     pub(super) transform: Transform,

@@ -24,7 +24,7 @@ impl Contexts {
         }
     }
 
-    /// How much memory names take.
+    /// Returns the memory that names take, in bytes.
     pub(super) fn kept(&self) -> u64 {
         self.colours.kept + self.materials.kept + self.vertices.kept
     }

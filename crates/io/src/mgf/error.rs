@@ -1,4 +1,4 @@
-//! Why files are not a scene.
+//! The reasons why files are not a scene.
 
 use super::Place;
 use crate::Limit;
@@ -13,22 +13,22 @@ pub enum Error {
     File {
         /// The file.
         file: PathBuf,
-        /// Why.
+        /// The fault of the file.
         fault: FileFault,
     },
     /// A known entity makes no sense or asks for too much.
     #[error("{place}: {entity}: {cause}")]
     Entity {
-        /// Where it stands.
+        /// The place.
         place: Place,
         /// Its keyword.
         entity: &'static str,
-        /// Why.
+        /// The cause.
         cause: Cause,
     },
 }
 
-/// Why a file cannot be read.
+/// The reason why a file cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileFault {
@@ -47,14 +47,14 @@ pub enum FileFault {
     /// A line is too long.
     #[error("line {line} has more than {limit} bytes; {}", Limit::Line.remedy(*.limit as u64))]
     LineTooLong {
-        /// Where it begins.
+        /// The line on which it begins.
         line: u32,
         /// The bound.
         limit: usize,
     },
 }
 
-/// Why an entity makes no sense.
+/// The reason why an entity makes no sense.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
@@ -69,9 +69,9 @@ pub enum Cause {
     /// The wrong number or kind of words.
     #[error("{found} arguments where it takes {expected}")]
     Arguments {
-        /// What it takes.
+        /// The arguments that it takes.
         expected: &'static str,
-        /// How many there are.
+        /// The number of arguments there are.
         found: usize,
     },
     /// A word that should be a finite number.
@@ -83,11 +83,11 @@ pub enum Cause {
     /// A number that may not be.
     #[error("{what} is {value}, it must be {range}")]
     Range {
-        /// What the number stands for.
+        /// The quantity that the number stands for.
         what: &'static str,
         /// The number.
         value: f64,
-        /// What it may be.
+        /// The range that it may be in.
         range: &'static str,
     },
     /// Numbers that do not fit each other.
@@ -121,13 +121,13 @@ pub enum Cause {
     Include {
         /// Its name.
         name: String,
-        /// Why.
+        /// The fault of the file.
         fault: FileFault,
     },
     /// A bound is exceeded.
     #[error("more than {limit} {what}; {}", .option.remedy(*.limit))]
     Limit {
-        /// What there is too much of.
+        /// The kind of thing that there is too much of.
         what: &'static str,
         /// The bound.
         limit: u64,

@@ -16,12 +16,12 @@ const SEARCH_COST: u64 = 8192;
 /// Memory of an entry in a table beside its name, at most.
 const ENTRY: usize = 256;
 
-/// Everything read so far.
+/// All files read so far.
 pub(super) struct Files {
     root: PathBuf,
     sources: Vec<Rc<Source>>,
     by_path: HashMap<PathBuf, usize>,
-    /// What a name means in a file.
+    /// The file that a name means in an including file, by their numbers.
     included: HashMap<(usize, String), usize>,
     bytes_left: u64,
     max_bytes: u64,
@@ -77,8 +77,8 @@ impl Files {
         Ok(Rc::clone(&self.sources[id]))
     }
 
-    /// Where an included file is: by its name as it stands, or all in lower or
-    /// all in upper case.
+    /// Returns the path of an included file: by its name as it stands, or all in lower or all in
+    /// upper case.
     fn find(&self, from: &Source, name: &str) -> Result<PathBuf, Cause> {
         if name.starts_with('/') || Path::new(name).is_absolute() {
             return Err(Cause::Absolute(shown(name)));

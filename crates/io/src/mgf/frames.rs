@@ -21,7 +21,7 @@ struct Frame {
     multiplicity: u64,
     /// From here to the world.
     total: Transform,
-    /// Where its text begins.
+    /// The position at which its text begins.
     start: usize,
 }
 

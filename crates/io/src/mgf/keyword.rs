@@ -69,7 +69,7 @@ const TABLE: [(&str, Keyword); 29] = [
 ];
 
 impl Keyword {
-    /// How many there are.
+    /// The number of keywords.
     pub(super) const COUNT: usize = TABLE.len();
 
     /// The entity of a word.

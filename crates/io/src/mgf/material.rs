@@ -25,7 +25,7 @@ impl Part {
 pub struct Material {
     /// Its name; empty for the unnamed one.
     pub name: Arc<str>,
-    /// Whether the back is like the front; else it is invisible.
+    /// True if the back is like the front; else it is invisible.
     pub two_sided: bool,
     /// Diffuse reflectance.
     pub rd: Part,

@@ -41,7 +41,7 @@ impl Default for MaterialBuilder {
 /// Largest number that fits single precision.
 const MOST: f64 = f32::MAX as f64;
 
-/// What a material needed to be usable.
+/// The repairs that made a material usable.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Repairs {
     pub(super) scaled_down: bool,

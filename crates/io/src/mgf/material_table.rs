@@ -9,12 +9,12 @@ use std::sync::Arc;
 #[derive(Default)]
 pub(super) struct MaterialTable {
     pub(super) materials: Vec<Material>,
-    /// What each context was when a surface last used it, and as which material.
+    /// The state of each context when a surface last used it, and the material that it was then.
     last: HashMap<usize, (MaterialBuilder, usize)>,
 }
 
 impl MaterialTable {
-    /// How much memory one more material takes: itself, two builders, and an entry.
+    /// The memory that one more material takes, in bytes: itself, two builders, and an entry.
     pub(super) const MEMORY: u64 =
         (size_of::<Material>() + 2 * size_of::<MaterialBuilder>() + 64) as u64;
 

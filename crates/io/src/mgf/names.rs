@@ -17,9 +17,9 @@ pub(super) struct Names<T> {
     /// Slot 0 is the unnamed one.
     values: Vec<(Arc<str>, T)>,
     current: usize,
-    /// How often a name was defined, again included.
+    /// The number of definitions of names, repeated ones included.
     pub(super) definitions: u64,
-    /// How much memory the names take.
+    /// The memory that the names take, in bytes.
     pub(super) kept: u64,
 }
 

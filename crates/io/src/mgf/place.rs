@@ -1,4 +1,4 @@
-//! Where in a file.
+//! A place in a file.
 
 use std::fmt;
 use std::path::PathBuf;

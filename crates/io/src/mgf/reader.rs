@@ -33,7 +33,7 @@ pub(super) struct Reader<'a> {
     work: Budget,
     memory: Budget,
     cutting: Budget,
-    /// How often each entity was met, by the number of its keyword.
+    /// The number of times that each entity was met, by the number of its keyword.
     entities: [u64; Keyword::COUNT],
     counts: Counts,
     warnings: Warnings,
@@ -46,7 +46,7 @@ struct Call {
     next: usize,
     /// Transforms open around it, its own arguments included.
     frames: usize,
-    /// Whether the innermost of these are its arguments.
+    /// True if the innermost of these are its arguments.
     transformed: bool,
     /// Objects that it has opened.
     objects: u64,
@@ -274,7 +274,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// What a line takes to read, in bytes of text. Comments are not read.
+/// Returns the cost of reading a line, in bytes of text. Comments are not read.
 fn cost(text: &str, words: &[&str]) -> u64 {
     let text = if words.is_empty() { 0 } else { text.len() as u64 };
     let long = words.iter().filter(|word| word.len() > LONG_WORD).count() as u64;

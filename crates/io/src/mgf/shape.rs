@@ -6,7 +6,7 @@ use traylib_math::glam::DVec3;
 /// A corner of a polygon.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vertex {
-    /// Where it is, in metres.
+    /// The position, in metres.
     pub position: DVec3,
     /// The normal to shade with, of length one.
     pub normal: Option<DVec3>,
@@ -30,7 +30,7 @@ pub enum Shape {
         centre: DVec3,
         /// Its radius.
         radius: f64,
-        /// Whether the front is inside.
+        /// True if the front is inside.
         inward: bool,
     },
     /// A tube, open at both ends.
@@ -39,7 +39,7 @@ pub enum Shape {
         ends: [DVec3; 2],
         /// Its radius.
         radius: f64,
-        /// Whether the front is inside.
+        /// True if the front is inside.
         inward: bool,
     },
     /// A truncated cone, open at both ends.
@@ -48,7 +48,7 @@ pub enum Shape {
         ends: [DVec3; 2],
         /// The radii there; one may be 0.
         radii: [f64; 2],
-        /// Whether the front is inside.
+        /// True if the front is inside.
         inward: bool,
     },
     /// A flat ring.
@@ -70,7 +70,7 @@ pub enum Shape {
         radius: f64,
         /// The radius of the tube, at most the other radius.
         tube_radius: f64,
-        /// Whether the front is inside of the tube.
+        /// True if the front is inside of the tube.
         inward: bool,
     },
     /// A right prism with both end faces.
@@ -80,7 +80,7 @@ pub enum Shape {
         outline: Vec<Vertex>,
         /// From this end face to the other.
         offset: DVec3,
-        /// Whether the fronts are inside.
+        /// True if the fronts are inside.
         inward: bool,
     },
 }
@@ -100,7 +100,7 @@ impl Shape {
         }
     }
 
-    /// How many loops and vertices it keeps beside itself.
+    /// Returns the numbers of loops and of vertices that it keeps beside itself.
     pub(super) fn kept(&self) -> (usize, usize) {
         match self {
             Self::Face { outline, holes } => {

@@ -47,7 +47,7 @@ impl Source {
         (1 + longer) * bytes.len() as u64 + (ends + 1) * size_of::<Line>() as u64
     }
 
-    /// How much memory it keeps.
+    /// Returns the memory that it keeps, in bytes.
     pub(super) fn kept(&self) -> u64 {
         (self.text.len() + size_of_val(&self.lines[..])) as u64
     }

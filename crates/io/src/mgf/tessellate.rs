@@ -61,8 +61,8 @@ fn cut(mut polygon: Vec<Vertex>) -> Vec<[Vertex; 3]> {
     triangles.into_iter().map(|corners| corners.map(|index| polygon[index])).collect()
 }
 
-/// Where some corners have a normal, the others get that of the plane; normals
-/// that point to the back are turned.
+/// Gives the normal of the plane to corners without one, if others have one, and turns normals that
+/// point to the back.
 fn complete_normals(polygon: &mut [Vertex], plane: DVec3) {
     if polygon.iter().all(|vertex| vertex.normal.is_none()) {
         return;
@@ -106,7 +106,7 @@ fn sphere(radius: f64, divisions: u32) -> Vec<Rim> {
     (0..=2 * divisions).map(rim).collect()
 }
 
-/// Once around the tube, upward on its outside.
+/// Returns the rims once around the tube, upward on its outside.
 fn torus(radius: f64, tube_radius: f64, divisions: u32) -> Vec<Rim> {
     let sides = 4 * divisions;
     let rim = |index: u32| {

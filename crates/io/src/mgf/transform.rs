@@ -9,7 +9,7 @@ pub(super) struct Transform {
     offset: DVec3,
     /// Factor on lengths, positive.
     pub(super) scale: f64,
-    /// Whether left and right change places.
+    /// True if left and right change places.
     pub(super) mirrored: bool,
 }
 
@@ -68,17 +68,17 @@ impl Transform {
         result
     }
 
-    /// Where a point goes.
+    /// Transforms a point.
     pub(super) fn point(&self, point: DVec3) -> DVec3 {
         self.vector(point) + self.offset
     }
 
-    /// Where the difference of two points goes.
+    /// Transforms the difference of two points.
     pub(super) fn vector(&self, vector: DVec3) -> DVec3 {
         self.linear * vector
     }
 
-    /// Where a direction goes, with length one.
+    /// Transforms a direction into one of length one.
     pub(super) fn direction(&self, direction: DVec3) -> DVec3 {
         (self.vector(direction) / self.scale).normalize_or_zero()
     }

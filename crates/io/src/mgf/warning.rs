@@ -36,7 +36,7 @@ pub struct Warning {
     pub kind: WarningKind,
     /// The keyword, file or material, or empty.
     pub subject: String,
-    /// Where it was first met.
+    /// The place where it was first met.
     pub place: Place,
     /// The number of times.
     pub count: u32,

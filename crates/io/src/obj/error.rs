@@ -1,4 +1,4 @@
-//! Why bytes are no object file or material library.
+//! The reasons why bytes are no object file or material library.
 
 use crate::Limit;
 use crate::polygon_limits::PolygonFault;
@@ -18,12 +18,12 @@ pub enum Error {
     Line {
         /// The line in which it begins, from 1.
         line: u32,
-        /// Why.
+        /// The cause.
         cause: Cause,
     },
 }
 
-/// Why a statement makes no sense.
+/// The reason why a statement makes no sense.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
@@ -38,7 +38,7 @@ pub enum Cause {
     Missing {
         /// The statement.
         keyword: &'static str,
-        /// What it wants.
+        /// The words that it wants.
         wanted: &'static str,
     },
     /// A corner that is none.
@@ -47,11 +47,11 @@ pub enum Cause {
     /// A number of something that is not there.
     #[error("there is no {what} {number}: there are {count} so far")]
     OutOfRange {
-        /// What it is a number of.
+        /// The kind of thing that it is a number of.
         what: &'static str,
         /// The number as it stands there.
         number: i64,
-        /// How many there are.
+        /// The number of things there are.
         count: usize,
     },
     /// A polygon asks for too much.

@@ -38,7 +38,8 @@ fn screen_byte(linear: f32) -> u8 {
     CURVE.byte(linear)
 }
 
-/// Where the bytes of the curve begin: to look them up takes a tenth of the time of a power.
+/// The values at which the bytes of the curve begin: to look them up takes a tenth of the time of a
+/// power.
 static CURVE: LazyLock<Curve> = LazyLock::new(Curve::new);
 
 struct Curve {

@@ -30,7 +30,7 @@ impl Drop for Folder {
     }
 }
 
-/// All that can be written.
+/// The formats that can be written.
 const FORMATS: [&str; 5] = ["png", "exr", "hdr", "tga", "pcx"];
 
 fn info() -> PictureInfo {

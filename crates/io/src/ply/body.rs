@@ -5,7 +5,7 @@ use super::kind::{Kind, Number};
 use super::{Cause, Place};
 use crate::suggest::shown;
 
-/// How numbers are written.
+/// The coding of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Coding {
     Text,

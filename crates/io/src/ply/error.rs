@@ -1,4 +1,4 @@
-//! Why bytes are no polygon file.
+//! The reasons why bytes are no polygon file.
 
 use crate::Limit;
 use crate::polygon_limits::PolygonFault;
@@ -22,19 +22,19 @@ pub enum Error {
     Header {
         /// The line, from 1.
         line: u32,
-        /// Why.
+        /// The cause.
         cause: Cause,
     },
-    /// What follows the header makes no sense.
+    /// The data after the header make no sense.
     #[error("{place}: {element} {number}: {cause}")]
     Data {
-        /// Where.
+        /// The place.
         place: Place,
         /// The name of the element.
         element: String,
         /// Its number, from 0.
         number: usize,
-        /// Why.
+        /// The cause.
         cause: Cause,
     },
     /// A polygon names a vertex that is not there.
@@ -44,12 +44,12 @@ pub enum Error {
         face: usize,
         /// The vertex.
         vertex: u32,
-        /// How many there are.
+        /// The number of vertices there are.
         count: usize,
     },
 }
 
-/// Where in a file something is.
+/// A place in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// In this line of text, from 1.
@@ -67,7 +67,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// Why something makes no sense.
+/// The reason why something makes no sense.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
@@ -92,9 +92,9 @@ pub enum Cause {
     /// There are fewer bytes than its elements take.
     #[error("there cannot be {count} of them: {left} bytes are left")]
     TooFewBytes {
-        /// How many the header tells of.
+        /// The number that the header tells of.
         count: u64,
-        /// How many bytes there are.
+        /// The number of bytes that are left.
         left: usize,
     },
     /// The file ends.

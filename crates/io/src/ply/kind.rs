@@ -3,7 +3,7 @@
 use super::Cause;
 use crate::suggest::shown;
 
-/// What a property consists of.
+/// The form of a property.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     One(Number),

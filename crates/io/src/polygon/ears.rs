@@ -3,7 +3,7 @@
 use super::projection::turn;
 use traylib_math::glam::DVec2;
 
-/// How fit a corner is for being cut off, best first.
+/// The fitness of a corner for being cut off, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Fitness {
     /// Its triangle is inside, and no corner of the rest touches it.
@@ -43,7 +43,7 @@ pub(super) fn cut(points: &[DVec2]) -> Vec<[usize; 3]> {
     triangles
 }
 
-/// What is left of a polygon, as a doubly linked ring.
+/// The rest of a polygon, as a doubly linked ring.
 struct Ring<'a> {
     points: &'a [DVec2],
     before: Vec<usize>,

@@ -81,9 +81,9 @@ impl Drop for Beside {
 const DIGITS: usize = 16;
 const ENDING: &str = ".part";
 
-/// How names begin that stand for a file at `place`. Names have a largest length, so
-/// no more than 40 characters of the file's own are in it; files that share them
-/// tidy up for one another.
+/// Returns the beginning of the names that stand for a file at `place`. Names have a largest
+/// length, so no more than 40 characters of the file's own are in it; files that share them tidy up
+/// for one another.
 fn stem(place: &Path) -> io::Result<String> {
     let name = place.file_name().ok_or(ErrorKind::InvalidInput)?.to_string_lossy();
     Ok(format!(".{}.", name.chars().take(40).collect::<String>()))

@@ -4,16 +4,16 @@ use std::fs::{self, Metadata, OpenOptions};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// How to write to a path.
+/// The way to write to a path.
 pub(super) enum Target {
     /// A file takes this place, no link, and that of the one before, if there is one.
     Replace { place: PathBuf, before: Option<Metadata> },
-    /// What is there takes bytes and cannot be replaced.
+    /// The target takes bytes and cannot be replaced.
     WriteInto,
 }
 
 impl Target {
-    /// What is at this path, links followed.
+    /// Finds the way to write to this path, links followed.
     pub(super) fn of(path: &Path) -> io::Result<Self> {
         let found = match fs::metadata(path) {
             Ok(found) => found,

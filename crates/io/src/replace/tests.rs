@@ -25,8 +25,8 @@ fn a_folder_that_is_missing_is_named_as_such() {
     assert!(!folder.path().join("none").exists());
 }
 
-/// What a killed run leaves is removed; what another is writing, or what only looks
-/// alike, stays.
+/// Files that a killed run left are removed; those that another is writing, or that only look
+/// alike, stay.
 #[test]
 fn only_what_nobody_holds_is_tidied_up() {
     let folder = Folder::new("leftovers");

@@ -5,7 +5,7 @@ use serde::Deserialize as Derive;
 use traylib_math::Vec3;
 use traylib_scene::CameraSettings;
 
-/// What of a [`Camera`] takes the place of another's.
+/// The fields that take the place of those of another [`Camera`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Derive)]
 #[serde(deny_unknown_fields, default, rename = "Camera")]
 pub struct CameraChange {
@@ -21,7 +21,7 @@ impl CameraChange {
     /// `camera:`, brackets and a comma behind them.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Returns the fault in words.
     pub fn read(text: &str) -> Result<Self, String> {
         let text = text.trim();
         let text = text.strip_prefix("camera:").unwrap_or(text).trim();

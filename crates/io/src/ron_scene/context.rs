@@ -9,17 +9,17 @@ use std::ops::Range;
 /// A bracket that is open at a place, and what is read inside.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Frame {
-    /// Where the bracket stands.
+    /// The offset of the bracket.
     pub(crate) open: usize,
     /// The word before it, as `Phong`.
     pub(crate) name: Option<Range<usize>>,
     /// The field, or the key in quotes, whose value is read.
     pub(crate) field: Option<Range<usize>>,
-    /// Where this value, or that of a list, begins.
+    /// The offset at which this value, or that of a list, begins.
     value: usize,
 }
 
-/// What has been read up to a place.
+/// The state of reading at a place.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Reading {
     /// All brackets that are open, the innermost last.
@@ -74,12 +74,13 @@ pub(crate) fn read_to(text: &str, place: usize) -> Reading {
 pub(crate) struct Context<'a> {
     /// The field; of an entry of a map its name in quotes.
     pub(crate) field: &'a str,
-    /// What has the field: the name before the bracket, or the field whose value that is;
+    /// The owner of the field: the name before the bracket, or the field whose value that is;
+    /// `None` at the top.
     /// `None` at the top.
     pub(crate) owner: Option<&'a str>,
     /// The whole value.
     pub(crate) value: Range<usize>,
-    /// Whether the place is inside of brackets within the value.
+    /// True if the place is inside of brackets within the value.
     pub(crate) is_within: bool,
 }
 

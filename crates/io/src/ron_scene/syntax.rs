@@ -11,7 +11,7 @@ use ron::error::{Error, Position, SpannedError};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What there is to say, and where.
+/// A message, and its place.
 struct Finding {
     span: Range<usize>,
     title: String,
@@ -124,7 +124,7 @@ fn inside(outer: Option<&str>) -> String {
     outer.map_or_else(String::new, |outer| format!(" in `{outer}`"))
 }
 
-/// Where a name stands that the parser has just read: its position is up to a word off.
+/// Returns the place of a name that the parser has just read: its position is up to a word off.
 fn named(stop: &Stop<'_>, error: &SpannedError, word: &str) -> Range<usize> {
     let text = stop.text;
     let end = offset(text, error.span.end) + word.len();

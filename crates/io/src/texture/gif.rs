@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 
-/// Where width and height of the screen stand, each as `u16`.
+/// The offset of the screen's width and height, each a `u16`.
 const SCREEN: usize = 6;
 
 /// Signature and the screen's description.
@@ -27,7 +27,7 @@ pub(super) fn with_screen(file: &[u8]) -> Cow<'_, [u8]> {
     Cow::Owned(file)
 }
 
-/// Where the first frame's column, row, width and height stand.
+/// Returns the offset of the first frame's column, row, width and height.
 fn first_frame(file: &[u8]) -> Option<usize> {
     let flags = *file.get(SCREEN + 4)?;
     let colours = if flags & 0x80 == 0 { 0 } else { 2 << (flags & 7) };

@@ -23,7 +23,8 @@ pub(super) fn gif(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Textur
     picture("GIF", GifDecoder::new(Cursor::new(&bytes)), limits).map(linear)
 }
 
-/// Where the header has a place for opacity, many programs leave it zero in all pixels.
+/// Decodes a BMP file. Opacity that is zero in all pixels is left out: many programs leave its
+/// place in the header so.
 pub(super) fn bmp(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, TextureError> {
     let mut decoded = picture("BMP", BmpDecoder::new(Cursor::new(bytes)), limits).map(linear)?;
     let is_nowhere = |alpha: &Grid<f32>| alpha.values().iter().all(|&value| value == 0.0);
@@ -59,8 +60,8 @@ pub(super) fn tga(bytes: &[u8], limits: TextureLimits) -> Result<Decoded, Textur
     Ok(decoded)
 }
 
-/// What the extension area of version 2 says of the fourth byte: 0 that there is none, 1
-/// that it means nothing, 2 that it is undefined but to be kept, more that it is opacity.
+/// Returns the meaning of the fourth byte by the extension area of version 2: 0 that there is none,
+/// 1 that it means nothing, 2 that it is undefined but to be kept, more that it is opacity.
 fn tga_attributes(bytes: &[u8]) -> Option<u8> {
     const KIND: usize = 494;
     let footer = bytes.last_chunk::<26>()?;

@@ -1,8 +1,8 @@
-//! Which format a file is of.
+//! Recognises the format of a file.
 
 use std::path::Path;
 
-/// How an EXR file begins.
+/// The first bytes of an EXR file.
 pub(super) const EXR: &[u8] = &[0x76, 0x2f, 0x31, 0x01];
 
 const SIGNATURES: [(&[u8], Format); 5] = [
@@ -14,7 +14,7 @@ const SIGNATURES: [(&[u8], Format); 5] = [
     (b"#?", Format::Hdr),
 ];
 
-/// How a TGA file of version 2 ends.
+/// The last bytes of a TGA file of version 2.
 const TGA_FOOTER: &[u8] = b"TRUEVISION-XFILE.\0";
 
 /// The formats that are decoded from bytes.

@@ -19,7 +19,7 @@ fn read(bytes: &[u8]) -> Result<Texture, Error> {
     texture_from_bytes(bytes, Path::new("a"), TextureLimits::default())
 }
 
-/// What is said of bytes that are refused.
+/// Returns the error by which bytes are refused.
 #[track_caller]
 fn refused(bytes: &[u8], limits: TextureLimits) -> TextureError {
     match texture_from_bytes(bytes, Path::new("a.tga"), limits) {
@@ -84,7 +84,7 @@ fn exr_files_are_read_from_disk() {
     assert_eq!(load_texture(&named, TextureLimits::default()).unwrap(), expected);
 }
 
-/// Whatever is allowed: an allocation that fails ends the program.
+/// Memory is checked whatever is allowed: an allocation that fails ends the program.
 #[test]
 fn what_memory_does_not_hold_is_refused() {
     let limits = TextureLimits { pixels: u64::MAX, ..TextureLimits::default() };

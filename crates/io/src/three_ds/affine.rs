@@ -1,4 +1,4 @@
-//! Where something is: turned, stretched and moved, in double precision.
+//! Affine maps, which turn, stretch and move, in double precision.
 
 use super::wide::{self, Wide};
 use traylib_math::Vec3;
@@ -6,7 +6,7 @@ use traylib_math::Vec3;
 /// A linear map and a shift after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Affine {
-    /// Where the unit vectors go.
+    /// The images of the unit vectors.
     axes: [Wide; 3],
     origin: Wide,
 }
@@ -85,7 +85,7 @@ impl Affine {
         self.axes.iter().chain([&self.origin]).flatten().all(|x| x.is_finite())
     }
 
-    /// Where a point goes.
+    /// Maps a point.
     pub fn point(&self, point: Vec3) -> Vec3 {
         wide::narrow(self.wide(wide::widen(point)))
     }

@@ -11,7 +11,7 @@ pub struct Camera {
     pub name: String,
     /// Marks of the object.
     pub flags: ObjectFlags,
-    /// Where it stands; finite.
+    /// The position; finite.
     pub position: Vec3,
     /// The place that it looks at; finite.
     pub target: Vec3,
@@ -23,7 +23,7 @@ pub struct Camera {
     pub ranges: Option<[f32; 2]>,
 }
 
-/// What a lens that cannot be is taken for.
+/// The field of view for a lens that cannot be, in degrees.
 const DEFAULT_FOV_DEGREES: f32 = 45.0;
 /// A picture on a plane cannot show half of everything.
 const WIDEST_FOV_DEGREES: f32 = 179.0;

@@ -53,8 +53,7 @@ pub struct PoseCounts {
     pub meshes_without_node: usize,
     /// The greatest shift of a vertex along x, y or z.
     pub max_shift_of_a_vertex: f32,
-    /// As `bbox_stored_vertices`, of the meshes that nodes move, where they are
-    /// then.
+    /// The box as in `bbox_stored_vertices`, of the meshes that nodes move, where they are then.
     pub bbox_frame0: Option<[f32; 6]>,
 }
 

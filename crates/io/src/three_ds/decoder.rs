@@ -20,8 +20,8 @@ const LIGHT: u16 = 0x4600;
 const CAMERA: u16 = 0x4700;
 const KEYFRAMER: u16 = 0xb000;
 
-/// What has been read so far. Meshes join the document last: they may use
-/// materials before these are defined.
+/// The data that has been read so far. Meshes join the document last: they may use materials before
+/// these are defined.
 pub(super) struct Decoder {
     document: Document,
     meshes: Vec<RawMesh>,

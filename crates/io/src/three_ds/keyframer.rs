@@ -37,11 +37,11 @@ pub enum NodeKind {
     Object,
     /// A camera.
     Camera,
-    /// What a camera looks at.
+    /// The point that a camera looks at.
     CameraTarget,
     /// A light to all sides.
     Light,
-    /// What a spot light points to.
+    /// The point that a spot light points to.
     SpotTarget,
     /// A spot light.
     SpotLight,

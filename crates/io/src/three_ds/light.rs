@@ -16,15 +16,15 @@ pub struct Light {
     pub name: String,
     /// Marks of the object.
     pub flags: ObjectFlags,
-    /// Where it stands; finite.
+    /// The position; finite.
     pub position: Vec3,
     /// Colour, in 0..1 and coded for a screen.
     pub colour: Rgb,
     /// Factor on the colour. Below 0 light is taken away.
     pub multiplier: f32,
-    /// Whether it shines.
+    /// True if it shines.
     pub on: bool,
-    /// Whether the ranges count.
+    /// True if the ranges count.
     pub attenuated: bool,
     /// Up to here the light is full.
     pub inner_range: f32,
@@ -87,7 +87,7 @@ pub struct Spot {
 /// The way a spot light casts its shadow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shadow {
-    /// Whether shadows are cast by rays, not by a map.
+    /// True if shadows are cast by rays, not by a map.
     pub ray_traced: bool,
     /// The distance off the surface at which rays start.
     pub ray_bias: Option<f32>,

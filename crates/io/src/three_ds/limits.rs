@@ -20,7 +20,7 @@ impl Default for Limits {
     }
 }
 
-/// How many items and maps the limit leaves.
+/// The numbers of items and maps that the limit leaves.
 #[derive(Debug)]
 pub(super) struct Remaining {
     items: usize,

@@ -14,7 +14,7 @@ pub enum MapKind {
     Texture1,
     /// Diffuse colour, over the first.
     Texture2,
-    /// How much shows at all.
+    /// The share of the surface that shows.
     Opacity,
     /// Height.
     Bump,
@@ -22,9 +22,9 @@ pub enum MapKind {
     Specular,
     /// Glossiness.
     Shininess,
-    /// How much it shines by itself.
+    /// The light that it emits by itself.
     SelfIllumination,
-    /// What it mirrors.
+    /// The surroundings that it mirrors.
     Reflection,
 }
 
@@ -41,7 +41,7 @@ const CHUNKS: [(MapKind, u16, u16); 8] = [
 ];
 
 impl MapKind {
-    /// What a chunk is a map for, and whether it is the mask of that map.
+    /// Returns the kind of map that a chunk is for, and whether the chunk is the mask of that map.
     pub(super) fn of(chunk: u16) -> Option<(Self, bool)> {
         let (kind, _, mask) =
             CHUNKS.iter().find(|(_, map, mask)| [*map, *mask].contains(&chunk))?;
@@ -63,7 +63,7 @@ pub struct Map {
     pub blur: f32,
     /// The number of times that the map fits into 0..1 of u and v; not 0.
     pub scale: Vec2,
-    /// Where the middle of the map is, from the middle of 0..1.
+    /// The middle of the map, from the middle of 0..1.
     pub offset: Vec2,
     /// Turn about the middle, in degrees.
     pub rotation_degrees: f32,

@@ -37,7 +37,7 @@ impl Shading {
 pub struct MaterialFlags {
     /// Maps are decals.
     pub decal: bool,
-    /// Whether the light behind is added, not filtered.
+    /// True if the light behind is added, not filtered.
     pub additive_transparency: bool,
     /// Shown as wires.
     pub wire: bool,
@@ -49,7 +49,7 @@ pub struct MaterialFlags {
     pub falloff_in: bool,
     /// Highlights are softened.
     pub soften: bool,
-    /// Whether the picture that it reflects was to be drawn by 3D Studio.
+    /// True if the picture that it reflects was to be drawn by 3D Studio.
     pub automatic_reflection: bool,
 }
 
@@ -96,9 +96,9 @@ pub struct Material {
     pub self_illuminated: bool,
     /// The part of its colour with which it shines by itself; newer programs store it.
     pub self_illumination: Option<f32>,
-    /// Whether the back is to be seen too.
+    /// True if the back is to be seen too.
     pub two_sided: bool,
-    /// Which colour the highlight has.
+    /// The shading, on which the colour of the highlight depends.
     pub shading: Shading,
     /// Thickness of wires.
     pub wire_size: f32,

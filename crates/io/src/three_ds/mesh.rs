@@ -75,7 +75,7 @@ impl Mesh {
     }
 }
 
-/// Why a face cannot be drawn.
+/// Returns the reason why a face cannot be drawn, if there is one.
 pub(super) fn fault(vertices: &[Vec3], corners: [u16; 3]) -> Option<WarningKind> {
     let vertex = |corner: u16| vertices.get(usize::from(corner)).copied();
     let [Some(a), Some(b), Some(c)] = corners.map(vertex) else {

@@ -95,7 +95,7 @@ mod tests {
     };
     use super::*;
 
-    /// What moves in a file with a square and these nodes.
+    /// Returns the motion in a file with a square and these nodes.
     fn of(nodes: &[Vec<u8>]) -> Motion {
         let triangles = [vertices(&SQUARE), faces(&[[0, 1, 2]], &[])].concat();
         let mesh = object(b"square", &[&chunk(0x4100, &[&triangles])]);

@@ -6,13 +6,13 @@
 pub struct ObjectFlags {
     /// Hidden in the editor, and in its pictures.
     pub hidden: bool,
-    /// Not made by lofting.
+    /// True if it was not made by lofting.
     pub not_lofted: bool,
     /// Casts no shadow.
     pub casts_no_shadow: bool,
     /// Shows the background where it is.
     pub matte: bool,
-    /// Not to be edited.
+    /// True if it is not to be edited.
     pub frozen: bool,
 }
 

@@ -86,7 +86,7 @@ fn moved_by_nodes(document: &Document) -> Vec<Placed> {
     placed
 }
 
-/// What [`MOST_MULTIPLIED`] is held against.
+/// The measure that [`MOST_MULTIPLIED`] bounds.
 #[derive(Default)]
 struct Multiplied {
     placed: HashSet<usize>,
@@ -107,7 +107,8 @@ impl Multiplied {
     }
 }
 
-/// What cannot be computed with leaves the mesh where it is stored.
+/// Returns the map that places a mesh; if it cannot be computed, the identity, which leaves the
+/// mesh where it is stored.
 fn place(world: &Affine, node: &Node, mesh: &Mesh) -> Affine {
     let to_local = mesh.local_to_world().inverse().unwrap_or(Affine::IDENTITY);
     let pivoted = Affine::translation(-node.pivot).after(&to_local);

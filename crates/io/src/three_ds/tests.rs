@@ -66,7 +66,7 @@ fn the_last_group_of_a_face_and_the_first_material_of_a_name_win() {
     assert_eq!(count(WarningKind::UnknownMaterial), 1);
 }
 
-/// What is counted are faces, not how often they are named.
+/// Faces are counted, not how often they are named.
 #[test]
 fn a_face_in_three_groups_is_one_face() {
     let groups = [group(b"a", &[0, 9]), group(b"b", &[0, 9]), group(b"a", &[0, 0, 9])];

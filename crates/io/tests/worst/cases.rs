@@ -86,7 +86,7 @@ fn write(folder: &Path, text: &str) {
     std::fs::write(folder.join("a.mgf"), text).unwrap();
 }
 
-/// As many copies as there may be, and again and again.
+/// Writes as many copies as there may be, and again and again.
 fn repeated(folder: &Path, text: &str) {
     let array = format!("xf -a 1000000 -t 1 0 0\n{text}xf\n");
     write(folder, &format!("{CORNERS}{}", array.repeat(1 + 1_000_000 / array.len())));
@@ -103,7 +103,7 @@ fn corners(count: usize, depth: f64) -> String {
     text
 }
 
-/// As many copies as can be cut, each at this cost.
+/// Returns an array of as many copies as can be cut, each at this cost.
 fn array(cost: usize) -> String {
     format!("xf -a {} -t 1 0 0\n", (1 << 26) / cost)
 }

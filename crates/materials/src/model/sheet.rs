@@ -9,9 +9,9 @@ use traylib_math::{Rgb, SolidAnglePdf, Vec3};
 /// light like another, whose lobe is about the straight direction: frosted
 /// glass, paper, leaves.
 ///
-/// What passes with the direction wi is what the second would reflect into the
-/// mirror image of wi in the sheet, f(wo, wi) = f₂(wo, wi − 2(wi·n)n), so that
-/// the sheet is reciprocal as Phong's model is.
+/// The light that passes with the direction wi is that which the second would reflect into the
+/// mirror image of wi in the sheet, f(wo, wi) = f₂(wo, wi − 2(wi·n)n), so that the sheet is
+/// reciprocal as Phong's model is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sheet {
     reflection: Phong,

@@ -9,7 +9,7 @@ pub(crate) struct Pace {
     seconds_per_pixel: Option<f64>,
 }
 
-/// What takes longer needs a preview. That some 25 of them come in a second is motion.
+/// The seconds beyond which a picture needs a preview. Some 25 pictures in a second are motion.
 const AT_ONCE: f64 = 0.04;
 
 /// The preview of a method of which nothing is known: 64 pixels as one.
@@ -19,8 +19,8 @@ const UNKNOWN: u32 = 8;
 const COARSEST: u32 = 16;
 
 impl Pace {
-    /// How many pixels are to be drawn as one in each direction, for a preview of a picture of so
-    /// many columns and rows: one if the picture itself comes at once.
+    /// Returns how many pixels are to be drawn as one in each direction, for a preview of a picture
+    /// of so many columns and rows: one if the picture itself comes at once.
     pub(crate) fn coarseness(self, width: u32, height: u32) -> u32 {
         let Some(seconds) = self.seconds_per_pixel else { return UNKNOWN };
         let whole = seconds * f64::from(width) * f64::from(height);

@@ -13,7 +13,7 @@ pub(crate) struct Screen {
 
 impl Screen {
     /// # Errors
-    /// What is not installed for it.
+    /// Says which program is not installed for it.
     pub(crate) fn open() -> Result<Self, &'static str> {
         let silent = |program: &str| {
             let mut command = Command::new(program);
@@ -33,7 +33,7 @@ impl Screen {
         Ok(Self { server, name: format!(":{}", number.trim()) })
     }
 
-    /// As `DISPLAY` names it.
+    /// Returns its name in `DISPLAY`.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }
@@ -43,7 +43,7 @@ impl Screen {
         self.xdotool(&["search", "--onlyvisible", "--name", title])
     }
 
-    /// What is on top of a window.
+    /// Returns the title of a window.
     pub(crate) fn title(&self, window: &str) -> String {
         self.xdotool(&["getwindowname", window]).unwrap_or_default()
     }
@@ -83,7 +83,7 @@ impl Screen {
         self.xdotool(&["windowsize", window, &width, &height]);
     }
 
-    /// What it answers; `None` if it fails.
+    /// Returns its answer; `None` if it fails.
     fn xdotool(&self, arguments: &[&str]) -> Option<String> {
         let mut command = Command::new("xdotool");
         let output = command.args(arguments).env("DISPLAY", &self.name).output().unwrap();

@@ -64,7 +64,7 @@ impl FilmBlock {
         self.first..self.first + self.passes
     }
 
-    /// Where the block begins with which it makes one of twice its size.
+    /// Returns the beginning of the block with which it makes one of twice its size.
     pub(super) fn sibling(&self) -> u64 {
         self.first ^ self.passes
     }

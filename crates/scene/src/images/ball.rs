@@ -36,7 +36,7 @@ impl BallMirror {
         self.radius
     }
 
-    /// Whether a lamp's light may fall on it.
+    /// Tells whether a lamp's light may fall on it.
     pub(super) fn may_show(&self, lamp: &LightBall) -> bool {
         lamp.may_light(self.centre, self.radius)
     }

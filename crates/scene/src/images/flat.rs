@@ -21,7 +21,7 @@ pub(super) struct FlatMirror {
     outline: MirrorOutline,
 }
 
-/// Where in its plane it ends.
+/// The outline in its plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum MirrorOutline {
     /// Coordinates of an offset o from the anchor are o·`to_u` and o·`to_v`, both from 0
@@ -60,19 +60,19 @@ impl FlatMirror {
         }
     }
 
-    /// Whether a lamp's light may fall on a side that mirrors.
+    /// Tells whether a lamp's light may fall on a side that mirrors.
     pub(super) fn may_show(&self, lamp: &LightBall) -> bool {
         let height = self.height(lamp.centre);
         (!self.front_only || height > -lamp.radius)
             && lamp.may_light(self.middle(), self.outline.reach())
     }
 
-    /// Whether any of a ball is before a side that mirrors.
+    /// Tells whether any of a ball is before a side that mirrors.
     pub(super) fn faces_ball(&self, centre: Vec3, radius: f32) -> bool {
         !self.front_only || self.height(centre) > -radius
     }
 
-    /// Whether any of another piece is before a side that mirrors, and not in the same plane.
+    /// Tells whether any of another piece is before a side that mirrors, and not in the same plane.
     pub(super) fn faces(&self, other: &Self) -> bool {
         let (height, rise) =
             (self.height(other.anchor), other.outline.rise(self.normal, other.normal));
@@ -81,7 +81,7 @@ impl FlatMirror {
         highest.max(-lowest) > IN_PLANE * other.outline.reach()
     }
 
-    /// Whether it has a corner in common with another piece, but for rounding.
+    /// Tells whether it has a corner in common with another piece, but for rounding.
     pub(super) fn touches(&self, other: &Self) -> bool {
         let near = IN_PLANE * self.outline.reach();
         let is_near = |one: Vec3, other: Vec3| one.distance_squared(other) <= near * near;
@@ -99,12 +99,12 @@ impl FlatMirror {
         from_anchor.into_iter().map(|offset| self.anchor + offset).collect()
     }
 
-    /// Whether two points are before the same side.
+    /// Tells whether two points are before the same side.
     pub(super) fn are_on_one_side(&self, one: Vec3, other: Vec3) -> bool {
         self.height(one) * self.height(other) > 0.0
     }
 
-    /// Where a point stands in the mirror, if that shows it.
+    /// Returns the image of a point in the mirror, if that shows it.
     pub(super) fn behind(&self, from: Vec3) -> Option<Vec3> {
         let height = self.height(from);
         let shows = height > 0.0 || (height < 0.0 && !self.front_only);
@@ -202,7 +202,7 @@ impl MirrorOutline {
         [rises.iter().copied().fold(0.0, f32::min), rises.iter().copied().fold(0.0, f32::max)]
     }
 
-    /// Whether an offset from the anchor, in the plane, is inside or at most this far out.
+    /// Tells whether an offset from the anchor, in the plane, is inside or at most this far out.
     fn reaches(&self, offset: Vec3, margin: f32) -> bool {
         let inside = |to: Vec3, over: f32| {
             let (at, slack) = (offset.dot(to), margin * to.length());

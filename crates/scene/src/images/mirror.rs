@@ -59,7 +59,7 @@ impl Mirror {
         }
     }
 
-    /// Whether it is flat and some point may see any of another mirror in it.
+    /// Tells whether it is flat and some point may see any of another mirror in it.
     pub(super) fn may_show_mirror(&self, other: &Self) -> bool {
         match (&self.form, &other.form) {
             (MirrorForm::Ball(_), MirrorForm::Ball(_) | MirrorForm::Flat(_)) => false,
@@ -72,7 +72,7 @@ impl Mirror {
         }
     }
 
-    /// Whether both are flat and have a corner in common.
+    /// Tells whether both are flat and have a corner in common.
     pub(super) fn touches(&self, other: &Self) -> bool {
         match (&self.form, &other.form) {
             (MirrorForm::Flat(flat), MirrorForm::Flat(other)) => flat.touches(other),
@@ -81,8 +81,8 @@ impl Mirror {
         }
     }
 
-    /// Where a point sees the image of a lamp in another mirror in this one, if it does and this
-    /// is flat.
+    /// Returns the cone in which a point sees the image of a lamp in another mirror in this one, if
+    /// it does and this is flat.
     pub(super) fn image_of_image(
         &self,
         other: &Self,
@@ -96,7 +96,7 @@ impl Mirror {
         other.reflects_to(seen_at, lamp).then_some(cone)
     }
 
-    /// Whether a point is on the side of it on which the lamp is.
+    /// Tells whether a point is on the side of it on which the lamp is.
     fn reflects_to(&self, at: Vec3, lamp: &LightBall) -> bool {
         match &self.form {
             MirrorForm::Ball(_) => true,
@@ -124,7 +124,7 @@ impl Mirror {
         }
     }
 
-    /// Where a point sees the image of a lamp, if it does.
+    /// Returns the cone in which a point sees the image of a lamp, if it does.
     pub(super) fn image(&self, lamp: &LightBall, from: Vec3) -> Option<ImageCone> {
         match &self.form {
             MirrorForm::Ball(ball) => ball.image(lamp, self.blur, from),

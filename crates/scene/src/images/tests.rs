@@ -48,7 +48,7 @@ fn mirrors() -> [Primitive; 4] {
 const EYES: [Vec3; 3] =
     [Vec3::new(-1.0, 1.5, 0.2), Vec3::new(0.9, 0.3, -0.6), Vec3::new(0.1, 1.0, 0.1)];
 
-/// Where a ray goes on after an ideal mirror; `None` if it misses.
+/// Returns the ray after an ideal mirror; `None` if it misses.
 fn reflected(mirror: &Primitive, ray: &Ray) -> Option<Ray> {
     let hit = mirror.intersect(ray, Sides::Both)?;
     let hit = traylib_geometry::Hit { t: hit.t, u: hit.u, v: hit.v, primitive: 0 };

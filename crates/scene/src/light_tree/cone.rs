@@ -18,7 +18,7 @@ pub(super) struct Cone {
 /// The angle from its own direction within which a lamp shines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Reach {
-    /// Not at all: `spread` holds all directions it shines into.
+    /// Nowhere beyond: `spread` holds all directions it shines into.
     Nowhere,
     /// Half the sphere, like the cosine.
     Hemisphere,

@@ -37,12 +37,12 @@ pub(super) struct Node {
     everywhere: BVec4A,
     /// Children of whose lamps the box bounds cosines, too.
     bound_by_box: BVec4A,
-    /// Whether all lamps of each child are flat and face one way.
+    /// True if all lamps of each child are flat and face one way.
     flat: bool,
     /// The intensity of all lamps together, over that of the scene's strongest; zero where there is
     /// no child.
     pub(super) intensity: Vec4,
-    /// Where there is no child, that of another.
+    /// The links to the children; where there is no child, that to another.
     pub(super) links: [Link; WIDTH],
 }
 
@@ -59,14 +59,14 @@ pub(super) enum Link {
 pub(super) struct Importance {
     /// Not a number or infinite where squares of distances leave single precision.
     pub(super) value: Vec4,
-    /// Who may give it any.
+    /// Children that may give it any.
     pub(super) shines: BVec4A,
 }
 
 /// A bound on the cosines of children's lamps toward a point.
 struct Cosines {
     bound: Vec4,
-    /// Where lamps shine at the point.
+    /// Children whose lamps may shine at the point.
     shines: BVec4A,
 }
 
@@ -145,7 +145,7 @@ impl Node {
         Importance { value: self.intensity * bound / nearest, shines: shines & self.exists() }
     }
 
-    /// Which children there are.
+    /// Returns a mask of the children that there are.
     #[inline]
     pub(super) fn exists(&self) -> BVec4A {
         self.intensity.cmpgt(Vec4::ZERO)

@@ -15,7 +15,7 @@ pub(super) const RAREST: f32 = 1.0 / 256.0;
 /// it have none. Where none can, or the squares of distances leave the range of single
 /// precision, they are as the strengths.
 pub(super) struct Shares {
-    /// Not yet of one in all.
+    /// The shares, not yet of one in all.
     each: [f64; WIDTH],
     sum: f64,
 }

@@ -28,7 +28,7 @@ fn probabilities(tree: &LightTree, x1: Vec3) -> Vec<f32> {
     (0..tree.paths.len() as u32).map(|lamp| tree.probability(lamp, x1)).collect()
 }
 
-/// How many children are lamps, of nodes whose every child is reached once.
+/// Returns the number of children that are lamps, if every child is reached once.
 fn links_to_lamps(tree: &LightTree) -> usize {
     let children = tree.nodes.iter().map(|node| node.exists().bitmask().count_ones() as usize);
     // All nodes but the root are children of others; one lamp needs no node.
@@ -93,7 +93,7 @@ fn a_single_lamp_is_certain() {
     }
 }
 
-/// Where a point of this lamp may be seen from: anywhere, or hardly off its plane.
+/// Returns a place from which a point of this lamp may be seen: anywhere, or hardly off its plane.
 fn place(sampler: &mut Sampler, from: &LightPoint) -> Vec3 {
     let away = point(sampler, 10.0);
     let normal = from.site.normal;
@@ -125,7 +125,7 @@ fn a_lamp_that_shines_at_a_point_has_a_chance() {
     assert!(shining > 40_000, "{shining}");
 }
 
-/// Where squares leave single precision nothing is known of anybody.
+/// Nothing is known of a lamp where squares leave single precision.
 #[test]
 fn a_lamp_that_shines_from_afar_has_a_chance() {
     let away = Vec3::new(1.0, 0.0, 1.0).normalize();

@@ -7,7 +7,7 @@ fn ball() -> ObjectShape {
     ))
 }
 
-/// So many triangles in one place.
+/// Returns a mesh of so many triangles in one place.
 fn mesh(count: usize) -> ObjectShape {
     let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
     ObjectShape::Mesh(Mesh::new(corners, vec![[0, 1, 2]; count]).unwrap())

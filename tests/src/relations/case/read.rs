@@ -116,7 +116,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// What a file of shapes holds; neither turned nor scaled.
+    /// Returns the objects of a file of shapes; neither turned nor scaled.
     fn parts(&self, mesh: &ron_scene::Mesh) -> Result<Vec<Object>, String> {
         if mesh.scale != 1.0 || mesh.rotate != [0.0; 3] || !mesh.materials.0.is_empty() {
             return Err(format!("{}: only `translate` is understood here", mesh.file));

@@ -1,4 +1,4 @@
-//! Where scenes are seen from.
+//! Draws the cameras of scenes.
 
 use super::enclosure::Enclosure;
 use super::{Dice, number};

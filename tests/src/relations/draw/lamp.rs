@@ -23,7 +23,7 @@ pub(super) fn hang(dice: &mut Dice, space: &Enclosure, objects: &mut Vec<Object>
     if dice.chance(0.3) { objects.insert(0, lamp) } else { objects.push(lamp) }
 }
 
-/// So that what is lit is about as bright as one.
+/// Returns the factor that makes what is lit about as bright as one.
 fn brightness(space: &Enclosure, size: f32) -> f32 {
     (space.size() / size).powi(2).min(100.0)
 }

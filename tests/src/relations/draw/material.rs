@@ -24,7 +24,7 @@ pub(super) fn any(dice: &mut Dice, shape: &Shape) -> Material {
     if shape.shows_pictures() && dice.chance(0.35) { dressed(dice, plain) } else { plain }
 }
 
-/// What walls are made of: mostly dull.
+/// Draws the material of a wall: mostly dull.
 pub(super) fn wall(dice: &mut Dice) -> Material {
     match dice.below(12) {
         0 => Material::plain(Base::Phong(lobes(dice, 0.8))),

@@ -3,7 +3,7 @@
 
 use crate::relations::scene::{DrawnScene, Mesh, Object, Shape, sides_of_box};
 
-/// What becomes of an object.
+/// A function that cuts an object into pieces; `None` if it does not.
 type Pieces = fn(&Object) -> Option<Vec<Object>>;
 
 /// Every object in the pieces that `cut` makes of it; `None` if nothing is cut.

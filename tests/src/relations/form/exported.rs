@@ -18,7 +18,7 @@ pub struct Exported {
     pub files: Files,
 }
 
-/// All that MGF can hold in an MGF file, in grey; `None` if that is nothing.
+/// Returns all that MGF can hold in an MGF file, in grey; `None` if that is nothing.
 pub fn through_mgf(scene: &DrawnScene, stem: &str) -> Option<Exported> {
     let scene = &greyed(scene);
     let (inside, outside): (Vec<Object>, Vec<Object>) =
@@ -94,7 +94,7 @@ fn in_order_of_mgf(objects: &[Object]) -> Vec<Object> {
     round.into_iter().chain(flat.into_values()).collect()
 }
 
-/// What is flat as triangles, without pictures.
+/// Returns a flat shape as triangles, without pictures.
 fn as_mesh(shape: &Shape) -> Option<Mesh> {
     match shape {
         Shape::Triangle(corners) => Some(Mesh::flat(corners.to_vec(), vec![[0, 1, 2]])),
@@ -112,7 +112,7 @@ fn as_mesh(shape: &Shape) -> Option<Mesh> {
     }
 }
 
-/// All that 3DS can hold in 3DS files, each lamp in one of its own; `None` if that is
+/// Returns all that 3DS can hold in 3DS files, each lamp in one of its own; `None` if that is
 /// nothing.
 pub fn through_three_ds(scene: &DrawnScene, stem: &str) -> Option<Exported> {
     let (mut outside, mut inside, mut lamps) = (Vec::new(), Vec::new(), Vec::new());

@@ -33,8 +33,8 @@ pub struct Files {
 }
 
 impl Placement {
-    /// Where the shape stands in a file that is placed so. Right angles are exact, as
-    /// they are where files are read: else what touches would not touch any more.
+    /// Returns the shape as it stands in a file that is placed so. Right angles are exact, as they
+    /// are where files are read: else what touches would not touch any more.
     fn taken_back(&self, shape: &Shape) -> Shape {
         let [x, y, z] = self.rotate.map(|degrees| f64::from(degrees).to_radians());
         let turn =

@@ -8,7 +8,7 @@ use crate::relations::scene::{
 use std::fmt::Write;
 use traylib_geometry::Sides;
 
-/// What stands in a list of objects.
+/// An entry of a list of objects.
 pub(super) enum Entry<'a> {
     /// A surface.
     Object(&'a Object),

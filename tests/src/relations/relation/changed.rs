@@ -12,14 +12,14 @@ use crate::relations::scene::{DrawnScene, Object, Shape};
 use std::sync::Arc;
 use traylib_math::glam::{DMat3, DVec3};
 
-/// What rounding may shift where random numbers fall alike: the few paths that meet
-/// an edge on the other side.
+/// The shift of means that rounding may cause where random numbers fall alike: the few paths that
+/// meet an edge on the other side.
 const NEARLY: Law = Law::SameMean(2e-5);
-/// What it may shift where they do not.
+/// The shift that it may cause where they do not.
 const ROUGHLY: Law = Law::SameMean(5e-5);
 
-/// What rounding may shift where coordinates are others: each end of the smallest object
-/// is known to half a unit in the last place of the largest coordinate, which counts twice
+/// Returns the shift that rounding may cause where coordinates are others: each end of the smallest
+/// object is known to half a unit in the last place of the largest coordinate, which counts twice
 /// in its area.
 fn rounded(moved: &DrawnScene) -> Law {
     let of_the_smallest = 2.0 * f32::EPSILON * moved.reach() / moved.finest();
@@ -76,7 +76,7 @@ struct Changed {
     flipped: bool,
     /// In words.
     how: String,
-    /// What it is held against, if not the scene itself.
+    /// The scene that it is held against, if not the scene itself.
     before: Option<DrawnScene>,
 }
 
@@ -247,8 +247,8 @@ fn who_may_tell(scene: &DrawnScene, law: Law, dice: &mut Dice) -> Estimator {
     Estimator::Method(dice.pick(&methods))
 }
 
-/// As far as the camera looks, but, where that is at a sun, no further than leaves the
-/// smallest object its digits.
+/// Returns the distance that the camera looks, but, where that is at a sun, no further than leaves
+/// the smallest object its digits.
 fn stride(scene: &DrawnScene) -> f32 {
     let away = (scene.camera.target - scene.camera.position).length();
     away.min(1000.0 * scene.finest())

@@ -12,7 +12,7 @@ use traylib_integrators::Method;
 use traylib_math::Vec3;
 use traylib_scene::Scene;
 
-/// Where most rays get out no path is so long.
+/// The longest path: where most rays get out, none is so long.
 const LONGEST: u32 = 1000;
 
 /// Surfaces that lose nothing are not to be seen: every sample of `puremc` is 1,
@@ -28,7 +28,7 @@ pub(super) fn white(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>
     Ok(vec![claim(methods::PURE_MC, 1e-5), claim(other, 2e-5)])
 }
 
-/// That this furnace is not to be seen, up to this part of its light.
+/// Claims that this furnace is not to be seen, up to this part of its light.
 fn as_if_empty(
     furnace: &str,
     (scene, built): (&DrawnScene, &Arc<Built>),

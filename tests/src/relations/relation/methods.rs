@@ -6,7 +6,7 @@ use crate::methods::{BDPT, BDPT_BALANCE, COMBINED, beginning_with};
 use crate::relations::judge::{Claim, Law, Numbers};
 use crate::relations::render::Estimator;
 
-/// How far means may be apart for rounding.
+/// The relative difference of means that rounding may cause.
 const ROUNDING: f64 = 2e-5;
 
 /// Each method that sees the light here against the first of them.

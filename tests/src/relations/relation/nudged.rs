@@ -8,7 +8,7 @@ use crate::relations::judge::{Claim, Law};
 use crate::relations::render::{Estimator, Trouble};
 use crate::relations::scene::{DrawnScene, Light};
 
-/// How far a light is moved, as a part of the size of its surface; ten times as far
+/// The distance by which a light is moved, as a part of the size of its surface; ten times as far
 /// as it may be off it.
 const NUDGE: f32 = 1e-5;
 

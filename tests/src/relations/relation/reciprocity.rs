@@ -21,7 +21,7 @@ use traylib_scene::Scene;
 /// Between a plate and the camera before it, in units of the plate's side.
 const NEAR: f32 = 0.25;
 
-/// How often to look for room for a plate.
+/// The number of times that room for a plate is looked for.
 const TRIES: u32 = 20;
 
 /// A square plate: its middle, half of either side, and its normal, all in metres.

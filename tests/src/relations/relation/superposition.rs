@@ -48,7 +48,7 @@ pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim
     }])
 }
 
-/// As bright as samples can be on average, where lamps take turns: those of each lamp
+/// Returns the greatest mean that samples can have, where lamps take turns: those of each lamp
 /// alone, as often as it brings light, and brighter by as much as it is rare.
 fn brightest_of_all(subject: &Subject<'_>, parts: &[Part]) -> Result<f64, Trouble> {
     let (mut light, mut brightness) = (0.0, 0.0);

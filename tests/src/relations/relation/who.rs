@@ -1,4 +1,5 @@
-//! Who can see the light of a scene, and who so steadily that it can be judged.
+//! The methods that can see the light of a scene, and those that see it so steadily that it can be
+//! judged.
 
 use super::Subject;
 use crate::methods;
@@ -99,7 +100,7 @@ fn brightest_splat(drawn: &DrawnScene, built: &Built) -> f64 {
     2.0 * power * lobe(drawn) * closeness / pixels * longest(drawn)
 }
 
-/// How often a path may meet something, for all practical purposes.
+/// Returns how often a path may meet something, for all practical purposes.
 fn longest(drawn: &DrawnScene) -> f64 {
     f64::from(drawn.max_depth.unwrap_or(10))
 }

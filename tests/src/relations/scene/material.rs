@@ -26,9 +26,9 @@ pub enum Base {
     Phong(Lobes),
     /// A metal of this colour and exponent.
     MaxPhong(Vec3, f32),
-    /// What is mirrored, and what is diffuse beside it.
+    /// The reflectances: the mirrored part, and the diffuse one beside it.
     Mirror(Vec3, Vec3),
-    /// What is thrown back and what is let through.
+    /// The lobes of reflection and of transmission.
     Sheet(Lobes, Lobes),
     /// Clear solid glass of this index.
     Glass(f32),

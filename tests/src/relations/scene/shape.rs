@@ -14,7 +14,7 @@ pub enum Shape {
     Disk {
         /// Its middle.
         centre: Vec3,
-        /// Where its front is.
+        /// The direction of its front.
         normal: Vec3,
         /// Inner radius, zero of a whole disk.
         inner: f32,
@@ -27,7 +27,7 @@ pub enum Shape {
         ends: [Vec3; 2],
         /// The radii there, one of which may be zero.
         radii: [f32; 2],
-        /// Whether the front is inside.
+        /// True if the front is inside.
         inward: bool,
     },
     /// A ball, or a hollow one.
@@ -36,7 +36,7 @@ pub enum Shape {
         centre: Vec3,
         /// Its radius.
         radius: f32,
-        /// Whether the front is inside.
+        /// True if the front is inside.
         inward: bool,
     },
     /// A block along the axes, its fronts outside: least and greatest corner.

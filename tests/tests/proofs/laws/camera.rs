@@ -223,10 +223,9 @@ fn centroid(scene: &Scene, method: Method, passes: u32) -> [f64; 2] {
     moments.map(|moment| moment / total)
 }
 
-/// What is seen and what is splatted is in the same place. The disk's points
-/// deviate by 0.7 pixels from its middle and a fifth of all light paths hit it,
-/// so 400 passes leave a standard error of 0.004 pixels: a twelfth of what is
-/// allowed. A picture that is a pixel off is far beyond.
+/// A surface is seen and splatted in the same place. The disk's points deviate by 0.7 pixels from
+/// its middle and a fifth of all light paths hit it, so 400 passes leave a standard error of 0.004
+/// pixels: a twelfth of what is allowed. A picture that is a pixel off is far beyond.
 fn place_laws(passes: u32) {
     let scene = small_disk();
     let [seen, splatted] =

@@ -74,8 +74,8 @@ fn cosine(a: Vec3, b: Vec3) -> f64 {
     DVec3::from(a).dot(DVec3::from(b)).abs()
 }
 
-/// What a walk from either end multiplies, with the cosine that the density of
-/// its arriving edge divides out put back, is the same kernel.
+/// Walks from either end multiply the same kernel, once the cosine is put back that the density of
+/// the arriving edge divides out.
 #[test]
 fn the_kernel_is_the_same_from_both_ends() {
     let error = |point: &SurfacePoint, to_light: Vec3, sampler: &mut Sampler| {

@@ -84,8 +84,8 @@ fn points_of_lamps_follow_their_density_at_length() {
     point_laws(LONG);
 }
 
-/// What a light path starts with, over its density, is the lamp's power: π·A·L for
-/// an area, 4π·I for a point. It is the same for every sample.
+/// The light that a light path starts with, over its density, is the lamp's power: π·A·L for an
+/// area, 4π·I for a point. It is the same for every sample.
 fn power_finding(name: &str, light: &Light, power: f64) -> Finding {
     const SAMPLES: u64 = 10_000;
     let mut sampler = sampler(name);

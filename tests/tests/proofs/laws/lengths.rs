@@ -16,7 +16,7 @@ use traylib_tests::findings::{Finding, settle};
 use traylib_tests::laws::verdict::{Known, has_mean};
 use traylib_tests::methods;
 
-/// What rounding may add, relative to the truth.
+/// The error that rounding may add, relative to the truth.
 const ROUNDING: f64 = 2e-5;
 
 /// The mean radiance of the case, by a method with these limits; `widest` is

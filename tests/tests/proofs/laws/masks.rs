@@ -28,8 +28,8 @@ fn must_stay(technique: Technique, techniques: Techniques) -> bool {
     !weighted && (s == 0 || t == 1 || (s == 1 && all_lamps))
 }
 
-/// How many values of the raw pictures differ from those of all techniques
-/// together, and of how many.
+/// Returns how many values of the raw pictures differ from those of all techniques together, and of
+/// how many.
 fn compared(all: &Rendering, techniques: Techniques) -> (usize, usize) {
     let some = pictures(techniques);
     let (mut different, mut values) = (0, 0);

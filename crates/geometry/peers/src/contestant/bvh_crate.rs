@@ -111,7 +111,8 @@ fn push(stack: &mut Vec<(f32, usize)>, a: Option<(f32, usize)>, b: Option<(f32, 
     }
 }
 
-/// Not by the library's `new`, which would make the direction unit and so change t.
+/// Converts a ray, but not by the library's `new`, which would make the direction unit and so
+/// change t.
 fn translated(ray: &Ray) -> bvh::ray::Ray<f32, 3> {
     let direction = Vector3::from(ray.direction.to_array());
     let inv_direction = direction.map(|x| 1.0 / x);

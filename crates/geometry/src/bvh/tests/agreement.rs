@@ -42,7 +42,7 @@ fn consistent_hits<C: LeafKind>(bvh: &Bvh<C>, ray: &Ray) -> Vec<Hit> {
     all
 }
 
-/// How many were decided either way.
+/// The numbers of decided cases, either way.
 #[derive(Debug, Default)]
 struct Decided {
     hits: u32,
@@ -133,7 +133,7 @@ fn squeezed(thin: f32, random: &mut Random) -> Affine3A {
     Affine3A { matrix3: axes, translation: (3.0 * random.point()).into() }
 }
 
-/// So squeezed that rounding moves rays by as much as shapes are large: hits may be
+/// Copies are so squeezed that rounding moves rays by as much as shapes are large: hits may be
 /// others than those of copies, and still all questions agree on them.
 #[test]
 fn squeezed_instances_have_one_answer() {

@@ -4,8 +4,7 @@ use super::*;
 use crate::bvh::{Options, Precision};
 use crate::{Bvh, Mesh, Vec2};
 
-/// How far from the plane through the origin: in it, next to it, and where people
-/// put floors.
+/// The distances from the plane through the origin: in it, next to it, and where people put floors.
 const HEIGHTS: [f32; 9] = [0.0, 1e-40, 1e-30, 1e-20, -1e-12, 1e-6, 0.125, -1.0, 1e3];
 
 /// A point of the plane across an axis at this height.

@@ -1,4 +1,4 @@
-//! Where a line crosses a cone.
+//! The intersections of a line with a cone.
 
 use super::Cone;
 use crate::Ray;
@@ -10,7 +10,7 @@ const LONGER: f64 = 2.0 * f32::EPSILON as f64;
 
 /// A point of a line on the cone, which here has no ends.
 pub(super) struct Crossing {
-    /// Where along the ray, in units of its direction's length.
+    /// The parameter along the ray, in units of its direction's length.
     pub(super) t: f64,
     /// The place along the axis: 0 at the first end, 1 at the second.
     height: f64,
@@ -20,15 +20,15 @@ pub(super) struct Crossing {
 }
 
 impl Crossing {
-    /// Whether it lies on the part of the cone that is there, which counts as a little
+    /// Tells whether it lies on the part of the cone that is there, which counts as a little
     /// longer, so that light does not pass between it and what closes its ends.
     pub(super) fn is_between_ends(&self) -> bool {
         (-LONGER..=1.0 + LONGER).contains(&self.height)
     }
 }
 
-/// Where the line of a ray crosses the cone, in any order; a crossing that there
-/// is not has a `t` that is not a finite number.
+/// Returns the crossings of the line of a ray with the cone, in any order; a crossing that there is
+/// not has a `t` that is not a finite number.
 ///
 /// With what lies along the axis removed, the ray's point at t is p + t·q and
 /// the cone's radius beside it r + t·g. They agree where

@@ -25,7 +25,7 @@ fn any_cone(random: &mut Random) -> Cone {
     Cone::new(ends, [one, other], facing).unwrap_or_else(|_| any_cone(random))
 }
 
-/// Where a ray meets a tube of radius 1/2 around the z axis from 1 to 3.
+/// Returns the t at which a ray meets a tube of radius 1/2 around the z axis from 1 to 3.
 fn meet_tube(origin: [f32; 3], direction: [f32; 3], sides: Sides) -> Option<f32> {
     let tube = cone([Vec3::Z, 3.0 * Vec3::Z], [0.5, 0.5]);
     tube.intersect(&Ray::new(origin.into(), direction.into()), sides).map(|hit| hit.t)

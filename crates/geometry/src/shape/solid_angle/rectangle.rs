@@ -13,7 +13,7 @@ use traylib_math::AreaPdf;
 /// 2013, with the angles at the corners as complex numbers of any length, so that one
 /// arc tangent does for four arc cosines.
 pub(crate) struct SphericalRectangle {
-    /// Where the first edge begins and ends, with the viewpoint in the origin.
+    /// The two ends of the first edge, with the viewpoint in the origin.
     x: [f64; 2],
     /// The two numbers of the second edge.
     y: [f64; 2],
@@ -98,7 +98,7 @@ impl SphericalRectangle {
         Vec2::new(part(along, self.x), part(aside, self.y)).clamp(Vec2::ZERO, Vec2::ONE)
     }
 
-    /// Where on the first edge this part of the solid angle is behind it.
+    /// Returns the place on the first edge that has this part of the solid angle behind it.
     fn first(&self, part: f64) -> f64 {
         let Self { x: [start, end], y: [y0, y1], height, at_start, .. } = *self;
         // The two angles at a rectangle's other end that ends there.
@@ -113,7 +113,7 @@ impl SphericalRectangle {
         (at * over.signum()).max(start).min(end)
     }
 
-    /// Where across, this far along, this part of the arc is behind it.
+    /// Returns the place across, this far along, that has this part of the arc behind it.
     fn second(&self, along: f64, part: f64) -> f64 {
         let [start, end] = self.y;
         let square = along * along + self.height * self.height;

@@ -28,7 +28,7 @@ fn solid_angle(shape: &Primitive, from: Vec3) -> f64 {
     cosine / back.length_squared() / f64::from(pdf.0)
 }
 
-/// Whether a point is drawn by solid angle, which is then known to be `expected`.
+/// Tells whether a point is drawn by solid angle, which is then known to be `expected`.
 fn sees(shape: &Primitive, from: Vec3, expected: f64) -> bool {
     (solid_angle(shape, from) / expected - 1.0).abs() < 1e-5
 }
@@ -135,8 +135,8 @@ fn directions_are_uniform() {
     assert!(by_area < 150, "{by_area}");
 }
 
-/// Of the part of the square with `u.x` under a number that part of the solid angle is made:
-/// the rectangle behind the point, or the triangle between the first corner, the second and
+/// The part of the square with `u.x` under a number maps to that part of the solid angle: the
+/// rectangle behind the point, or the triangle between the first corner, the second and the place
 /// where the line from the first through the point leaves.
 #[test]
 fn the_first_number_parts_the_solid_angle() {
@@ -161,7 +161,7 @@ fn the_first_number_parts_the_solid_angle() {
     }
 }
 
-/// What a point sends over its density is bounded however near and slanting the view is: the
+/// The light of a point over its density is bounded however near and slanting the view is: by the
 /// solid angle, no more than a hemisphere.
 #[test]
 fn light_over_density_is_the_solid_angle() {

@@ -44,8 +44,8 @@ fn on_an_edge(min: Vec3, max: Vec3, random: &mut Random) -> Vec3 {
     min + share * (max - min)
 }
 
-/// Whether a ray passes through the box, up to a ten millionth of its size: judged by
-/// where it is between the planes of each axis, in double precision.
+/// Tells whether a ray passes through the box, up to a ten millionth of its size: judged by where
+/// it is between the planes of each axis, in double precision.
 fn passes(ray: &Ray, min: Vec3, max: Vec3) -> bool {
     let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
     let smaller = (max - min).as_dvec3() * 1e-7;

@@ -1,4 +1,4 @@
-//! Which neighbour would make the smallest box?
+//! The choice of the neighbour with which a box makes the smallest one.
 
 use super::bounds::Bounds;
 use crate::tree::parallel;
@@ -92,7 +92,7 @@ impl Columns {
     }
 }
 
-/// So many numbers of each column.
+/// Returns `count` numbers of each column, from `first` on.
 fn part(columns: &[Vec<f32>; 3], first: usize, count: usize) -> [&[f32]; 3] {
     columns.each_ref().map(|column| &column[first..first + count])
 }

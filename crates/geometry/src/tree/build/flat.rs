@@ -22,7 +22,7 @@ pub(super) struct FlatNode {
     /// Items below the first child.
     pub(super) split: u32,
     pub(super) costs: Costs,
-    /// Whether, where there is one place, a leaf is cheaper than a node.
+    /// True if, where there is one place, a leaf is cheaper than a node.
     pub(super) is_leaf: bool,
 }
 
@@ -70,7 +70,7 @@ fn count(tree: &Binary, node: u32) -> usize {
     tree.children(node).map_or(1, |[a, b]| count(tree, a) + count(tree, b))
 }
 
-/// Where a subtree goes.
+/// The place that a subtree is written to.
 struct Out<'a> {
     nodes: &'a mut [FlatNode],
     items: &'a mut [u32],

@@ -1,4 +1,4 @@
-//! Who is merged with whom in a round of clustering?
+//! The choice of the clusters that are merged in a round.
 
 use super::bounds::Bounds;
 use super::choice;

@@ -84,7 +84,7 @@ impl Optimiser<'_> {
         true
     }
 
-    /// Whether `to` is not below `node`, and `node` beside it not too deep.
+    /// Tells whether `to` is not below `node`, and `node` beside it not too deep.
     fn fits(&self, node: u32, to: u32) -> bool {
         let height = self.tree.height(node).max(self.tree.height(to));
         let mut levels = 0;

@@ -1,4 +1,4 @@
-//! Where in a binary tree would a subtree cost least?
+//! The search for the place in a binary tree where a subtree costs least.
 
 use super::binary::{Binary, NONE};
 use super::bounds::Bounds;

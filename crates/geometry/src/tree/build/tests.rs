@@ -26,7 +26,7 @@ fn crowd(count: usize) -> Vec<Aabb> {
     (0..count).map(&mut next).collect()
 }
 
-/// What belongs into blocks of triangles.
+/// The kind of the blocks that shapes belong into: triangles.
 const TRIANGLES: fn(u32) -> Option<BlockKind> = |_| Some(BlockKind::Triangles);
 
 /// All boxes, of triangles.
@@ -75,7 +75,7 @@ fn boxes_that_are_not_asked_for_stay_out() {
     assert_eq!(check(&tree, &boxes, TRIANGLES), items);
 }
 
-/// What has to be the same for two trees to be the same.
+/// Returns all that has to be the same for two trees to be the same.
 fn content(tree: &Tree) -> impl PartialEq + use<> {
     let nodes: Vec<_> =
         tree.nodes.iter().map(|n| (n.planes.map(|p| p.map(f32::to_bits)), n.children)).collect();

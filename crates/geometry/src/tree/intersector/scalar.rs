@@ -18,8 +18,7 @@ pub(crate) struct Scalar<'a> {
     /// From a distance along an axis to t, for near and for far planes.
     near: [f32; 3],
     far: [f32; 3],
-    /// Which row of a node holds the near plane of each axis; the far one is its
-    /// neighbour.
+    /// The row of a node that holds the near plane of each axis; the far one is its neighbour.
     near_row: [usize; 3],
     /// See [`Node::order`].
     octant: i32,

@@ -1,4 +1,4 @@
-//! Which triangles the rays of a packet may meet.
+//! The triangles that the rays of a packet may meet.
 
 use super::triangles::{Corners, PacketTriangles, arrays};
 use crate::tree::block::Block;

@@ -1,4 +1,4 @@
-//! Where the rays of a packet meet a triangle, in double precision.
+//! The intersection of the rays of a packet with a triangle, in double precision.
 
 use super::triangles::PacketTriangles;
 use crate::tree::block::Block;

@@ -1,4 +1,4 @@
-//! Where the rays of a packet meet a triangle, in single precision.
+//! The intersection of the rays of a packet with a triangle, in single precision.
 
 use super::triangles::{Corners, PacketTriangles};
 use crate::tree::intersector::Hits;

@@ -16,7 +16,7 @@ pub(crate) struct Rays<E: Simd> {
     pub(crate) directions: [E::F32x8; 3],
     /// For each axis 1 if they go backward along it.
     pub(crate) backward: [usize; 3],
-    /// As [`watertight::axes`] has them.
+    /// The axes in the order of [`watertight::axes`].
     pub(crate) axes: [usize; 3],
 }
 
@@ -34,7 +34,7 @@ impl<E: Simd> Rays<E> {
         }
     }
 
-    /// Whether all directions are some, of one octant, and have the same longest coordinate.
+    /// Tells whether all directions are some, of one octant, and have the same longest coordinate.
     #[inline(always)]
     fn go_together(&self) -> bool {
         let [x, y, z] = self.directions;
@@ -70,7 +70,7 @@ fn is_narrow(first: &Ray, last: &Ray) -> bool {
     along.dot(aside) > NARROW * lengths.sqrt()
 }
 
-/// Whether all have the same origin, to the bit.
+/// Tells whether all have the same origin, to the bit.
 #[inline(always)]
 fn start_together(rays: &[Ray; PACKET]) -> bool {
     let mut differing = 0;

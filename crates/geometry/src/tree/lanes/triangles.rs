@@ -80,7 +80,7 @@ impl<E: Simd> PacketTriangles<E> {
         [cross(b, c), cross(c, a), cross(a, b)]
     }
 
-    /// Where rays have a corner, in single precision.
+    /// Returns the place of a corner for each ray, in single precision.
     #[inline(always)]
     fn place(
         &self,

@@ -160,7 +160,7 @@ fn four_disks_are_met_as_one_is() {
     blocks_agree(2, |numbers, items| DiskBlock::new(numbers, |i| items[i as usize]));
 }
 
-/// Who has what was asked for is told no more.
+/// After a query has its answer, no hit is told any more.
 #[test]
 fn no_hit_is_told_after_the_last() {
     let wall = Quad::new(Vec3::ZERO, Vec3::X, Vec3::Y).unwrap();

@@ -4,8 +4,8 @@ use super::{Avx2Simd, F32x4, F32x8, F64x4, F64x8, Float, PACKET, Portable, Simd,
 use crate::testing::Random;
 use std::array::from_fn;
 
-/// What all operations make of two lists, as bits; what is not a number is the same whatever
-/// its bits.
+/// Returns the results of all operations on two lists, as bits; what is not a number is the same
+/// whatever its bits.
 fn answers<E: Simd>(simd: E, a: [f32; PACKET], b: [f32; PACKET]) -> Vec<u64> {
     let (x, y) = (simd.load(a), simd.load(b));
     let of_both = [x + y, x - y, x * y, x / y, x.lesser(y), x.greater(y)];
@@ -88,7 +88,7 @@ fn the_least_and_the_greatest_of_eight_are_found() {
     avx2().into_iter().for_each(check);
 }
 
-/// Once or twice rounded, it is within a rounding of the product and one of the result.
+/// A product once or twice rounded is within a rounding of the product and one of the result.
 #[test]
 fn a_difference_from_a_product_is_about_right() {
     fn check<E: Simd>(simd: E) {

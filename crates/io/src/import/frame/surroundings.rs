@@ -28,7 +28,7 @@ const MOST_BACKS: f32 = 0.4;
 /// all around that shines to both sides it is one half.
 const MOSTLY: f64 = 0.6;
 
-/// All that rays can meet, from both sides wherever there is one surface for both.
+/// The tree of all that rays can meet, from both sides wherever there is one surface for both.
 pub(super) type Tree = Bvh<Shapes<Vec<SidedPrimitive>>>;
 
 /// The tree of all objects; `None` if coordinates are too large for one.
@@ -46,13 +46,13 @@ pub(super) fn shines(items: &[ImportedObject], lights: &[PointLight]) -> bool {
         || lights.iter().any(|light| !light.intensity.is_black())
 }
 
-/// What rays from the middle meet, in numbers of rays.
+/// The numbers of rays from the middle, by the surfaces that they meet.
 #[derive(Clone, Copy, Debug, Default)]
 struct Hits {
     all: u32,
     at_the_sides: u32,
     backs: u32,
-    /// How many backs are of surfaces that reflect on both sides.
+    /// The number of backs of surfaces that reflect on both sides.
     solid_backs: u32,
 }
 

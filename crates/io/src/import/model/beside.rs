@@ -8,12 +8,12 @@ use crate::load_options::LoadOptions;
 use crate::source::{Location, joined};
 use std::path::{Path, PathBuf};
 
-/// Where a model looks for files.
+/// The folders in which a model looks for files.
 pub(super) struct Beside {
     folder: Folder,
     /// The folder of the model.
     path: PathBuf,
-    /// What nothing may leave, by its one name.
+    /// The canonical path of the folder that no file may be outside of.
     root: PathBuf,
 }
 

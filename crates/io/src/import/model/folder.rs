@@ -1,4 +1,4 @@
-//! Where a model's pictures are.
+//! Finds the pictures of a model.
 
 use crate::source::Location;
 use std::path::PathBuf;

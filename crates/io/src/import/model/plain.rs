@@ -5,7 +5,7 @@ use traylib_geometry::Sides;
 use traylib_materials::{Error, Lambert, SurfaceModel};
 use traylib_math::Rgb;
 
-/// What it reflects.
+/// The reflectance of the grey material.
 pub(super) const GREY: f32 = 0.5;
 
 /// Makes a grey material of two sides.

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 /// Reads a file of shapes, and says in its name what is wrong with it.
 pub(super) struct ModelSource<'a> {
     location: &'a Location,
-    /// What messages call it.
+    /// The name in messages.
     pub(super) name: String,
 }
 

@@ -1,4 +1,4 @@
-//! Where one side makes no difference.
+//! Finds surfaces for which one side makes no difference.
 //!
 //! A straight line between two points outside of a closed surface goes in as often as it
 //! comes out. So it meets as many fronts from either end, and where each lets the same
@@ -13,7 +13,7 @@ use traylib_scene::ObjectShape;
 /// Comparisons of one box with another, after which nobody looks any more.
 const MOST_WORK: usize = 1 << 26;
 
-/// All that may be inside of something.
+/// All things that may be inside of something.
 pub(super) struct Surroundings<'a> {
     items: &'a [Described<'a>],
     bounds: Vec<Aabb>,

@@ -1,4 +1,4 @@
-//! Which line is read next: objects, transforms and includes.
+//! The order in which lines are read: objects, transforms and includes.
 
 use super::Reader;
 use crate::Limit;
@@ -16,7 +16,7 @@ const ARGUMENT_COST: u64 = 8;
 /// A transform to repeat, by doubling up to 64 times.
 const REPEAT_COST: u64 = 512;
 
-/// What it takes to make a transform.
+/// Returns the cost of making a transform.
 fn cost(arguments: &[&str]) -> u64 {
     let repeats = arguments.iter().filter(|word| matches!(**word, "-i" | "-a")).count() as u64;
     arguments.len() as u64 * ARGUMENT_COST + repeats * REPEAT_COST

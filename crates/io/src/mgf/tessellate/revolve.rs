@@ -4,13 +4,13 @@ use crate::mgf::Vertex;
 use std::f64::consts::TAU;
 use traylib_math::glam::DVec3;
 
-/// What a profile turns about.
+/// The axis that a profile turns about.
 pub(super) struct Axis {
-    /// Where heights begin.
+    /// The point at which heights begin.
     pub(super) base: DVec3,
     /// The direction of the axis, of length one.
     pub(super) direction: DVec3,
-    /// Whether fronts and normals are turned inside out.
+    /// True if fronts and normals are turned inside out.
     pub(super) inward: bool,
 }
 

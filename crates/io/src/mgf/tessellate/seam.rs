@@ -35,7 +35,7 @@ fn rightmost(hole: &[Vertex], projection: Projection) -> usize {
     (0..hole.len()).max_by(|a, b| x(a).total_cmp(&x(b))).unwrap_or(0)
 }
 
-/// Once around a hole and back to its start, against the outline's sense.
+/// Returns the way once around a hole and back to its start, against the outline's sense.
 fn around(hole: &[Vertex], start: usize, backward: bool) -> Vec<Vertex> {
     let step = if backward { hole.len() - 1 } else { 1 };
     (0..=hole.len()).map(|count| hole[(start + count * step) % hole.len()]).collect()
@@ -62,7 +62,7 @@ fn seen_from(points: &[DVec2], eye: DVec2) -> usize {
         .unwrap_or(corner)
 }
 
-/// Where the view to the right ends, and the right one of that edge's corners.
+/// Returns the point at which the view to the right ends, and the right one of that edge's corners.
 fn look_right(points: &[DVec2], eye: DVec2) -> Option<(DVec2, usize)> {
     let mut best: Option<(DVec2, usize)> = None;
     for (index, &a) in points.iter().enumerate() {

@@ -113,7 +113,7 @@ fn compare_box(cut: &Cut, expected: &Value) -> Option<String> {
     (!near).then(|| format!("box is {found:?}, not {expected:?}"))
 }
 
-/// What comes of cutting all shapes up.
+/// The sums over all shapes, cut up.
 struct Cut {
     faces: f64,
     triangles: f64,

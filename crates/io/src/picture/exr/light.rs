@@ -1,4 +1,4 @@
-//! Which channels of an EXR file are the picture.
+//! Chooses the channels of an EXR file that are the picture.
 //!
 //! Every renderer has its own names. A *group* is a set of channels of one layer
 //! whose names begin alike: `R`, `G`, `B` or `ViewLayer.Combined.R` and so on. Its
@@ -11,7 +11,7 @@ use crate::chromaticities::{Chromaticities, Conversion};
 use std::path::Path;
 use traylib_math::{Grid, Rgb, Vec3};
 
-/// What programs call the whole picture, in lower case.
+/// The names by which programs call the whole picture, in lower case.
 const WHOLE: [&str; 7] = ["", "combined", "beauty", "rgba", "rgb", "color", "image"];
 
 /// Reads the light of an EXR file, in the size of its display window: black where
@@ -66,7 +66,7 @@ fn conversion(path: &Path, file: &ExrFile) -> Result<Conversion, Error> {
 /// The bands of a picture.
 struct Group<'a> {
     layer: &'a ExrLayer,
-    /// What stands before the names of its channels.
+    /// The text before the bands in the names of its channels.
     prefix: &'a str,
     bands: [&'a ExrChannel; 3],
     alpha: Option<&'a ExrChannel>,
@@ -135,7 +135,7 @@ fn has_chroma(layer: &ExrLayer, prefix: &str) -> bool {
     has("RY") || has("BY") || (has("X") && has("Z"))
 }
 
-/// What stands before the last dot, and the name of the band.
+/// Splits a channel's name at its last dot into the prefix and the band.
 fn split(name: &str) -> (&str, &str) {
     name.rsplit_once('.').unwrap_or(("", name))
 }
@@ -158,7 +158,7 @@ fn spread<T: Clone>(
     shown
 }
 
-/// Where a layer's pixel is shown.
+/// Returns the index of the pixel that shows a layer's pixel; `None` outside of the picture.
 fn place(file: &ExrFile, layer: &ExrLayer, x: usize, y: usize) -> Option<usize> {
     let [column, row] = [(0, x), (1, y)]
         .map(|(axis, n)| usize::try_from(layer.at[axis].saturating_add_unsigned(n as u64)).ok());

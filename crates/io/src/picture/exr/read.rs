@@ -1,4 +1,4 @@
-//! All that an EXR file holds.
+//! The contents of an EXR file.
 
 use crate::texture_error::check_memory;
 use crate::{Error, Fault, MAX_PIXELS, TextureError};
@@ -54,7 +54,7 @@ pub struct ExrChannel {
     pub name: String,
     /// `half`, `float` or `uint`.
     pub kind: &'static str,
-    /// Whether it has a value for each pixel, and not one for several.
+    /// True if it has a value for each pixel, and not one for several.
     pub complete: bool,
     /// Its values, row by row.
     pub values: Vec<f32>,
@@ -92,7 +92,7 @@ fn failed(error: exr::error::Error) -> TextureError {
     TextureError::Decoder { format: "EXR", fault, source: error.into() }
 }
 
-/// What a sample takes: as it is decoded, and as light.
+/// The bytes that a sample takes: as it is decoded, and as light.
 const BYTES_OF_A_SAMPLE: u64 = 4 + 4;
 
 /// Before memory is taken for what a header claims.

@@ -13,7 +13,7 @@ fn stripes(width: usize, height: usize) -> Grid<Rgb> {
     Grid::from_values(width, height, (0..width * height).map(value).collect()).unwrap()
 }
 
-/// What other readers find in 8-bit formats: the bytes that a screen shows.
+/// Other readers find in 8-bit formats the bytes that a screen shows.
 #[test]
 fn pixels_of_eight_bits_come_back() {
     let folder = Folder::new("bytes");

@@ -7,7 +7,7 @@ use crate::ply::{Cause, WarningKind};
 use crate::suggest::shown;
 use traylib_math::Vec2;
 
-/// What a property of a face is.
+/// The role of a property of a face.
 #[derive(Clone, Copy)]
 enum Role {
     /// Its corners: a length, and numbers of vertices.

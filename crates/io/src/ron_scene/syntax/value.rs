@@ -89,7 +89,7 @@ fn token(stop: &Stop<'_>) -> Range<usize> {
     if scanner.at() > start { start..scanner.at() } else { stop.span() }
 }
 
-/// What is wanted, where nothing better is known.
+/// Names the value that is wanted, where nothing better is known.
 #[expect(clippy::wildcard_enum_match_arm, reason = "the parser's open set")]
 fn plain(code: &Error) -> &'static str {
     match code {
@@ -142,7 +142,7 @@ fn help(context: &Context<'_>, found: &str) -> Option<String> {
     hex_colour(found)
 }
 
-/// What a colour of the web is here.
+/// Explains a colour of the web as a linear colour.
 fn hex_colour(found: &str) -> Option<String> {
     let digits = found.strip_prefix("\"#")?.strip_suffix('"')?;
     let code = u32::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 6)?;

@@ -9,7 +9,7 @@ use traylib_math::glam::{DMat3, DVec3};
 /// From stored values to light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Header {
-    /// What stored values are divided by: each line multiplied them further.
+    /// The divisors of stored values: each line multiplied them further.
     multiplied: DVec3,
     /// From the primaries of the file to ours.
     conversion: Conversion,

@@ -34,7 +34,7 @@ fn every_beginning_of_a_file() {
     }
 }
 
-/// What is said is for who has the file, not for who knows the decoder.
+/// Messages are for the owner of the file, not for those who know the decoder.
 #[test]
 fn damage_is_told_in_plain_words() {
     let known = ["is cut off", "is damaged", "is of a kind that is not read"];
@@ -78,7 +78,7 @@ fn pick(sampler: &mut Sampler, below: usize) -> usize {
     (sampler.next_1d() * below as f32) as usize
 }
 
-/// As much as there is, where nothing says what it is but the name.
+/// Random bytes come with the beginning of a format, or with nothing but the name.
 #[test]
 fn random_bytes_alone() {
     let mut sampler = Sampler::numbered(6, 0);

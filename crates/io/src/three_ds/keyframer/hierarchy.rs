@@ -1,4 +1,4 @@
-//! Which node hangs on which, and where that puts it.
+//! The hierarchy of nodes, and the places that it gives them.
 
 use super::super::affine::Affine;
 use super::super::{WarningKind, Warnings};
@@ -29,7 +29,7 @@ fn places(nodes: &[Node]) -> HashMap<u16, usize> {
     places
 }
 
-/// How far a node has been followed up to its root.
+/// The state of following a node up to its root.
 #[derive(Clone, Copy, PartialEq)]
 enum Followed {
     No,
@@ -106,7 +106,7 @@ mod tests {
         Node { id, parent_id, tracks, ..Node::new(NodeKind::Object) }
     }
 
-    /// How far along x each node is, with what there is to warn of.
+    /// Returns the x of each node, with the warnings.
     fn linked(mut nodes: Vec<Node>) -> (Vec<f32>, Warnings) {
         let mut warnings = Warnings::default();
         link(&mut nodes, &mut warnings);

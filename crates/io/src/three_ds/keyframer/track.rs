@@ -7,11 +7,11 @@ use traylib_math::Vec3;
 /// The property that a track changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TrackKind {
-    /// Where it is, in its parent's coordinates.
+    /// The position, in its parent's coordinates.
     Position,
-    /// How it is turned.
+    /// The orientation.
     Rotation,
-    /// How it is stretched.
+    /// The factors by which it is stretched.
     Scale,
     /// Field of view of a camera, in degrees.
     FieldOfView,
@@ -19,13 +19,13 @@ pub enum TrackKind {
     Roll,
     /// Colour of a light.
     Colour,
-    /// Which mesh it looks like.
+    /// The mesh whose form it takes.
     Morph,
     /// Hotspot of a spot light, in degrees.
     Hotspot,
     /// Falloff of a spot light, in degrees.
     Falloff,
-    /// Whether it is hidden: each key is a change.
+    /// Changes between shown and hidden, one a key.
     Hide,
 }
 
@@ -120,7 +120,7 @@ pub enum Value {
     Number(f32),
     /// The name of a mesh.
     Name(String),
-    /// That the key is there is all.
+    /// The key has no value: that it is there is all.
     Change,
 }
 

@@ -5,8 +5,7 @@ use super::writer::{SQUARE, chunk, faces, file, group, material, node, object, s
 use super::*;
 use traylib_math::Sampler;
 
-/// All that is done with a file: damage may make the result empty or an error,
-/// never a panic.
+/// Does all that is done with a file: damage may make the result empty or an error, never a panic.
 fn survive(bytes: &[u8]) {
     if let Ok(mut document) = decode(bytes) {
         for mesh in &document.meshes {

@@ -59,7 +59,7 @@ pub(in crate::three_ds) fn object(name: &[u8], chunks: &[&[u8]]) -> Vec<u8> {
     chunk(0x4000, &[name, &[0], &chunks.concat()])
 }
 
-/// What is in a track that says it has so many keys.
+/// Returns the bytes of a track that says it has so many keys.
 pub(in crate::three_ds) fn track(count: u32, keys: &[Vec<u8>]) -> Vec<u8> {
     [&[0; 10][..], &count.to_le_bytes(), &keys.concat()].concat()
 }

@@ -5,7 +5,7 @@ use traylib_math::glam::{DVec2, DVec3};
 /// Four or five are usual; halving alone needs 52 for all bits.
 const MOST_STEPS: usize = 60;
 
-/// Where points of the unit ball around the origin may mirror one point outside into another.
+/// The points of the unit ball around the origin that may mirror one point outside into another.
 ///
 /// They lie in the plane of both and the centre, where a unit vector stands for a point of the
 /// circle: `one`, at the distance a, is in the direction (1, 0), and `other`, at the distance b, in
@@ -123,8 +123,8 @@ impl Mirroring {
     }
 }
 
-/// Where a tangent from a point in the direction (1, 0) touches the unit circle, above it: at an
-/// angle that has the inverse of the point's distance as its cosine.
+/// Returns the point at which a tangent from a point in the direction (1, 0) touches the unit
+/// circle, above it: at an angle that has the inverse of the point's distance as its cosine.
 fn touched(cos: f64) -> DVec2 {
     DVec2::new(cos, (1.0 - cos * cos).sqrt())
 }

@@ -8,7 +8,8 @@ fn ball(centre: Vec3, radius: f32) -> BallMirror {
     BallMirror::new(&Sphere::new(centre, radius, Facing::Outward).unwrap())
 }
 
-/// Where a ray goes on after a ball around a centre, in double precision.
+/// Returns the point at which a ray meets a ball around a centre, and the direction in which it
+/// goes on, in double precision.
 fn mirrored(centre: DVec3, radius: f64, from: DVec3, direction: DVec3) -> [DVec3; 2] {
     let offset = from - centre;
     let along = offset.dot(direction);

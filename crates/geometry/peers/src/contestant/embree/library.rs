@@ -219,7 +219,7 @@ impl Scene {
         query.t_far == f32::NEG_INFINITY
     }
 
-    /// What Embree said that it took.
+    /// Returns the bytes that Embree said it took.
     pub(super) fn bytes(&self) -> usize {
         self.bytes.load(Relaxed).max(0) as usize
     }

@@ -1,5 +1,5 @@
-//! Where a line meets a shape, by the formulas of a textbook in double precision, and
-//! whether that is certain.
+//! Intersections of a line with a shape, by the formulas of a textbook in double precision, and
+//! whether they are certain.
 
 use crate::Primitive;
 use crate::testing::shape::{Line, crossings, thickness};

@@ -57,8 +57,8 @@ fn some_ray(cone: &Cone, random: &mut Random) -> Ray {
     Ray::new(origin, random.magnitude(1e3) * (target + aside - origin))
 }
 
-/// What the walk notices is hit, there or earlier; and what is hit is on the
-/// surface, crossed in an admitted direction.
+/// A surface that the walk notices is hit, there or earlier; and every hit is on the surface,
+/// crossed in an admitted direction.
 #[test]
 fn hits_are_what_a_walk_along_the_ray_finds() {
     let mut random = Random::new(1);

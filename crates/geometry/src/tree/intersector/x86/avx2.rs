@@ -65,9 +65,9 @@ impl<T: Copy> Avx2<T> {
 
 /// The boxes of a node that a ray meets.
 struct MetBoxes {
-    /// Where the ray enters, by box.
+    /// The t at which the ray enters, by box.
     enter: __m256,
-    /// Which box comes at which place, the farthest first; `None` for box by box.
+    /// The boxes by place, the farthest first; `None` for box by box.
     order: Option<__m256i>,
     /// One bit for each place whose box is met.
     mask: u32,

@@ -15,7 +15,7 @@ pub(super) struct RayBoxes {
     pub(super) octant: i32,
 }
 
-/// Where in a node, in bytes, the near plane of each axis is, and then the far one of
+/// The offsets in a node, in bytes, of the near plane of each axis, and then of the far one of
 /// each, for each octant.
 pub(super) static PLANES: [[usize; 6]; 8] = {
     let mut table = [[0; 6]; 8];

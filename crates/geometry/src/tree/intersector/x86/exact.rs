@@ -1,4 +1,4 @@
-//! Where a ray meets four triangles, in double precision.
+//! The intersection of a ray with four triangles, in double precision.
 
 use super::triangles::TriangleRay;
 use crate::Ray;
@@ -92,7 +92,7 @@ fn edge(p: &Corners, q: &Corners) -> __m256d {
     unsafe { _mm256_sub_pd(_mm256_mul_pd(p.x, q.y), _mm256_mul_pd(p.y, q.x)) }
 }
 
-/// Where a ray passes through an edge, as far as rounded products tell.
+/// Meets triangles in turn where a ray passes through an edge, as far as rounded products tell.
 #[cold]
 #[inline(never)]
 fn meet_in_turn_rarely(block: &Block, candidates: u32, ray: &Ray, limit: f32) -> Hits<LEAF> {

@@ -13,8 +13,7 @@ use std::arch::x86_64::*;
 /// Four triangles at once. Exists only where SSE4.1 does and, if `FUSED`, FMA.
 #[derive(Clone, Copy)]
 pub(crate) struct TriangleRay<const FUSED: bool> {
-    /// Where among the coordinates of a corner, in bytes, those are that stay, and
-    /// that of depth.
+    /// The offsets, in bytes, among the coordinates of a corner: of those that stay, and of depth.
     pub(super) axes: [usize; 3],
     /// In the same order.
     pub(super) origin: [__m128; 3],

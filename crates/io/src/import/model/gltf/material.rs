@@ -11,9 +11,9 @@
 //! | emission | as radiance, times its strength |
 //! | alpha | opacity if blended; 0 or 1 if masked |
 //!
-//! So much comes back at normal incidence as in Khronos' model. What grows toward grazing
-//! angles there, Fresnel's reflectance, does not here, and Phong's lobe falls off with the
-//! cosine: a dielectric at 80° reflects 0.39 there and 0.01 here.
+//! The reflectance at normal incidence is that of Khronos' model. Its growth toward grazing angles,
+//! by Fresnel, is left out, and Phong's lobe falls off with the cosine: a dielectric at 80°
+//! reflects 0.39 there and 0.01 here.
 
 use crate::gltf::{AlphaMode, Image, Material, Picture, Wrap};
 use crate::import::imported_material::ImportedMaterial;
@@ -28,7 +28,7 @@ use traylib_materials::{self as materials, Layer, Maps, Texture, Tiling};
 use traylib_math::glam::Affine2;
 use traylib_math::{Rgb, Vec2};
 
-/// What a dielectric of index 1.5 reflects at normal incidence.
+/// The reflectance of a dielectric of index 1.5 at normal incidence.
 const DIELECTRIC: f32 = 0.04;
 
 /// Turns materials of a document into ours.
@@ -179,7 +179,7 @@ fn exponent(roughness: f32) -> f32 {
     (0.5 / (slope * slope)).clamp(1.0, SHARPEST)
 }
 
-/// How much of a surface is there where no picture says it.
+/// Returns the opacity of a surface where no picture gives it.
 fn share(material: &Material) -> f32 {
     match material.alpha_mode {
         AlphaMode::Opaque => 1.0,

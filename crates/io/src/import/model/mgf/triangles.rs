@@ -13,7 +13,7 @@ use traylib_scene::ObjectShape;
 /// has 40 × 40 quads. Corners lie on the shape and have its normals.
 const DIVISIONS: u32 = 2 * DEFAULT_DIVISIONS;
 
-/// What triangles are kept together by: material, side, and whether they have
+/// The properties by which triangles are kept together: material, side, and whether they have
 /// normals.
 type Key = (usize, ModelSide, bool);
 

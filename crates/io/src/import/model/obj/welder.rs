@@ -7,11 +7,11 @@ use crate::polygon;
 use std::collections::{BTreeMap, HashMap};
 use traylib_math::Vec3;
 
-/// What triangles are kept together by: material, and whether their corners have texture
-/// coordinates and normals.
+/// The properties by which triangles are kept together: material, and whether their corners have
+/// texture coordinates and normals.
 pub(super) type Key = (Option<u32>, bool, bool);
 
-/// What the normal of a corner is.
+/// The normal of a corner.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Normal {
     None,

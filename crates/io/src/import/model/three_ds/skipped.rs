@@ -2,7 +2,7 @@
 
 use crate::three_ds::{Document, Light, Motion};
 
-/// What is skipped, with counts.
+/// Lists the kinds of things that are skipped, with counts.
 pub(super) fn skipped(document: &Document) -> Vec<(String, u32)> {
     let Document { meshes, lights, .. } = document;
     let boxes = meshes.iter().filter(|mesh| !mesh.box_map.is_empty()).count();

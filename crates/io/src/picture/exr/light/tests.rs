@@ -22,7 +22,7 @@ fn layer_of<'a>(
     Layer::new((2, 1), attributes, Encoding::FAST_LOSSLESS, AnyChannels::sort(channels))
 }
 
-/// What is read of a file of these layers.
+/// Reads a file of these layers.
 fn read(test: &str, layers: Vec<Layer<AnyChannels<FlatSamples>>>) -> Result<Grid<Rgb>, Error> {
     let window = IntegerBounds::from_dimensions((2, 1));
     read_windowed(test, window, layers)

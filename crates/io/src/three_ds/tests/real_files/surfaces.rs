@@ -54,7 +54,8 @@ fn every_material_agrees() {
     }
 }
 
-/// What is not stored is not in the list, so only what is there is compared.
+/// Compares a material with its list. Properties that are not stored are not in the list, so only
+/// those there are compared.
 fn check_material(name: &str, material: &Material, expected: &Value) {
     assert_eq!(material.name, text_of(get(expected, "name")));
     let stored = [
