@@ -1,13 +1,7 @@
-//! Layers beside the light: what the camera sees first, and the noise of the picture.
+//! Layers of a picture beside its light.
 
-use crate::done::Done;
-use crate::job::Job;
-use crate::outcome::Failure;
 use clap::ValueEnum;
-use std::collections::BTreeMap;
-use traylib_integrators::{FirstHit, FirstHits, Settings, render_to_end};
-use traylib_io::PictureLayer;
-use traylib_math::{Grid, Rgb};
+use traylib_integrators::FirstHit;
 
 /// A layer of an EXR picture beside its light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
@@ -22,44 +16,9 @@ pub enum Aov {
     Variance,
 }
 
-/// Enough that edges are smooth.
-const MOST_PASSES: u32 = 64;
-
-/// Makes the layers that a job wants, each once.
-///
-/// # Errors
-/// The system refuses threads.
-pub(crate) fn layers(job: &Job<'_>, done: &Done) -> Result<Vec<PictureLayer>, Failure> {
-    let options = job.options;
-    let mut wanted = options.aov.clone();
-    wanted.sort_unstable();
-    wanted.dedup();
-    let looks_at_scene = wanted.iter().any(|aov| aov.first_hit().is_some());
-    let mut first = if looks_at_scene {
-        let spp = done.passes.min(MOST_PASSES);
-        let (seed, threads, points) = (options.seed, options.threads, options.sampler);
-        let settings = Settings { spp, seed, threads, points };
-        let seen = render_to_end(&done.loaded.scene, &FirstHits, &settings);
-        seen.map_err(Failure::output)?.film.develop_layers()
-    } else {
-        BTreeMap::new()
-    };
-    let camera = done.loaded.scene.camera();
-    let (width, height) = (camera.width() as usize, camera.height() as usize);
-    let black = || Grid::filled(width, height, Rgb::BLACK);
-    let layer = |aov: Aov| {
-        let values = match aov.first_hit() {
-            Some(kind) => first.remove(&kind.layer()),
-            None => done.variance.clone(),
-        };
-        let values = values.unwrap_or_else(black);
-        PictureLayer { name: aov.name(), channels: aov.channels(), values }
-    };
-    Ok(wanted.into_iter().map(layer).collect())
-}
-
 impl Aov {
-    fn first_hit(self) -> Option<FirstHit> {
+    /// The picture of first surfaces that it is, if it is one.
+    pub(crate) fn first_hit(self) -> Option<FirstHit> {
         match self {
             Self::Albedo => Some(FirstHit::Albedo),
             Self::Normal => Some(FirstHit::Normal),
@@ -68,7 +27,8 @@ impl Aov {
         }
     }
 
-    fn name(self) -> &'static str {
+    /// The name of its layer.
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Albedo => "albedo",
             Self::Normal => "normal",
@@ -77,7 +37,8 @@ impl Aov {
         }
     }
 
-    fn channels(self) -> &'static [&'static str] {
+    /// The names of its channels.
+    pub(crate) fn channels(self) -> &'static [&'static str] {
         match self {
             Self::Albedo | Self::Variance => &["R", "G", "B"],
             Self::Normal => &["X", "Y", "Z"],

@@ -3,6 +3,7 @@
 //! `film` renders nothing: it looks into pictures and compares them ([`FilmCommand`]).
 
 mod aov;
+mod aov_layers;
 mod auto;
 mod black;
 mod bug;

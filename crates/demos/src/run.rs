@@ -1,6 +1,7 @@
 //! From a command line to a picture.
 
-use crate::aov::{self, Aov};
+use crate::aov::Aov;
+use crate::aov_layers::aov_layers;
 use crate::auto::planned;
 use crate::black::{self, Picture};
 use crate::command_line::CommandLine;
@@ -85,7 +86,7 @@ fn try_run(
     if job.makes_pictures() {
         // A picture that just fits has no room for the film.
         let picture = film.into_picture();
-        outputs.save(&picture, &done.info(job), &aov::layers(job, &done)?)?;
+        outputs.save(&picture, &done.info(job), &aov_layers(job, &done)?)?;
         finish(&done)?;
         if !options.quiet {
             warn_if_black(job, &done, integrator, &picture);

@@ -2,7 +2,7 @@
 //! reason to stop.
 
 use crate::outcome::Failure;
-use serde::Serialize;
+use serde_json::Value;
 use std::fmt::Display;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::Path;
@@ -41,7 +41,7 @@ pub(crate) fn tell_json(json: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// It cannot be written.
-pub(crate) fn write_json(file: &Path, value: &impl Serialize) -> Result<(), Failure> {
+pub(crate) fn write_json(file: &Path, value: &Value) -> Result<(), Failure> {
     let json = serde_json::to_string_pretty(value).map_err(Failure::output)?;
     if file == Path::new(STANDARD_OUTPUT) {
         tell_json(&json)

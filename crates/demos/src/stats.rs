@@ -16,5 +16,5 @@ pub(crate) fn stats(options: &RenderOptions, file: &Path) -> Result<(), Failure>
             say_line("warning", warning);
         }
     }
-    write_json(file, &found)
+    write_json(file, &serde_json::to_value(found).map_err(Failure::output)?)
 }

@@ -110,7 +110,7 @@ pub fn save_pictures(folder: &Path, row: &Row) -> Result<(), traylib_io::Error> 
             scene: cell.scene.clone(),
             seed: 1,
             spp: u64::from(spp),
-            seconds: Some(0.0),
+            frame: None,
             rejected_samples: 0,
         };
         save_picture(&folder.join(file(&cell.scene, what)), &grid, &info)
