@@ -8,7 +8,7 @@ use traylib_geometry::Ray;
 use traylib_math::{Rgb, Vec2, Vec3};
 use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
 
-/// Emission seen directly, and one shadow ray to each point light; no other
+/// Emission seen directly, the sky's too, and one shadow ray to each point light; no other
 /// light, no interreflection. Without `jitter` the ray goes through the middle
 /// of the pixel and nothing is random.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,6 +46,9 @@ impl Integrator for Trace {
         let mut blind = vec![BlindSpot::Interreflection];
         if facts.area_lights {
             blind.push(BlindSpot::AreaLights);
+        }
+        if facts.sky {
+            blind.push(BlindSpot::SkyLight);
         }
         blind
     }

@@ -42,11 +42,13 @@ mod error;
 mod film;
 mod images;
 mod light;
+mod light_choice;
 mod light_id;
 mod light_tree;
 mod point_images;
 mod scene;
 mod seat;
+mod sky;
 mod surface_point;
 mod surfaces;
 
@@ -60,6 +62,7 @@ pub use light::{Emission, Light, LightPoint, PointLight, SpotCone};
 pub use light_id::LightId;
 pub use point_images::PointImage;
 pub use scene::{LightChoice, LightDensities, MOST_PASSAGES, Scene};
+pub use sky::Sky;
 pub use surface_point::{SurfacePoint, Walk};
 pub use surfaces::ObjectShape;
 

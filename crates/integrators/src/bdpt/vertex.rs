@@ -31,7 +31,7 @@ pub(crate) struct Vertex {
     pub(crate) throughput: Rgb,
     /// The random numbers of this vertex.
     pub(crate) numbers: VertexNumbers,
-    /// Density with which the walk chose this point.
+    /// Density with which the walk chose this point; of the sky per steradian.
     pub(crate) pdf: AreaPdf,
     /// Steradians per area of the vertex *before*, seen from here: turns this
     /// vertex's density of going back into one per area.
@@ -78,8 +78,27 @@ impl SubpathState {
         numbers: VertexNumbers,
         heuristic: Heuristic,
     ) -> Vertex {
+        // The sky is at no distance: its densities are per steradian.
+        let distance_squared = if point.is_sky() {
+            1.0
+        } else {
+            (point.site.position - self.position).length_squared()
+        };
+        self.extend_over(distance_squared, point, wo, throughput, numbers, heuristic)
+    }
+
+    /// The same over an edge of this squared length in m²; one from the sky.
+    #[inline]
+    pub(crate) fn extend_over(
+        &self,
+        distance_squared: f32,
+        point: SurfacePoint,
+        wo: Vec3,
+        throughput: Rgb,
+        numbers: VertexNumbers,
+        heuristic: Heuristic,
+    ) -> Vertex {
         // The density of the direction, per area of the new vertex.
-        let distance_squared = (point.site.position - self.position).length_squared();
         let cosine = point.normal.dot(wo).abs();
         let pdf = self.pdf.to_area(solid_angle_per_area(cosine, distance_squared));
         // Both densities of an ideal reflection carry the same chance; without

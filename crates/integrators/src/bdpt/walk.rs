@@ -52,7 +52,16 @@ impl Walker {
         let Emitted { light, x0, direction, x1, numbers, throughput, densities } = emitted;
         // x₀ itself is a vertex of every technique that begins there.
         let start = LightStart { light, x0, densities };
-        path.vertices.push(state.extend_to(x1, -direction, throughput, numbers, self.heuristic));
+        let distance_squared = x0.distance_squared(x1.site.position);
+        let (wo, heuristic) = (-direction, self.heuristic);
+        path.vertices.push(state.extend_over(
+            distance_squared,
+            x1,
+            wo,
+            throughput,
+            numbers,
+            heuristic,
+        ));
         self.walk_on(Some(&start), tracer, sampler, path);
         Some(start)
     }
@@ -137,7 +146,11 @@ impl Walker {
             let step = next_step_toward_light(walk, way, point, *wo, numbers, roulette, edge);
             let Some(step) = step else { return };
             let numbers = sampler.vertex();
-            let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
+            let hit = match walk {
+                Walk::FromCamera => tracer.edge_from_camera(edge, &step.ray, numbers.pass_through),
+                Walk::FromLight => tracer.bounce_ray(&step.ray, numbers.pass_through),
+            };
+            let Some(hit) = hit else { return };
             let Some(last) = path.vertices.last_mut() else { return };
             // Its partial weights, for whoever connects further on.
             let pdf_back = self.pdf_back(walk, tracer.scene, last, &step.sample, &hit.point);
