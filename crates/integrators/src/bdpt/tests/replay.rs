@@ -11,7 +11,9 @@ use crate::toward_light::{TowardLight, images_for};
 use traylib_geometry::Ray;
 use traylib_materials::BsdfSample;
 use traylib_math::{Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
-use traylib_scene::{ImageDirections, LightId, LightPoint, PointImage, Scene, SurfacePoint, Walk};
+use traylib_scene::{
+    ImageDirections, Light, LightId, LightPoint, PointImage, Scene, SurfacePoint, Walk,
+};
 
 /// x₀ … x_k; surfaces holds x₁ … x_{k−1}.
 #[derive(Clone, Debug)]
@@ -109,6 +111,10 @@ impl FullPath {
         self.x0.is_point
     }
 
+    pub(super) fn starts_in_the_sky(&self) -> bool {
+        self.x0.is_sky
+    }
+
     /// The weights of all techniques that can find the path, each with its s.
     pub(super) fn weights(
         &self,
@@ -188,7 +194,17 @@ impl FullPath {
     }
 
     fn first_direction(&self) -> Vec3 {
+        if self.x0.is_sky {
+            return self.x0.site.normal;
+        }
         (self.surfaces[0].site.position - self.x0.site.position).normalize()
+    }
+
+    /// The square of the length of the first edge; one from the sky, whose densities are those of
+    /// directions and of places across them.
+    fn first_distance_squared(&self) -> f32 {
+        let offset = self.surfaces[0].site.position - self.x0.site.position;
+        if self.x0.is_sky { 1.0 } else { offset.length_squared() }
     }
 
     fn densities(&self, scene: &Scene) -> traylib_scene::LightDensities {
@@ -218,7 +234,8 @@ impl FullPath {
         let note = |between: &[Vertex], next: &mut Vertex| {
             walker.note_mirrors(scene, &start, between, next);
         };
-        walk(Walk::FromLight, state, direction, &self.events(scene), bdpt, note)
+        let first = (direction, self.first_distance_squared());
+        walk(Walk::FromLight, state, first, &self.events(scene), bdpt, note)
     }
 
     /// What a walk from the camera would aim at from surface i.
@@ -250,7 +267,8 @@ impl FullPath {
         let mut events = self.events(scene);
         events.reverse();
         let camera = scene.camera();
-        let direction = (events[0].point.site.position - camera.position()).normalize();
+        let offset = events[0].point.site.position - camera.position();
+        let direction = offset.normalize();
         let state = SubpathState {
             position: camera.position(),
             cosine: 0.0,
@@ -259,7 +277,8 @@ impl FullPath {
             d_vcm_factor: splats,
             d_vc_factor: 0.0,
         };
-        walk(Walk::FromCamera, state, direction, &events, bdpt, |_, _| {})
+        let first = (direction, offset.length_squared());
+        walk(Walk::FromCamera, state, first, &events, bdpt, |_, _| {})
     }
 
     /// x₀ as the camera subpath would have reached it.
@@ -271,23 +290,25 @@ impl FullPath {
         let wi = -self.first_direction();
         let event = self.events(scene)[0];
         let state = x1.go_on(Walk::FromCamera, wi, &event, bdpt);
+        let distance_squared = self.first_distance_squared();
         let lamp = self.lamp.unwrap_or(SurfacePoint {
             site: self.x0.site,
             normal: self.x0.site.normal,
             shading_normal: self.x0.site.normal,
             ..x1.point
         });
-        Some(state.extend_to(lamp, -wi, Rgb::WHITE, numbers(), bdpt.heuristic))
+        let (light, heuristic) = (Rgb::WHITE, bdpt.heuristic);
+        Some(state.extend_over(distance_squared, lamp, -wi, light, numbers(), heuristic))
     }
 
     fn light_sample(&self, scene: &Scene, x1: &Vertex, bdpt: &Bdpt) -> f64 {
         let direction = self.first_direction();
-        let offset = x1.point.site.position - self.x0.site.position;
+        let distance_squared = self.first_distance_squared();
         let images = self.images(scene, 0);
         let scattering = x1.scattering(Walk::FromCamera, -direction, images);
         let conversion =
-            solid_angle_per_area(x1.point.normal.dot(direction).abs(), offset.length_squared());
-        let at_lamp = solid_angle_per_area(self.x0.cosine(direction), offset.length_squared());
+            solid_angle_per_area(x1.point.normal.dot(direction).abs(), distance_squared);
+        let at_lamp = solid_angle_per_area(self.x0.cosine(direction), distance_squared);
         let hit_pdf =
             if self.x0.is_point { 0.0 } else { scattering.toward_light.to_area(at_lamp).0 };
         let end = End { scattering, conversion };
@@ -298,6 +319,9 @@ impl FullPath {
 
 fn owns(scene: &Scene, id: LightId, x0: &LightPoint) -> bool {
     let light = scene.light(id);
+    if x0.is_sky || matches!(light, Light::Sky(_)) {
+        return x0.is_sky && matches!(light, Light::Sky(_));
+    }
     light.is_point() == x0.is_point && {
         let (point, _) = light.sample_toward(Vec3::ZERO, traylib_math::Vec2::splat(0.5));
         point.emitted == x0.emitted
@@ -368,15 +392,16 @@ fn seen_from(mut point: SurfacePoint, wo: Vec3) -> SurfacePoint {
 fn walk(
     walk: Walk,
     mut state: SubpathState,
-    first_direction: Vec3,
+    (first_direction, first_distance_squared): (Vec3, f32),
     events: &[Event],
     bdpt: &Bdpt,
     note: impl Fn(&[Vertex], &mut Vertex),
 ) -> Vec<Vertex> {
-    let mut direction = first_direction;
+    let (mut direction, mut distance_squared) = (first_direction, first_distance_squared);
     let mut vertices: Vec<Vertex> = Vec::new();
     for (i, event) in events.iter().enumerate() {
-        let mut vertex: Vertex = state.extend_to(
+        let mut vertex: Vertex = state.extend_over(
+            distance_squared,
             seen_from(event.point, -direction),
             -direction,
             Rgb::WHITE,
@@ -385,7 +410,8 @@ fn walk(
         );
         note(&vertices, &mut vertex);
         if let Some(next) = events.get(i + 1) {
-            direction = (next.point.site.position - event.point.site.position).normalize();
+            let offset = next.point.site.position - event.point.site.position;
+            (direction, distance_squared) = (offset.normalize(), offset.length_squared());
             state = vertex.go_on(walk, direction, event, bdpt);
         }
         vertices.push(vertex);
