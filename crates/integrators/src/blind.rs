@@ -5,6 +5,7 @@ use traylib_scene::{Light, Scene};
 
 /// What decides which kinds of light there are in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub struct SceneFacts {
     /// Some lamp has an area.
     pub area_lights: bool,

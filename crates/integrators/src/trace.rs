@@ -100,7 +100,7 @@ fn look(tracer: &mut Tracer<'_>, rays: &[Ray]) -> Vec<Option<Sight>> {
     let scene = tracer.scene;
     let (mut segments, mut samples) = (Vec::new(), Vec::new());
     let mut see = |(index, (ray, point)): (usize, (&Ray, Option<SurfacePoint>))| {
-        let point = point?;
+        let Some(point) = point else { return Sight::of_sky(scene, ray) };
         for sample in sample_point_lights(scene, &point, -ray.direction) {
             segments.push(sample.x0.segment_from(&point.site));
             samples.push((index, sample.radiance));
@@ -123,6 +123,16 @@ fn look(tracer: &mut Tracer<'_>, rays: &[Ray]) -> Vec<Option<Sight>> {
         }
     }
     sights
+}
+
+impl Sight {
+    /// The sky behind all surfaces, if there is one.
+    #[cold]
+    fn of_sky(scene: &Scene, ray: &Ray) -> Option<Self> {
+        let emitted = scene.sky()?.radiance(ray.direction);
+        let (lit, through, origin) = (Rgb::BLACK, Rgb::BLACK, ray.origin);
+        Some(Self { emitted, lit, opacity: 1.0, through, origin })
+    }
 }
 
 impl PixelPath {

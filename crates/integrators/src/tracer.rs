@@ -4,7 +4,7 @@ use crate::Control;
 use std::ops::AddAssign;
 use traylib_geometry::Ray;
 use traylib_math::Rgb;
-use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
+use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint, Walk};
 
 /// What a rendering did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -83,11 +83,11 @@ impl<'scene> Tracer<'scene> {
     ) -> Option<SurfaceHit> {
         let is_first = edge == 1;
         self.statistics.camera_paths += u64::from(is_first);
-        self.meet(ray, pass_through, is_first, Self::meet_sky)
+        self.meet(ray, pass_through, is_first, true)
     }
 
-    /// What stands first in each of some rays from the camera, be it see-through or not, the sky
-    /// behind all else; of no ray once it is cancelled.
+    /// What stands first in each of some rays from the camera, be it see-through or not; of no
+    /// ray once it is cancelled.
     pub fn intersect_each<'a>(
         &mut self,
         rays: &'a [Ray],
@@ -97,10 +97,7 @@ impl<'scene> Tracer<'scene> {
     {
         let rays = if self.is_cancelled() { &[] } else { rays };
         self.statistics.camera_rays += rays.len() as u64;
-        let scene = self.scene;
-        let with_sky =
-            |(met, ray): (Option<SurfacePoint>, &Ray)| met.or_else(|| scene.sky_behind(ray));
-        scene.intersect_each(rays).zip(rays).map(with_sky)
+        self.scene.intersect_each(rays)
     }
 
     /// [`sees`](Self::sees) for each segment of a list; black where nothing comes through.
@@ -117,13 +114,18 @@ impl<'scene> Tracer<'scene> {
     /// surfaces on its way.
     #[inline]
     pub fn bounce_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
-        self.meet(ray, pass_through, false, |_, _, _| None)
+        self.meet(ray, pass_through, false, false)
     }
 
-    /// Where an edge of a walk from the camera ends that meets no surface any more.
-    #[inline(never)]
-    fn meet_sky(&mut self, ray: &Ray, transmittance: Rgb) -> Option<SurfaceHit> {
-        self.scene.sky_behind(ray).map(|point| SurfaceHit { point, transmittance })
+    /// Any later edge of a walk from either end: one from the camera may end at the sky.
+    #[inline]
+    pub(crate) fn later_edge(
+        &mut self,
+        walk: Walk,
+        ray: &Ray,
+        pass_through: f32,
+    ) -> Option<SurfaceHit> {
+        self.meet(ray, pass_through, false, walk == Walk::FromCamera)
     }
 
     /// The surface that a walk goes on from, or what is behind all surfaces. What lets light
@@ -140,7 +142,7 @@ impl<'scene> Tracer<'scene> {
         ray: &Ray,
         mut pass_through: f32,
         is_from_camera: bool,
-        behind_all: impl FnOnce(&mut Self, &Ray, Rgb) -> Option<SurfaceHit>,
+        sees_sky: bool,
     ) -> Option<SurfaceHit> {
         if self.is_cancelled() {
             return None;
@@ -155,7 +157,8 @@ impl<'scene> Tracer<'scene> {
             let met = self.scene.intersect(&rest);
             let mut hit = met.map(|point| SurfaceHit { point, transmittance });
             let Some(SurfaceHit { point, transmittance: passed }) = hit.as_mut() else {
-                return behind_all(self, &rest, transmittance);
+                let sees_sky = sees_sky && self.scene.sky().is_some();
+                return if sees_sky { meet_sky(self.scene, &rest, transmittance) } else { None };
             };
             // One number decides for all: what is left of it is uniform again.
             let chance = point.through.max_band();
@@ -188,6 +191,12 @@ impl<'scene> Tracer<'scene> {
         self.statistics.shadow_rays += 1;
         Some(self.scene.transmittance(segment)).filter(|part| !part.is_black())
     }
+}
+
+/// Where an edge of a walk from the camera ends that meets no surface any more.
+#[inline(never)]
+fn meet_sky(scene: &Scene, ray: &Ray, transmittance: Rgb) -> Option<SurfaceHit> {
+    scene.sky_behind(ray).map(|point| SurfaceHit { point, transmittance })
 }
 
 /// Where an edge of a walk ends.

@@ -94,8 +94,9 @@ impl LightPoint {
     /// The cosine of the unit `direction` to the front normal, zero behind it; one
     /// for a point light and for the sky. It converts measures; light takes
     /// [`falloff`](Self::falloff).
+    #[inline]
     pub fn cosine(&self, direction: Vec3) -> f32 {
-        if self.is_point || self.is_sky { 1.0 } else { self.site.normal.dot(direction).max(0.0) }
+        if self.is_point | self.is_sky { 1.0 } else { self.site.normal.dot(direction).max(0.0) }
     }
 
     /// Returns the factor on [`emitted`](Self::emitted) toward the unit `direction`: the cosine to
@@ -118,11 +119,13 @@ impl LightPoint {
     /// The segment to this point from one on a surface; to the sky it has no end.
     #[inline]
     pub fn segment_from(&self, site: &SurfaceSite) -> Ray {
-        if self.is_sky {
-            let toward = self.toward_sky();
-            return Ray::new(site.ray_origin(toward), toward);
-        }
-        site.segment_to(&self.site)
+        if self.is_sky { self.ray_to_sky(site) } else { site.segment_to(&self.site) }
+    }
+
+    #[inline(never)]
+    fn ray_to_sky(&self, site: &SurfaceSite) -> Ray {
+        let toward = self.toward_sky();
+        Ray::new(site.ray_origin(toward), toward)
     }
 
     /// Where a ray toward `direction` starts.
@@ -189,7 +192,7 @@ impl Light {
         match self {
             Self::Area { primitive, .. } => AreaPdf(1.0 / primitive.area()),
             Self::Point(_) => AreaPdf(1.0),
-            Self::Sky(sky) => AreaPdf(sky.pdf(point.toward_sky())),
+            Self::Sky(sky) => AreaPdf(sky.pdf(point)),
         }
     }
 
@@ -235,7 +238,7 @@ impl Light {
                 primitive.pdf_toward(from, point.site.position, point.site.normal)
             }
             Self::Point(_) => AreaPdf(1.0),
-            Self::Sky(sky) => AreaPdf(sky.pdf(point.toward_sky())),
+            Self::Sky(sky) => AreaPdf(sky.pdf(point)),
         }
     }
 }

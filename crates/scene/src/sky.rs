@@ -46,13 +46,13 @@ impl Sky {
     /// A direction to aim at from anywhere, as a point of the sky, with its density per
     /// steradian: by brightness.
     pub(crate) fn sample_toward(&self, u: Vec2) -> (LightPoint, AreaPdf) {
-        let toward = self.picture.sample(u);
-        (self.point(toward), AreaPdf(self.pdf(toward)))
+        let point = self.point(self.picture.sample(u));
+        (point, AreaPdf(self.pdf(&point)))
     }
 
-    /// The density with which any direction is aimed at or starts light paths, per steradian.
-    pub(crate) fn pdf(&self, toward: Vec3) -> f32 {
-        self.picture.pdf(toward)
+    /// The density with which a point of the sky is aimed at or starts light paths, per steradian.
+    pub(crate) fn pdf(&self, point: &LightPoint) -> f32 {
+        self.picture.pdf(point.emitted)
     }
 
     /// A direction by brightness, and a start on the shadow of the scene's box.
@@ -71,6 +71,7 @@ impl Sky {
     }
 
     /// The point of the sky in this unit direction.
+    #[inline(never)]
     pub(crate) fn point(&self, toward: Vec3) -> LightPoint {
         LightPoint {
             emitted: self.picture.radiance(toward),

@@ -52,16 +52,7 @@ impl Walker {
         let Emitted { light, x0, direction, x1, numbers, throughput, densities } = emitted;
         // x₀ itself is a vertex of every technique that begins there.
         let start = LightStart { light, x0, densities };
-        let distance_squared = x0.distance_squared(x1.site.position);
-        let (wo, heuristic) = (-direction, self.heuristic);
-        path.vertices.push(state.extend_over(
-            distance_squared,
-            x1,
-            wo,
-            throughput,
-            numbers,
-            heuristic,
-        ));
+        path.vertices.push(state.extend_to(x1, -direction, throughput, numbers, self.heuristic));
         self.walk_on(Some(&start), tracer, sampler, path);
         Some(start)
     }
@@ -76,6 +67,7 @@ impl Walker {
         let hit = self.techniques.hits && !x0.is_point;
         SubpathState {
             position: x0.site.position,
+            is_sky: x0.is_sky,
             cosine: if x0.is_point { 0.0 } else { x0.cosine(*direction) },
             pdf: densities.direction,
             is_delta: false,
@@ -106,6 +98,7 @@ impl Walker {
         let splats = if self.techniques.splats { self.splats_in_weights } else { 0.0 };
         let state = SubpathState {
             position: camera.position(),
+            is_sky: false,
             cosine: 0.0,
             pdf: camera.pdf(ray.direction),
             is_delta: false,
@@ -146,10 +139,7 @@ impl Walker {
             let step = next_step_toward_light(walk, way, point, *wo, numbers, roulette, edge);
             let Some(step) = step else { return };
             let numbers = sampler.vertex();
-            let hit = match walk {
-                Walk::FromCamera => tracer.edge_from_camera(edge, &step.ray, numbers.pass_through),
-                Walk::FromLight => tracer.bounce_ray(&step.ray, numbers.pass_through),
-            };
+            let hit = tracer.later_edge(walk, &step.ray, numbers.pass_through);
             let Some(hit) = hit else { return };
             let Some(last) = path.vertices.last_mut() else { return };
             // Its partial weights, for whoever connects further on.

@@ -56,10 +56,10 @@ impl SkyPicture {
         *self.radiance.get(column, row)
     }
 
-    /// The density of [`sample`](Self::sample) at a unit direction, per steradian: zero only
-    /// where no light comes from.
-    pub(crate) fn pdf(&self, toward: Vec3) -> f32 {
-        let weight = weight(self.radiance(toward));
+    /// The density of [`sample`](Self::sample) at a unit direction from which this radiance
+    /// comes, per steradian: zero only where it is black.
+    pub(crate) fn pdf(&self, radiance: Rgb) -> f32 {
+        let weight = weight(radiance);
         let pdf = (weight / self.total) as f32;
         if weight > 0.0 { pdf.max(f32::MIN_POSITIVE) } else { 0.0 }
     }

@@ -234,8 +234,7 @@ impl FullPath {
         let note = |between: &[Vertex], next: &mut Vertex| {
             walker.note_mirrors(scene, &start, between, next);
         };
-        let first = (direction, self.first_distance_squared());
-        walk(Walk::FromLight, state, first, &self.events(scene), bdpt, note)
+        walk(Walk::FromLight, state, direction, &self.events(scene), bdpt, note)
     }
 
     /// What a walk from the camera would aim at from surface i.
@@ -267,18 +266,17 @@ impl FullPath {
         let mut events = self.events(scene);
         events.reverse();
         let camera = scene.camera();
-        let offset = events[0].point.site.position - camera.position();
-        let direction = offset.normalize();
+        let direction = (events[0].point.site.position - camera.position()).normalize();
         let state = SubpathState {
             position: camera.position(),
+            is_sky: false,
             cosine: 0.0,
             pdf: camera.pdf(direction),
             is_delta: false,
             d_vcm_factor: splats,
             d_vc_factor: 0.0,
         };
-        let first = (direction, offset.length_squared());
-        walk(Walk::FromCamera, state, first, &events, bdpt, |_, _| {})
+        walk(Walk::FromCamera, state, direction, &events, bdpt, |_, _| {})
     }
 
     /// x₀ as the camera subpath would have reached it.
@@ -290,15 +288,14 @@ impl FullPath {
         let wi = -self.first_direction();
         let event = self.events(scene)[0];
         let state = x1.go_on(Walk::FromCamera, wi, &event, bdpt);
-        let distance_squared = self.first_distance_squared();
-        let lamp = self.lamp.unwrap_or(SurfacePoint {
+        let sky = self.x0.is_sky.then(|| Ray::new(x1.point.site.position, wi));
+        let lamp = self.lamp.or_else(|| scene.sky_behind(&sky?)).unwrap_or(SurfacePoint {
             site: self.x0.site,
             normal: self.x0.site.normal,
             shading_normal: self.x0.site.normal,
             ..x1.point
         });
-        let (light, heuristic) = (Rgb::WHITE, bdpt.heuristic);
-        Some(state.extend_over(distance_squared, lamp, -wi, light, numbers(), heuristic))
+        Some(state.extend_to(lamp, -wi, Rgb::WHITE, numbers(), bdpt.heuristic))
     }
 
     fn light_sample(&self, scene: &Scene, x1: &Vertex, bdpt: &Bdpt) -> f64 {
@@ -392,16 +389,15 @@ fn seen_from(mut point: SurfacePoint, wo: Vec3) -> SurfacePoint {
 fn walk(
     walk: Walk,
     mut state: SubpathState,
-    (first_direction, first_distance_squared): (Vec3, f32),
+    first_direction: Vec3,
     events: &[Event],
     bdpt: &Bdpt,
     note: impl Fn(&[Vertex], &mut Vertex),
 ) -> Vec<Vertex> {
-    let (mut direction, mut distance_squared) = (first_direction, first_distance_squared);
+    let mut direction = first_direction;
     let mut vertices: Vec<Vertex> = Vec::new();
     for (i, event) in events.iter().enumerate() {
-        let mut vertex: Vertex = state.extend_over(
-            distance_squared,
+        let mut vertex: Vertex = state.extend_to(
             seen_from(event.point, -direction),
             -direction,
             Rgb::WHITE,
@@ -410,8 +406,7 @@ fn walk(
         );
         note(&vertices, &mut vertex);
         if let Some(next) = events.get(i + 1) {
-            let offset = next.point.site.position - event.point.site.position;
-            (direction, distance_squared) = (offset.normalize(), offset.length_squared());
+            direction = (next.point.site.position - event.point.site.position).normalize();
             state = vertex.go_on(walk, direction, event, bdpt);
         }
         vertices.push(vertex);
