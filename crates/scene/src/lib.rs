@@ -48,7 +48,6 @@ mod light_tree;
 mod point_images;
 mod scene;
 mod seat;
-mod sky;
 mod surface_point;
 mod surfaces;
 
@@ -58,11 +57,10 @@ pub use coincidence::Coincidences;
 pub use error::Error;
 pub use film::{Film, FilmBlock, FilmSquares, MergeError, PassImage};
 pub use images::ImageDirections;
-pub use light::{Emission, Light, LightPoint, PointLight, SpotCone};
+pub use light::{Emission, Light, LightPoint, PointLight, Sky, SpotCone};
 pub use light_id::LightId;
 pub use point_images::PointImage;
 pub use scene::{LightChoice, LightDensities, MOST_PASSAGES, Scene};
-pub use sky::Sky;
 pub use surface_point::{SurfacePoint, Walk};
 pub use surfaces::ObjectShape;
 

@@ -1,10 +1,12 @@
 //! Lights: what emits into a scene.
 
+pub(crate) mod sky;
 mod spot;
 
+pub use sky::Sky;
 pub use spot::SpotCone;
 
-use crate::{Error, Sky};
+use crate::Error;
 use std::f32::consts::{FRAC_1_PI, PI};
 use std::sync::Arc;
 use traylib_geometry::{Primitive, Ray, SurfaceSite};

@@ -2,7 +2,7 @@
 //! what it is made of.
 
 use crate::LightId;
-use crate::sky;
+use crate::light::sky;
 use traylib_geometry::SurfaceSite;
 use traylib_materials::{BsdfSample, Lambert, Scattering, SurfaceModel};
 use traylib_math::{Rgb, Vec3};

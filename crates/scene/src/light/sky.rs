@@ -14,7 +14,7 @@ mod shadow;
 
 pub(crate) use picture::SkyPicture;
 
-use crate::{Emission, LightPoint};
+use super::{Emission, LightPoint};
 use shadow::BoxShadow;
 use traylib_geometry::{Aabb, SurfaceSite};
 use traylib_math::{AreaPdf, Rgb, Vec2, Vec3};
