@@ -9,6 +9,7 @@ use traylib_integrators::{
     Bdpt, Control, Limits, Progress, Report, Roulette, Technique, TechniqueSet, Weighting, render,
 };
 use traylib_known::furnace::{glowing_ball, offset_light_wide};
+use traylib_known::sky::translucent_ball;
 use traylib_known::{Case, samples_in_a_pass, settings_by_pass};
 use traylib_materials::SurfaceModel;
 use traylib_math::{Heuristic, Sampler};
@@ -44,6 +45,14 @@ pub fn lit_ball() -> Spectrum {
         .map(|k| (k as usize, up_to(k) - if k > 2 { up_to(k - 1) } else { 0.0 }))
         .collect();
     Spectrum { case: offset_light_wide(Some(LONGEST)), by_length, techniques: pairs(1) }
+}
+
+/// The inside of a ball that passes half of the light of a sky of 1: k edges bring half of ρ^(k−1),
+/// by any technique.
+pub fn open_ball() -> Spectrum {
+    let case = translucent_ball(Some(LONGEST));
+    let by_length = (2..=LONGEST).map(|k| (k as usize, 0.5_f64.powf(f64::from(k)))).collect();
+    Spectrum { case, by_length, techniques: pairs(0) }
 }
 
 /// All (s, t) from the s given, for paths of two edges or more.

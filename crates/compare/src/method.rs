@@ -80,7 +80,8 @@ mod tests {
 
     #[test]
     fn whoever_loses_light_is_biased() {
-        let mirrors = SceneFacts { area_lights: true, point_lights: false, mirrors: true };
+        let mirrors =
+            SceneFacts { area_lights: true, point_lights: false, sky: false, mirrors: true };
         let plain = SceneFacts { mirrors: false, ..mirrors };
         let biased = |text: &str, facts| is_biased(method(text), facts);
         assert!(biased("particle", &mirrors) && !biased("particle", &plain));

@@ -64,7 +64,7 @@ pub struct SceneResults {
     pub height: u32,
     /// Primitives in the scene.
     pub primitives: u64,
-    /// Lamps with an area.
+    /// Lamps with an area, and the sky if there is one.
     pub area_lights: u64,
     /// Point lights.
     pub point_lights: u64,

@@ -55,7 +55,7 @@ fn without_light(picture: &Picture<'_>) -> String {
         return "nothing in the scene emits light".into();
     }
     let points = lights.iter().filter(|light| light.is_point()).count();
-    let areas = lights.len() - points;
+    let areas = lights.len() - points - usize::from(scene.sky().is_some());
     let blind = integrator.blind_spots(&SceneFacts::of(scene));
     let is_blind = |spot| blind.contains(&spot);
     let view = View::of(scene);
@@ -64,6 +64,11 @@ fn without_light(picture: &Picture<'_>) -> String {
     }
     if limits.max_depth == Some(1) {
         return "--max-depth 1 shows lamps alone, and none shows its front to the camera".into();
+    }
+    if lights.len() == 1 && is_blind(BlindSpot::SkyLight) {
+        return format!(
+            "{program} sees no light of the sky on surfaces, and the scene has no other; try bdpt"
+        );
     }
     if points == 0 && is_blind(BlindSpot::AreaLights) {
         return format!(

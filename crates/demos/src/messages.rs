@@ -6,7 +6,7 @@ use crate::outcome::Failure;
 use crate::say::{count, say, say_line, tell};
 use traylib_integrators::{Integrator, Limits, SceneFacts};
 use traylib_io::Loaded;
-use traylib_scene::Scene;
+use traylib_scene::{Light, Scene};
 
 /// Prints the text that an integrator was asked for: a program's result.
 ///
@@ -43,13 +43,15 @@ pub fn announce(program: &str, loaded: &Loaded, integrator: &dyn Integrator, lim
 /// One line on what a scene holds.
 pub(crate) fn describe(name: &str, scene: &Scene) -> String {
     let camera = scene.camera();
-    let points = scene.lights().iter().filter(|light| light.is_point()).count();
+    let number_of =
+        |is_one: fn(&Light) -> bool| scene.lights().iter().filter(|&light| is_one(light)).count();
+    let sky = if scene.sky().is_some() { ", a sky" } else { "" };
     format!(
-        "{name}: {}, {}, {}, {}, {}x{} pixels",
+        "{name}: {}, {}, {}, {}{sky}, {}x{} pixels",
         counted(scene.primitive_count(), "primitive"),
         counted(scene.materials().len(), "material"),
-        counted(scene.lights().len() - points, "area lamp"),
-        counted(points, "point light"),
+        counted(number_of(|light| matches!(light, Light::Area { .. })), "area lamp"),
+        counted(number_of(Light::is_point), "point light"),
         camera.width(),
         camera.height(),
     )

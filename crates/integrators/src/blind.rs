@@ -5,11 +5,14 @@ use traylib_scene::{Light, Scene};
 
 /// What decides which kinds of light there are in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub struct SceneFacts {
     /// Some lamp has an area.
     pub area_lights: bool,
     /// Some lamp is a point.
     pub point_lights: bool,
+    /// There is a sky.
+    pub sky: bool,
     /// Some surface reflects or refracts ideally.
     pub mirrors: bool,
 }
@@ -21,6 +24,8 @@ pub enum BlindSpot {
     Interreflection,
     /// Light of area lamps on other surfaces.
     AreaLights,
+    /// Light of the sky on surfaces.
+    SkyLight,
     /// Light of point lamps that a mirror or glass throws onto other surfaces.
     PointLightCaustics,
     /// The same, seen by way of a mirror or glass.
@@ -38,8 +43,9 @@ impl SceneFacts {
     /// The facts of a scene.
     pub fn of(scene: &Scene) -> Self {
         Self {
-            area_lights: scene.lights().iter().any(|light| !light.is_point()),
+            area_lights: scene.lights().iter().any(|light| matches!(light, Light::Area { .. })),
             point_lights: scene.lights().iter().any(Light::is_point),
+            sky: scene.sky().is_some(),
             mirrors: scene.materials().iter().any(|material| material.model.has_delta_part()),
         }
     }
@@ -67,6 +73,7 @@ impl fmt::Display for BlindSpot {
         f.write_str(match self {
             Self::Interreflection => "light reflected more than once, mirror images included",
             Self::AreaLights => "the light that area lamps throw on other surfaces",
+            Self::SkyLight => "the light that the sky throws on surfaces",
             Self::PointLightCaustics => {
                 "light of point lamps that a mirror or glass throws onto other surfaces"
             }

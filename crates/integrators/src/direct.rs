@@ -18,7 +18,7 @@ pub struct LightSample {
     pub x0: LightPoint,
     /// Unit direction from the vertex to the lamp.
     pub wi: Vec3,
-    /// The squared distance of the two points, in m².
+    /// The squared distance of the two points, in m²; one of the sky.
     pub distance_squared: f32,
     /// What the vertex makes of this direction.
     pub scattering: PathScattering,
@@ -118,9 +118,7 @@ pub fn sample_point_lights<'a>(
 #[inline(always)]
 fn aim(point: &SurfacePoint, wo: Vec3, id: LightId, x0: LightPoint) -> Option<LightSample> {
     // The geometry term, as far as the lamp's side of it.
-    let offset = x0.site.position - point.site.position;
-    let distance_squared = offset.length_squared();
-    let wi = offset.try_normalize()?;
+    let (wi, distance_squared) = x0.seen_from(point.site.position)?;
     let falloff = x0.falloff(-wi);
     if falloff <= 0.0 {
         return None;
@@ -152,8 +150,8 @@ impl LightSample {
         tracer.sees(&self.x0.segment_from(&point.site))
     }
 
-    /// Density with which the vertex's own walk would have found the lamp's point, per m²;
-    /// zero for a point light.
+    /// Density with which the vertex's own walk would have found the lamp's point, per m², of the
+    /// sky per steradian; zero for a point light.
     pub fn hit_pdf(&self) -> f32 {
         if self.x0.is_point {
             return 0.0;

@@ -150,8 +150,7 @@ impl DirectLight {
             (Arrival::Sampled(..), None) => 0.0,
             (Arrival::Sampled(from, pdf), Some(heuristic)) => {
                 // Both densities per area of the lamp, at the point that was hit.
-                let distance_squared = (x0.site.position - from).length_squared();
-                let conversion = solid_angle_per_area(x0.cosine(wo), distance_squared);
+                let conversion = solid_angle_per_area(x0.cosine(wo), x0.distance_squared(from));
                 let toward = scene.toward_density(id, &x0, from);
                 heuristic.weight(pdf.to_area(conversion).0, toward)
             }

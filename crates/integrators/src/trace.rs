@@ -8,7 +8,7 @@ use traylib_geometry::Ray;
 use traylib_math::{Rgb, Vec2, Vec3};
 use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
 
-/// Emission seen directly, and one shadow ray to each point light; no other
+/// Emission seen directly, the sky's too, and one shadow ray to each point light; no other
 /// light, no interreflection. Without `jitter` the ray goes through the middle
 /// of the pixel and nothing is random.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,6 +46,9 @@ impl Integrator for Trace {
         let mut blind = vec![BlindSpot::Interreflection];
         if facts.area_lights {
             blind.push(BlindSpot::AreaLights);
+        }
+        if facts.sky {
+            blind.push(BlindSpot::SkyLight);
         }
         blind
     }
@@ -97,7 +100,7 @@ fn look(tracer: &mut Tracer<'_>, rays: &[Ray]) -> Vec<Option<Sight>> {
     let scene = tracer.scene;
     let (mut segments, mut samples) = (Vec::new(), Vec::new());
     let mut see = |(index, (ray, point)): (usize, (&Ray, Option<SurfacePoint>))| {
-        let point = point?;
+        let Some(point) = point else { return Sight::of_sky(scene, ray) };
         for sample in sample_point_lights(scene, &point, -ray.direction) {
             segments.push(sample.x0.segment_from(&point.site));
             samples.push((index, sample.radiance));
@@ -120,6 +123,16 @@ fn look(tracer: &mut Tracer<'_>, rays: &[Ray]) -> Vec<Option<Sight>> {
         }
     }
     sights
+}
+
+impl Sight {
+    /// The sky behind all surfaces, if there is one.
+    #[cold]
+    fn of_sky(scene: &Scene, ray: &Ray) -> Option<Self> {
+        let emitted = scene.sky()?.radiance(ray.direction);
+        let (lit, through, origin) = (Rgb::BLACK, Rgb::BLACK, ray.origin);
+        Some(Self { emitted, lit, opacity: 1.0, through, origin })
+    }
 }
 
 impl PixelPath {

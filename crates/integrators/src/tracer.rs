@@ -4,7 +4,7 @@ use crate::Control;
 use std::ops::AddAssign;
 use traylib_geometry::Ray;
 use traylib_math::Rgb;
-use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
+use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint, Walk};
 
 /// What a rendering did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,13 +65,15 @@ impl<'scene> Tracer<'scene> {
     }
 
     /// The first edge of a walk from the camera; `pass_through` as for
-    /// [`bounce_ray`](Self::bounce_ray).
+    /// [`bounce_ray`](Self::bounce_ray). What meets no surface meets the sky, if there is one:
+    /// see [`Scene::sky_behind`].
     #[inline]
     pub fn camera_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
         self.edge_from_camera(1, ray, pass_through)
     }
 
-    /// The edge with number `edge` of a walk from the camera, counted from 1.
+    /// The edge with number `edge` of a walk from the camera, counted from 1; it may end at the
+    /// sky as the [first](Self::camera_ray) does.
     #[inline]
     pub fn edge_from_camera(
         &mut self,
@@ -81,7 +83,7 @@ impl<'scene> Tracer<'scene> {
     ) -> Option<SurfaceHit> {
         let is_first = edge == 1;
         self.statistics.camera_paths += u64::from(is_first);
-        self.meet(ray, pass_through, is_first)
+        self.meet(ray, pass_through, is_first, true)
     }
 
     /// What stands first in each of some rays from the camera, be it see-through or not; of no
@@ -107,17 +109,29 @@ impl<'scene> Tracer<'scene> {
         self.scene.transmittance_each(segments)
     }
 
-    /// Any later edge of a walk. The number `pass_through` decides where it ends if
-    /// light can pass straight through surfaces on its way.
+    /// Any edge of a walk from a lamp, and of one from the camera where the sky does not count.
+    /// The number `pass_through` decides where it ends if light can pass straight through
+    /// surfaces on its way.
     #[inline]
     pub fn bounce_ray(&mut self, ray: &Ray, pass_through: f32) -> Option<SurfaceHit> {
-        self.meet(ray, pass_through, false)
+        self.meet(ray, pass_through, false, false)
     }
 
-    /// The surface that a walk goes on from. What lets light straight through is
-    /// passed with the chance of the band that it weakens least. A pass-through is no
-    /// vertex: its chance scales the estimator alone, as roulette does, and is in
-    /// no density and no weight.
+    /// Any later edge of a walk from either end: one from the camera may end at the sky.
+    #[inline]
+    pub(crate) fn later_edge(
+        &mut self,
+        walk: Walk,
+        ray: &Ray,
+        pass_through: f32,
+    ) -> Option<SurfaceHit> {
+        self.meet(ray, pass_through, false, walk == Walk::FromCamera)
+    }
+
+    /// The surface that a walk goes on from, or what is behind all surfaces. What lets light
+    /// straight through is passed with the chance of the band that it weakens least. A
+    /// pass-through is no vertex: its chance scales the estimator alone, as roulette does,
+    /// and is in no density and no weight.
     #[expect(
         clippy::inline_always,
         reason = "its result is large: in place it is not written to memory"
@@ -128,6 +142,7 @@ impl<'scene> Tracer<'scene> {
         ray: &Ray,
         mut pass_through: f32,
         is_from_camera: bool,
+        sees_sky: bool,
     ) -> Option<SurfaceHit> {
         if self.is_cancelled() {
             return None;
@@ -141,7 +156,10 @@ impl<'scene> Tracer<'scene> {
             // In the place from where it is returned: a point is large.
             let met = self.scene.intersect(&rest);
             let mut hit = met.map(|point| SurfaceHit { point, transmittance });
-            let SurfaceHit { point, transmittance: passed } = hit.as_mut()?;
+            let Some(SurfaceHit { point, transmittance: passed }) = hit.as_mut() else {
+                let sees_sky = sees_sky && self.scene.sky().is_some();
+                return if sees_sky { meet_sky(self.scene, &rest, transmittance) } else { None };
+            };
             // One number decides for all: what is left of it is uniform again.
             let chance = point.through.max_band();
             if pass_through >= chance {
@@ -173,6 +191,12 @@ impl<'scene> Tracer<'scene> {
         self.statistics.shadow_rays += 1;
         Some(self.scene.transmittance(segment)).filter(|part| !part.is_black())
     }
+}
+
+/// Where an edge of a walk from the camera ends that meets no surface any more.
+#[inline(never)]
+fn meet_sky(scene: &Scene, ray: &Ray, transmittance: Rgb) -> Option<SurfaceHit> {
+    scene.sky_behind(ray).map(|point| SurfaceHit { point, transmittance })
 }
 
 /// Where an edge of a walk ends.

@@ -25,6 +25,8 @@ const FILES: &[(&str, &[u8])] = &[
     file!("textures/waves.png"),
     file!("bowl.ron"),
     file!("models/bowl.obj"),
+    file!("terrace.ron"),
+    file!("textures/sky.hdr"),
     file!("reference-a.ron"),
     file!("reference-c.ron"),
 ];
@@ -43,6 +45,7 @@ const NAMES: &[&str] = &[
     "glass",
     "bump",
     "bowl",
+    "terrace",
     "reference-a",
     "reference-c",
 ];

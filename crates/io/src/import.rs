@@ -21,6 +21,7 @@ mod one_sided;
 mod place;
 mod placement;
 mod shape;
+mod sky;
 mod textures;
 mod whole;
 
@@ -37,6 +38,7 @@ use imported_object::{ImportedObject, ObjectMaterial};
 use material::Materials;
 use model::ModelFiles;
 use one_sided::Described;
+use sky::ImportedSky;
 use traylib_materials::Material;
 use traylib_math::Vec3;
 use traylib_scene::{Camera, CameraSettings, Object, PointLight, Scene, SceneBuilder};
@@ -77,18 +79,21 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
     let Some(root) = files.last() else { return Err(Error::Scene(problems.into_report())) };
     let camera = camera(root, options, &mut problems);
     let settings = settings(root, &mut problems);
-    let materials = Materials::collect(files, options.limits, &mut problems);
+    let mut materials = Materials::collect(files, options.limits, &mut problems);
+    let sky = ImportedSky::of(root, materials.textures(), &mut problems);
     let mut models = ModelFiles::new(options);
     let parts = object::collect(files, &materials, &mut models, &mut problems);
     let mut points = lights::collect(files, &mut problems);
     points.extend(models.take_lights());
-    check_for_light(files, &parts, &points, &mut problems);
+    let is_sky_lit = sky.as_ref().map_or(root.document.sky.is_some(), ImportedSky::is_lit);
+    check_for_light(files, &parts, (&points, is_sky_lit), &mut problems);
     match camera {
         Some(camera) if problems.is_empty() => {
             let places = points.iter().map(|light| light.position).chain([camera.position()]);
             let one_sided = one_sided(&parts, &materials, &models, places.collect());
+            let lights = (points, sky);
             let scene =
-                build(root, camera, [materials.models(), models.materials()], parts, points)?;
+                build(root, camera, [materials.models(), models.materials()], parts, lights)?;
             let mut warnings = materials.into_warnings();
             warnings.extend(models.into_warnings());
             warnings.extend(one_sided);
@@ -163,7 +168,7 @@ fn settings(root: &SceneFile, problems: &mut Problems) -> SceneSettings {
 fn check_for_light(
     files: &[SceneFile],
     parts: &[object::Part],
-    points: &[PointLight],
+    (points, is_sky_lit): (&[PointLight], bool),
     problems: &mut Problems,
 ) {
     let objects = || files.iter().flat_map(|file| &file.document.objects);
@@ -172,7 +177,7 @@ fn check_for_light(
     let lit = objects().any(|object| object.emission.is_some_and(|light| light != [0.0; 3]))
         || points.iter().any(|light| !light.intensity.is_black())
         || parts.iter().any(|part| !part.item.emission.is_black());
-    let lit = lit || unknown;
+    let lit = lit || is_sky_lit || unknown;
     if let (false, Some(root)) = (lit, files.last()) {
         let problem = root.place(Path::default()).missing("nothing in the scene emits light");
         let help = "give an object `emission: (4, 4, 4)`, or add \
@@ -206,7 +211,7 @@ fn build(
     camera: Camera,
     materials: [&[Material]; 2],
     parts: Vec<object::Part>,
-    points: Vec<PointLight>,
+    (points, sky): (Vec<PointLight>, Option<ImportedSky>),
 ) -> Result<Scene, Error> {
     let mut builder = SceneBuilder::new(camera);
     let [named, own] = materials
@@ -225,6 +230,9 @@ fn build(
     let whole = root.place(Path::default());
     for light in points {
         whole.note(lights::add_light(&mut builder, light), &mut problems);
+    }
+    if let Some(ImportedSky { radiance, turn_degrees, place }) = sky {
+        place.note(builder.set_sky(radiance, turn_degrees), &mut problems);
     }
     let scene = whole.note(builder.build(), &mut problems);
     scene.filter(|_| problems.is_empty()).ok_or(Error::Scene(problems.into_report()))

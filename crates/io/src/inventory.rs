@@ -34,6 +34,8 @@ pub struct SceneCounts {
     pub area_lights: usize,
     /// Point lights.
     pub point_lights: usize,
+    /// Whether there is a sky.
+    pub sky: bool,
     /// Columns of the camera's picture.
     pub width: u32,
     /// Rows.
@@ -94,13 +96,15 @@ fn of_three_ds(file: &Path, options: LoadOptions<'_>) -> Result<(Inventory, Vec<
 
 fn of_scene(file: &Path, options: LoadOptions<'_>) -> Result<(Inventory, Vec<String>), Error> {
     let loaded = load_scene_with(&file.to_string_lossy(), options)?;
-    let lights = loaded.scene.lights();
-    let point_lights = lights.iter().filter(|light| Light::is_point(light)).count();
+    let count = |is_one: fn(&Light) -> bool| -> usize {
+        loaded.scene.lights().iter().filter(|&light| is_one(light)).count()
+    };
     let counts = SceneCounts {
         primitives: loaded.scene.primitive_count(),
         materials: loaded.scene.materials().len(),
-        area_lights: lights.len() - point_lights,
-        point_lights,
+        area_lights: count(|light| matches!(light, Light::Area { .. })),
+        point_lights: count(Light::is_point),
+        sky: loaded.scene.sky().is_some(),
         width: loaded.scene.camera().width(),
         height: loaded.scene.camera().height(),
     };

@@ -40,6 +40,8 @@ pub struct Document {
     /// Lights that are not objects.
     #[serde(default)]
     pub lights: Vec<Light>,
+    /// Light from infinitely far away.
+    pub sky: Option<Sky>,
 }
 
 /// A pinhole camera.
@@ -270,6 +272,37 @@ pub struct SpotLight {
     /// Whole angle of the cone beyond which there is none; that of full light, if
     /// none is given.
     pub dark: Option<f32>,
+}
+
+/// Light from infinitely far away, all around the scene.
+#[derive(Clone, Debug, PartialEq, Derive)]
+pub enum Sky {
+    /// The same from everywhere.
+    Constant(ConstantSky),
+    /// That of a latitude-longitude picture.
+    Picture(PictureSky),
+}
+
+/// A sky that is the same everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields, rename = "Constant")]
+pub struct ConstantSky {
+    /// Radiance, W/(m²·sr).
+    pub radiance: [f32; 3],
+}
+
+/// A sky by a picture: its top row is up, its middle where −z points.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields, rename = "Picture")]
+pub struct PictureSky {
+    /// The picture, relative to the scene file.
+    pub file: String,
+    /// Factor on its values to be W/(m²·sr).
+    #[serde(default = "one")]
+    pub scale: f32,
+    /// Degrees about y, as `rotate` turns a mesh.
+    #[serde(default)]
+    pub turn: f32,
 }
 
 /// A map from names that keeps the order of the file, and names that occur

@@ -14,6 +14,7 @@
 //! | E1 to E4: panes, sheets and glass | [`transmission`] |
 //! | D1: the corner; what whole surfaces send one another | [`exchange`] |
 //! | D2 to D11: geometry that hurts | [`hard`] |
+//! | S1 to S3: under the sky | [`sky`] |
 //! | the noise of A2 | [`variance`], measured by [`estimators`] |
 //!
 //! Beside them is what it takes to build such scenes ([`stage`], [`lobe`]) and to hold a
@@ -52,6 +53,7 @@ mod passes;
 pub mod polygon;
 pub mod polygonal;
 pub mod rooms;
+pub mod sky;
 pub mod stage;
 pub mod transmission;
 pub mod tubes;

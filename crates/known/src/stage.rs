@@ -8,7 +8,7 @@ use traylib_geometry::{Cone, Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere,
 use traylib_materials::{
     Dielectric, Lambert, Material, MaxPhong, Mirror, Phong, Sheet, SurfaceModel,
 };
-use traylib_math::{Rgb, Vec3};
+use traylib_math::{Grid, Rgb, Vec3};
 use traylib_scene::{Camera, CameraSettings, Object, ObjectShape, Scene, SceneBuilder, SpotCone};
 
 /// A scene under construction, grey throughout.
@@ -57,6 +57,13 @@ impl Stage {
     #[must_use]
     pub fn spot_light(mut self, position: Vec3, intensity: f32, cone: SpotCone) -> Self {
         sound(self.0.add_spot_light(position, Rgb::splat(intensity), cone));
+        self
+    }
+
+    /// Gives it a sky, turned by so many degrees.
+    #[must_use]
+    pub fn sky(mut self, radiance: Grid<Rgb>, turn_degrees: f32) -> Self {
+        sound(self.0.set_sky(radiance, turn_degrees));
         self
     }
 

@@ -4,7 +4,8 @@ use crate::LightId;
 use crate::coincidence;
 use crate::images::MirroredLights;
 use crate::light::check_emission;
-use crate::light_tree::LightTree;
+use crate::light::sky::{Sky, SkyPicture};
+use crate::light_choice::LightForPoint;
 use crate::scene::Stage;
 use crate::seat::Seat;
 use crate::surfaces::{ObjectShape, Surfaces};
@@ -12,7 +13,7 @@ use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
 use std::sync::Arc;
 use traylib_geometry::{Bvh, Primitive, Sides};
 use traylib_materials::Material;
-use traylib_math::{DiscreteDistribution, Rgb, Vec3};
+use traylib_math::{DiscreteDistribution, Grid, Rgb, Vec3};
 
 /// A lamp starts no fewer light paths than this part of what it would if all were
 /// alike. It costs the others at most as much of theirs, and a lamp that outshines
@@ -43,12 +44,19 @@ pub struct SceneBuilder {
     surfaces: Surfaces,
     materials: Vec<Material>,
     lights: Vec<Light>,
+    sky: Option<SkyPicture>,
 }
 
 impl SceneBuilder {
     /// An empty scene seen by `camera`.
     pub fn new(camera: Camera) -> Self {
-        Self { camera, surfaces: Surfaces::default(), materials: Vec::new(), lights: Vec::new() }
+        Self {
+            camera,
+            surfaces: Surfaces::default(),
+            materials: Vec::new(),
+            lights: Vec::new(),
+            sky: None,
+        }
     }
 
     /// Adds a material for objects to name.
@@ -130,6 +138,23 @@ impl SceneBuilder {
         Ok(())
     }
 
+    /// Gives the scene a sky of this radiance in W/(m²·sr), in place of any before: a
+    /// latitude-longitude picture, of one texel for the same all around.
+    ///
+    /// Its top row is up, +y, the middle of the picture is where −z points, and its right half is
+    /// to the right of who looks there; then it is turned about y, counter-clockwise seen from
+    /// above. Column and row (u, v) in [0, 1)² are the direction
+    /// (sin πv·sin φ, cos πv, −sin πv·cos φ) with φ = 2π(u − ½) − turn. Each texel has one
+    /// radiance all over.
+    ///
+    /// # Errors
+    /// [`Error::Emission`] for radiance that is negative or not finite.
+    pub fn set_sky(&mut self, radiance: Grid<Rgb>, turn_degrees: f32) -> Result<(), Error> {
+        radiance.values().iter().try_for_each(|&texel| check_emission("radiance", texel))?;
+        self.sky = SkyPicture::new(radiance, turn_degrees.to_radians());
+        Ok(())
+    }
+
     /// The scene.
     ///
     /// # Errors
@@ -137,13 +162,19 @@ impl SceneBuilder {
     /// cannot be stored.
     pub fn build(self) -> Result<Scene, Error> {
         let Self { mut lights, .. } = self;
-        let powers: Vec<f32> = lights.iter().map(|l| l.power().luminance()).collect();
-        let light_by_power =
-            DiscreteDistribution::with_floor(&powers, RAREST).ok_or(Error::Dark)?;
+        let power = |light: &Light| light.power().luminance();
+        let mut powers: Vec<f32> = lights.iter().map(power).collect();
         let tree = Bvh::of_shapes(self.surfaces)?;
         let (tree, lifted_lights) = coincidence::lift_lights(tree, &mut lights)?;
         let seats = seats(&lights, &self.materials, tree.shapes());
-        let light_tree = LightTree::new(&lights);
+        if let Some(picture) = self.sky {
+            let sky = Light::Sky(Arc::new(Sky::new(picture, &tree.bounds())));
+            powers.push(power(&sky));
+            lights.push(sky);
+        }
+        let light_by_power =
+            DiscreteDistribution::with_floor(&powers, RAREST).ok_or(Error::Dark)?;
+        let light_for_point = LightForPoint::new(&lights, &powers);
         let mirrored_lights = MirroredLights::new(tree.shapes(), &self.materials, &lights);
         let see_through = self.materials.iter().any(Material::is_see_through);
         let stage = Stage {
@@ -155,7 +186,7 @@ impl SceneBuilder {
             seats,
             lifted_lights,
             light_by_power,
-            light_tree,
+            light_for_point,
             mirrored_lights,
         };
         Ok(Scene::new(Arc::new(stage), self.camera))
@@ -165,7 +196,7 @@ impl SceneBuilder {
 /// Finds what each lamp lies on; nothing if that matters for none.
 fn seats(lights: &[Light], materials: &[Material], surfaces: &Surfaces) -> Vec<Seat> {
     let of_light = |light: &Light| match light {
-        Light::Area { .. } => Seat::Plain,
+        Light::Area { .. } | Light::Sky(_) => Seat::Plain,
         Light::Point(point) => Seat::of_point(point.position, surfaces),
     };
     let mut seats: Vec<Seat> = lights.iter().map(of_light).collect();

@@ -187,7 +187,7 @@ fn lights_are_small(surfaces: &Surfaces, lights: &[Light]) -> bool {
         .iter()
         .map(|light| match light {
             Light::Area { primitive, .. } => f64::from(primitive.area()),
-            Light::Point(_) => 0.0,
+            Light::Point(_) | Light::Sky(_) => 0.0,
         })
         .sum();
     // The sum of areas grows: most scenes have enough of them long before its end.

@@ -1,16 +1,19 @@
 //! Lights: what emits into a scene.
 
+pub(crate) mod sky;
 mod spot;
 
+pub use sky::Sky;
 pub use spot::SpotCone;
 
 use crate::Error;
 use std::f32::consts::{FRAC_1_PI, PI};
+use std::sync::Arc;
 use traylib_geometry::{Primitive, Ray, SurfaceSite};
 use traylib_math::{AreaPdf, Rgb, SolidAnglePdf, Vec2, Vec3, warp};
 
 /// A lamp.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Light {
     /// A surface that emits the same radiance (W/m²/sr) from every point of its
     /// front side into every direction.
@@ -23,6 +26,8 @@ pub enum Light {
     /// A point that emits the same intensity (W/sr) into every direction, or into
     /// those of a cone.
     Point(PointLight),
+    /// What shines from infinitely far away. There is one at most, after all other lamps.
+    Sky(Arc<Sky>),
 }
 
 /// A lamp without extent.
@@ -46,6 +51,10 @@ pub struct LightPoint {
     pub emitted: Rgb,
     /// Whether the lamp is a point.
     pub is_point: bool,
+    /// Whether it is a point of the sky: a direction, whose site faces whoever looks that way. Its
+    /// densities are per steradian where those of other lamps are per m². Its position is
+    /// where a light path starts, else it has none.
+    pub is_sky: bool,
     /// Where it shines if it is a spot light.
     pub cone: Option<SpotCone>,
 }
@@ -63,14 +72,33 @@ impl LightPoint {
     /// A point of a surface that emits this radiance.
     #[inline]
     pub(crate) fn on_surface(site: SurfaceSite, radiance: Rgb) -> Self {
-        Self { site, emitted: radiance, is_point: false, cone: None }
+        Self { site, emitted: radiance, is_point: false, is_sky: false, cone: None }
+    }
+
+    /// Returns the unit direction from a place to this point, and the square of the distance: one
+    /// for the sky, whose densities know of no distance. `None` from the very point.
+    #[inline]
+    pub fn seen_from(&self, from: Vec3) -> Option<(Vec3, f32)> {
+        if self.is_sky {
+            return Some((self.toward_sky(), 1.0));
+        }
+        let offset = self.site.position - from;
+        Some((offset.try_normalize()?, offset.length_squared()))
+    }
+
+    /// Returns the square of the distance from a place: one for the sky, as
+    /// [`seen_from`](Self::seen_from) has it.
+    #[inline]
+    pub fn distance_squared(&self, from: Vec3) -> f32 {
+        if self.is_sky { 1.0 } else { (self.site.position - from).length_squared() }
     }
 
     /// The cosine of the unit `direction` to the front normal, zero behind it; one
-    /// for a point light. It converts measures; light takes
+    /// for a point light and for the sky. It converts measures; light takes
     /// [`falloff`](Self::falloff).
+    #[inline]
     pub fn cosine(&self, direction: Vec3) -> f32 {
-        if self.is_point { 1.0 } else { self.site.normal.dot(direction).max(0.0) }
+        if self.is_point | self.is_sky { 1.0 } else { self.site.normal.dot(direction).max(0.0) }
     }
 
     /// Returns the factor on [`emitted`](Self::emitted) toward the unit `direction`: the cosine to
@@ -80,7 +108,8 @@ impl LightPoint {
         self.cone.map_or_else(|| self.cosine(direction), |cone| cone.falloff(direction))
     }
 
-    /// Density of [`Light::sample_emission`] choosing `direction` here.
+    /// Density of [`Light::sample_emission`] choosing `direction` here. Not for the sky, of which
+    /// the lamp itself must be asked: see [`Light::direction_pdf`].
     pub fn direction_pdf(&self, direction: Vec3) -> SolidAnglePdf {
         match self.cone {
             Some(cone) => cone.pdf(direction),
@@ -89,10 +118,16 @@ impl LightPoint {
         }
     }
 
-    /// The segment to this point from one on a surface.
+    /// The segment to this point from one on a surface; to the sky it has no end.
     #[inline]
     pub fn segment_from(&self, site: &SurfaceSite) -> Ray {
-        site.segment_to(&self.site)
+        if self.is_sky { self.ray_to_sky(site) } else { site.segment_to(&self.site) }
+    }
+
+    #[inline(never)]
+    fn ray_to_sky(&self, site: &SurfaceSite) -> Ray {
+        let toward = self.toward_sky();
+        Ray::new(site.ray_origin(toward), toward)
     }
 
     /// Where a ray toward `direction` starts.
@@ -107,17 +142,20 @@ impl Light {
         match self {
             Self::Area { primitive, radiance } => *radiance * (PI * primitive.area()),
             Self::Point(light) => light.intensity * light.solid_angle(),
+            Self::Sky(sky) => sky.power(),
         }
     }
 
     /// The greatest intensity into any direction, as luminance in W/sr; of a lamp
-    /// that is a cone up to 2 % less.
+    /// that is a cone up to 2 % less. The sky, which is no nearer to one place than to
+    /// another, has none.
     pub(crate) fn intensity(&self) -> f64 {
         match self {
             Self::Area { primitive, radiance } => {
                 f64::from(radiance.luminance()) * f64::from(primitive.largest_shadow())
             }
             Self::Point(light) => f64::from(light.intensity.luminance()),
+            Self::Sky(_) => 0.0,
         }
     }
 
@@ -125,7 +163,7 @@ impl Light {
     pub fn lights_itself(&self) -> bool {
         match self {
             Self::Area { primitive, .. } => primitive.faces_itself(),
-            Self::Point(_) => false,
+            Self::Point(_) | Self::Sky(_) => false,
         }
     }
 
@@ -145,20 +183,34 @@ impl Light {
             Self::Point(light) => {
                 Emission { point: light.point(), direction: light.sample_direction(u_direction) }
             }
+            Self::Sky(sky) => sky.sample_emission(u_point, u_direction),
         }
     }
 
-    /// Density with which [`sample_emission`](Self::sample_emission) starts at a
-    /// point of this lamp (F₀ without the choice of the lamp); one for a point.
-    pub fn emission_pdf(&self) -> AreaPdf {
+    /// Density with which [`sample_emission`](Self::sample_emission) starts at this
+    /// point of this lamp (F₀ without the choice of the lamp); one for a point light, per
+    /// steradian for the sky.
+    pub fn emission_pdf(&self, point: &LightPoint) -> AreaPdf {
         match self {
             Self::Area { primitive, .. } => AreaPdf(1.0 / primitive.area()),
             Self::Point(_) => AreaPdf(1.0),
+            Self::Sky(sky) => AreaPdf(sky.pdf(point)),
+        }
+    }
+
+    /// Density with which [`sample_emission`](Self::sample_emission), once it has started at
+    /// `point`, chooses `direction`. The sky chooses a place across its only direction instead,
+    /// per square metre.
+    #[inline]
+    pub fn direction_pdf(&self, point: &LightPoint, direction: Vec3) -> SolidAnglePdf {
+        match self {
+            Self::Area { .. } | Self::Point(_) => point.direction_pdf(direction),
+            Self::Sky(sky) => SolidAnglePdf(sky.shadow_pdf(point.toward_sky())),
         }
     }
 
     /// A point of the lamp to light `from` with, and its density; one for a
-    /// point.
+    /// point light, per steradian for the sky.
     #[inline]
     pub fn sample_toward(&self, from: Vec3, u: Vec2) -> (LightPoint, AreaPdf) {
         match self {
@@ -167,6 +219,7 @@ impl Light {
                 (LightPoint::on_surface(site, *radiance), pdf)
             }
             Self::Point(light) => (light.point(), AreaPdf(1.0)),
+            Self::Sky(sky) => sky.sample_toward(u),
         }
     }
 
@@ -175,7 +228,7 @@ impl Light {
     pub(crate) fn coordinates_toward(&self, from: Vec3, u: Vec2) -> Vec2 {
         match self {
             Self::Area { primitive, .. } => primitive.coordinates_toward(from, u),
-            Self::Point(_) => Vec2::ZERO,
+            Self::Point(_) | Self::Sky(_) => Vec2::ZERO,
         }
     }
 
@@ -187,6 +240,7 @@ impl Light {
                 primitive.pdf_toward(from, point.site.position, point.site.normal)
             }
             Self::Point(_) => AreaPdf(1.0),
+            Self::Sky(sky) => AreaPdf(sky.pdf(point)),
         }
     }
 }
@@ -194,7 +248,7 @@ impl Light {
 impl PointLight {
     fn point(&self) -> LightPoint {
         let site = SurfaceSite { position: self.position, error: Vec3::ZERO, normal: Vec3::ZERO };
-        LightPoint { site, emitted: self.intensity, is_point: true, cone: self.cone }
+        LightPoint { site, emitted: self.intensity, is_point: true, is_sky: false, cone: self.cone }
     }
 
     fn sample_direction(&self, u: Vec2) -> Vec3 {

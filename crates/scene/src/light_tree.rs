@@ -38,8 +38,8 @@ pub(crate) struct LightTree {
 const TURN_BITS: u32 = WIDTH.ilog2();
 
 impl LightTree {
-    /// A tree over these lamps, of which there must be one. The same lamps give
-    /// the same tree.
+    /// A tree over these lamps but for the sky; one of them must be another for there to be
+    /// anything to choose. The same lamps give the same tree.
     pub(crate) fn new(lights: &[Light]) -> Self {
         let intensities: Vec<f64> = lights.iter().map(Light::intensity).collect();
         let strongest = intensities.iter().copied().fold(0.0, f64::max);
@@ -48,7 +48,7 @@ impl LightTree {
             let share = (intensity / strongest).max(f64::from(f32::MIN_POSITIVE));
             Cluster::of(light, share)
         };
-        let lamps: Vec<Cluster> = lights.iter().zip(intensities).map(cluster).collect();
+        let lamps: Vec<Cluster> = lights.iter().zip(intensities).filter_map(cluster).collect();
         build::tree(&lamps)
     }
 

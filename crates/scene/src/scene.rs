@@ -4,10 +4,10 @@ mod sample;
 
 use crate::coincidence::Coincidences;
 use crate::images::{ImageDirections, MirroredLights};
-use crate::light_tree::LightTree;
+use crate::light_choice::LightForPoint;
 use crate::seat::{self, Seat};
 use crate::surfaces::{Surface, Surfaces};
-use crate::{Camera, Light, LightId, LightPoint, SurfacePoint};
+use crate::{Camera, Light, LightId, LightPoint, Sky, SurfacePoint};
 use std::fmt::Write;
 use std::sync::Arc;
 use traylib_geometry::{Bvh, Hit, Ray, ShapeList, Shapes, SurfaceSite};
@@ -38,7 +38,7 @@ pub(crate) struct Stage {
     pub(crate) seats: Vec<Seat>,
     pub(crate) lifted_lights: usize,
     pub(crate) light_by_power: DiscreteDistribution,
-    pub(crate) light_tree: LightTree,
+    pub(crate) light_for_point: LightForPoint,
     pub(crate) mirrored_lights: MirroredLights,
 }
 
@@ -57,7 +57,8 @@ pub struct LightChoice<'scene> {
 /// with the chance to choose the lamp: by power to emit, by power and nearness for
 /// light sampling.
 ///
-/// Area densities are per m²; those of a point light are plain probabilities.
+/// Area densities are per m²; those of a point light are plain probabilities. For the sky those
+/// of x₀ are per steradian and that of the direction per m²: see [`Sky`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightDensities {
     /// F₀: a light path starts here.
@@ -247,7 +248,8 @@ impl Scene {
     }
 
     fn transmittance_of_panes(&self, segment: &Ray) -> Rgb {
-        let end = segment.at(segment.t_max);
+        // Toward the sky there is none.
+        let end = segment.t_max.is_finite().then(|| segment.at(segment.t_max));
         let (mut transmittance, mut rest) = (Rgb::WHITE, *segment);
         for _ in 0..MOST_PASSAGES {
             let Some(hit) = self.stage.tree.nearest(&rest) else { return transmittance };
@@ -263,7 +265,8 @@ impl Scene {
                 return transmittance;
             }
             let Some(site) = surface.site(&rest, &hit) else { return transmittance };
-            rest = Ray::segment(site.ray_origin(rest.direction), end);
+            let origin = site.ray_origin(rest.direction);
+            rest = end.map_or(Ray::new(origin, rest.direction), |end| Ray::segment(origin, end));
         }
         Rgb::BLACK
     }
@@ -276,12 +279,13 @@ impl Scene {
     }
 
     /// A lamp to light a surface at `x1`: rather one that is strong, near and
-    /// shines there, whatever stands between. A lamp that could light `x1` has a
+    /// shines there, whatever stands between; the sky in a part of all cases that is its part
+    /// of the power, from a quarter to three. A lamp that could light `x1` has a
     /// chance, and none is so weak that stronger ones leave it less than 2⁻⁸ at each
     /// turn of the tree.
     #[inline]
     pub fn choose_light_for(&self, x1: Vec3, u: f64) -> LightChoice<'_> {
-        let (index, probability) = self.stage.light_tree.choose(x1, u);
+        let (index, probability) = self.stage.light_for_point.choose(x1, u);
         LightChoice { id: LightId(index), light: &self.stage.lights[index as usize], probability }
     }
 
@@ -316,7 +320,25 @@ impl Scene {
                 Some((id, LightPoint::on_surface(point.site, *radiance)))
             }
             Light::Area { .. } | Light::Point(_) => None,
+            Light::Sky(sky) => Some((id, sky.point(-point.site.normal))),
         }
+    }
+
+    /// The sky, if there is one.
+    #[inline]
+    pub fn sky(&self) -> Option<&Sky> {
+        match self.stage.lights.last() {
+            Some(Light::Sky(sky)) => Some(sky),
+            Some(Light::Area { .. } | Light::Point(_)) | None => None,
+        }
+    }
+
+    /// The sky that a ray of unit direction sees which meets no surface, as a surface that emits and reflects
+    /// nothing: a [point of the sky](SurfacePoint::is_sky). `None` where there is no sky.
+    pub fn sky_behind(&self, ray: &Ray) -> Option<SurfacePoint> {
+        self.sky()?;
+        let sky = LightId(self.stage.lights.len() as u32 - 1);
+        Some(SurfacePoint::of_sky(ray.direction, sky))
     }
 
     /// Radiance that a surface emits toward the side it is seen from.
@@ -340,7 +362,7 @@ impl Scene {
     /// The density per m², or of a point light the chance, with which light sampling for `x1`
     /// chooses this point of a lamp: [`LightDensities::toward`] alone.
     pub fn toward_density(&self, id: LightId, x0: &LightPoint, x1: Vec3) -> f32 {
-        let chosen_for_x1 = self.stage.light_tree.probability(id.0, x1);
+        let chosen_for_x1 = self.stage.light_for_point.probability(id.0, x1);
         chosen_for_x1 * self.light(id).toward_pdf(x1, x0).0
     }
 
@@ -354,9 +376,10 @@ impl Scene {
         x0: &LightPoint,
         direction: Vec3,
     ) -> LightDensities {
-        let emission =
-            self.stage.light_by_power.probability(id.0 as usize) * self.light(id).emission_pdf().0;
-        LightDensities { emission, direction: x0.direction_pdf(direction), toward }
+        let light = self.light(id);
+        let chosen = self.stage.light_by_power.probability(id.0 as usize);
+        let emission = chosen * light.emission_pdf(x0).0;
+        LightDensities { emission, direction: light.direction_pdf(x0, direction), toward }
     }
 }
 

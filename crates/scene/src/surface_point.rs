@@ -2,8 +2,9 @@
 //! what it is made of.
 
 use crate::LightId;
+use crate::light::sky;
 use traylib_geometry::SurfaceSite;
-use traylib_materials::{BsdfSample, Scattering, SurfaceModel};
+use traylib_materials::{BsdfSample, Lambert, Scattering, SurfaceModel};
 use traylib_math::{Rgb, Vec3};
 
 /// A lobe of this exponent or more shows images: it is 6 degrees wide.
@@ -43,7 +44,26 @@ pub struct SurfacePoint {
     pub surface: u32,
 }
 
+/// The number of no surface.
+const SKY: u32 = u32::MAX;
+
 impl SurfacePoint {
+    /// The sky in this unit direction.
+    pub(crate) fn of_sky(toward: Vec3, light: LightId) -> Self {
+        let site = sky::site(toward);
+        let (normal, shading_normal) = (site.normal, site.normal);
+        let model = SurfaceModel::Lambert(Lambert::BLACK);
+        let (opacity, through, light) = (1.0, Rgb::BLACK, Some(light));
+        Self { site, normal, shading_normal, model, opacity, through, light, surface: SKY }
+    }
+
+    /// Tells whether it is a point of the sky, which is at no place: its position is the unit
+    /// direction there, and its normal leads back.
+    #[inline]
+    pub fn is_sky(&self) -> bool {
+        self.surface == SKY
+    }
+
     /// BSDF and densities for a pair of directions. Zero unless `wo` is on the
     /// side of the geometric *and* of the shading normal and `wi` on the same
     /// side of both, in every technique alike.

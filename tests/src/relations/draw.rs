@@ -9,6 +9,7 @@ mod material;
 mod number;
 mod picture;
 mod shape;
+mod sky;
 
 pub use dice::Dice;
 
@@ -23,8 +24,8 @@ pub fn scene(seed: u64, number: u64) -> DrawnScene {
     match dice.below(10) {
         0..=3 => room(&mut dice),
         4..=6 => dome(&mut dice),
-        7 | 8 => open(&mut dice),
-        _ => space(&mut dice),
+        7 | 8 => DrawnScene { sky: sky::some(seed, number), ..open(&mut dice) },
+        _ => DrawnScene { sky: sky::some(seed, number), ..space(&mut dice) },
     }
 }
 
@@ -67,7 +68,7 @@ fn dome(dice: &mut Dice) -> DrawnScene {
     finish(dice, &space, objects, lights)
 }
 
-/// A floor under lamps, and darkness around.
+/// A floor under lamps, and darkness or a sky around.
 fn open(dice: &mut Dice) -> DrawnScene {
     let space = enclosure::extent(dice);
     let mut objects = vec![enclosure::floor(dice, &space)];
@@ -86,7 +87,7 @@ fn open(dice: &mut Dice) -> DrawnScene {
     finish(dice, &space, objects, lights)
 }
 
-/// Balls far apart, of any size.
+/// Balls far apart, of any size, perhaps under a sky.
 fn space(dice: &mut Dice) -> DrawnScene {
     let unit = 10.0_f32.powf(dice.between(-6.0, 12.0)) * if dice.chance(0.5) { 1.0 } else { 0.7 };
     let axis = dice.pick(&[Vec3::X, Vec3::Y, Vec3::Z]);
@@ -113,7 +114,8 @@ fn space(dice: &mut Dice) -> DrawnScene {
     }
     let eye = axis * (moon_at - 3.0 * size) + across * size * dice.pick(&[0.0, 1.0, 2.5]);
     let camera = camera::looking(dice, eye * unit, axis * moon_at * unit);
-    DrawnScene { camera, objects, lights: Vec::new(), max_depth: Some(2 + dice.below(2)) }
+    let max_depth = Some(2 + dice.below(2));
+    DrawnScene { camera, objects, lights: Vec::new(), sky: None, max_depth }
 }
 
 fn finish(
@@ -128,7 +130,7 @@ fn finish(
     }
     let camera = camera::within(dice, space, &objects);
     let max_depth = Some(dice.pick(&[2, 2, 3, 3, 4, 5, 6]));
-    let mut scene = DrawnScene { camera, objects, lights, max_depth };
+    let mut scene = DrawnScene { camera, objects, lights, sky: None, max_depth };
     scene.light_up();
     scene
 }

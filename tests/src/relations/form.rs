@@ -8,6 +8,7 @@ pub mod motion;
 mod picture;
 pub mod pictured;
 mod ron;
+mod sky;
 mod three_ds;
 
 pub use files::{Files, Placement};

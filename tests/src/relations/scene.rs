@@ -3,9 +3,11 @@
 mod facts;
 mod material;
 mod shape;
+mod sky;
 
 pub use material::{Base, BumpMap, Coding, Lobes, Map, Material, Picture, Tiling};
 pub use shape::{Mesh, Shape, sides_of_box};
+pub use sky::Sky;
 
 use traylib_geometry::Sides;
 use traylib_math::Vec3;
@@ -19,6 +21,8 @@ pub struct DrawnScene {
     pub objects: Vec<Object>,
     /// Lights that are not objects.
     pub lights: Vec<Light>,
+    /// Light from infinitely far away.
+    pub sky: Option<Sky>,
     /// The longest path in edges.
     pub max_depth: Option<u32>,
 }

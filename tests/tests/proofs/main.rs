@@ -21,6 +21,7 @@ mod real_files;
 mod reference;
 mod repeat;
 mod resolution;
+mod sky;
 mod spot_lights;
 mod stability;
 mod transmission;

@@ -54,7 +54,8 @@ fn reference() -> Reference {
     Reference::constant(PIXELS, 1, 1.0)
 }
 
-const PLAIN: SceneFacts = SceneFacts { area_lights: true, point_lights: false, mirrors: false };
+const PLAIN: SceneFacts =
+    SceneFacts { area_lights: true, point_lights: false, sky: false, mirrors: false };
 
 #[test]
 fn the_quiet_one_wins_by_the_ratio_of_variances() {

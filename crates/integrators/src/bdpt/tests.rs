@@ -8,7 +8,7 @@ use super::*;
 use crate::numbers::Purpose;
 use crate::{Control, Dimensions, PathSampler, PointSet};
 use replay::FullPath;
-pub(crate) use room::room;
+pub(crate) use room::{room, room_under_sky};
 use traylib_math::Rgb;
 
 const DEFAULT: BdptSettings = BdptSettings::DEFAULT;
@@ -40,7 +40,15 @@ fn render(scene: &Scene, bdpt: &Bdpt) -> Vec<(u32, Rgb)> {
 /// than rounding would show as a ratio of weights.
 #[test]
 fn recursive_weights_equal_the_direct_sum() {
-    let scene = room();
+    both_weights_are_equal(&room());
+}
+
+#[test]
+fn recursive_weights_equal_the_direct_sum_under_a_sky() {
+    both_weights_are_equal(&room_under_sky());
+}
+
+fn both_weights_are_equal(scene: &Scene) {
     let part = |no_connections, no_splats, thousandths, heuristic| {
         let light_paths = PathsPerPixel::of_thousandths(thousandths);
         let settings = BdptSettings { no_connections, no_splats, light_paths, ..DEFAULT };
@@ -56,7 +64,7 @@ fn recursive_weights_equal_the_direct_sum() {
         let fast = settings.integrator(Report::None);
         let heuristic = settings.heuristic;
         let plain = Bdpt { weighting: Weighting::DirectSum, ..fast.clone() };
-        let (plain, fast) = (render(&scene, &plain), render(&scene, &fast));
+        let (plain, fast) = (render(scene, &plain), render(scene, &fast));
         assert!(plain.len() > 20_000, "{} contributions", plain.len());
         let brightest = plain.iter().map(|(_, value)| value.max_band()).fold(0.0, f32::max);
         let large = |light: &[(u32, Rgb)]| -> Vec<(u32, Rgb)> {
@@ -101,6 +109,27 @@ fn weights_of_all_techniques_sum_to_one() {
         }
         assert!(with_mirrors > 5_000 && from_points > 5_000, "{with_mirrors} {from_points}");
         assert!(with_images > 5_000, "{with_images}");
+    }
+}
+
+/// The same where the sky looks in, whose points are directions.
+#[test]
+fn weights_of_all_techniques_sum_to_one_under_a_sky() {
+    let scene = room_under_sky();
+    for heuristic in HEURISTICS {
+        let bdpt = Bdpt { heuristic, ..Bdpt::default() };
+        let splats = 777.0;
+        let walker = Walker::new(&bdpt, splats);
+        let (mut from_sky, mut shared) = (0, 0);
+        for path in (0..8000).flat_map(|index| random_paths(&scene, &walker, index)) {
+            let weights = path.weights(&scene, &walker, &bdpt, splats);
+            let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
+            assert!((sum - 1.0).abs() < 1e-4, "{heuristic:?}: {sum}, {path:?}");
+            let is_shared = weights.iter().all(|(_, weight)| *weight < 0.9);
+            from_sky += usize::from(path.starts_in_the_sky());
+            shared += usize::from(path.starts_in_the_sky() && is_shared);
+        }
+        assert!(from_sky > 3_000 && shared > 1_000, "{from_sky} {shared}");
     }
 }
 

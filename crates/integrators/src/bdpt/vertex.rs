@@ -31,7 +31,7 @@ pub(crate) struct Vertex {
     pub(crate) throughput: Rgb,
     /// The random numbers of this vertex.
     pub(crate) numbers: VertexNumbers,
-    /// Density with which the walk chose this point.
+    /// Density with which the walk chose this point; of the sky per steradian.
     pub(crate) pdf: AreaPdf,
     /// Steradians per area of the vertex *before*, seen from here: turns this
     /// vertex's density of going back into one per area.
@@ -55,6 +55,8 @@ pub(crate) struct Vertex {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SubpathState {
     pub(crate) position: Vec3,
+    /// Whether this is a point of the sky.
+    pub(crate) is_sky: bool,
     /// Cosine of the leaving edge at this vertex; zero where no walk from the
     /// other end can arrive.
     pub(crate) cosine: f32,
@@ -78,8 +80,13 @@ impl SubpathState {
         numbers: VertexNumbers,
         heuristic: Heuristic,
     ) -> Vertex {
-        // The density of the direction, per area of the new vertex.
-        let distance_squared = (point.site.position - self.position).length_squared();
+        // The density of the direction, per area of the new vertex. The sky is at no distance: its
+        // densities are per steradian, and those from there per area across.
+        let distance_squared = if self.is_sky | point.is_sky() {
+            1.0
+        } else {
+            (point.site.position - self.position).length_squared()
+        };
         let cosine = point.normal.dot(wo).abs();
         let pdf = self.pdf.to_area(solid_angle_per_area(cosine, distance_squared));
         // Both densities of an ideal reflection carry the same chance; without
@@ -144,6 +151,7 @@ impl Vertex {
         };
         SubpathState {
             position: self.point.site.position,
+            is_sky: false,
             cosine: self.point.normal.dot(wi).abs(),
             pdf,
             is_delta,

@@ -67,6 +67,7 @@ impl Walker {
         let hit = self.techniques.hits && !x0.is_point;
         SubpathState {
             position: x0.site.position,
+            is_sky: x0.is_sky,
             cosine: if x0.is_point { 0.0 } else { x0.cosine(*direction) },
             pdf: densities.direction,
             is_delta: false,
@@ -97,6 +98,7 @@ impl Walker {
         let splats = if self.techniques.splats { self.splats_in_weights } else { 0.0 };
         let state = SubpathState {
             position: camera.position(),
+            is_sky: false,
             cosine: 0.0,
             pdf: camera.pdf(ray.direction),
             is_delta: false,
@@ -137,7 +139,8 @@ impl Walker {
             let step = next_step_toward_light(walk, way, point, *wo, numbers, roulette, edge);
             let Some(step) = step else { return };
             let numbers = sampler.vertex();
-            let Some(hit) = tracer.bounce_ray(&step.ray, numbers.pass_through) else { return };
+            let hit = tracer.later_edge(walk, &step.ray, numbers.pass_through);
+            let Some(hit) = hit else { return };
             let Some(last) = path.vertices.last_mut() else { return };
             // Its partial weights, for whoever connects further on.
             let pdf_back = self.pdf_back(walk, tracer.scene, last, &step.sample, &hit.point);

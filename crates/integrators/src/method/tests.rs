@@ -134,7 +134,7 @@ fn limits_are_set_where_there_are_any() {
 /// What a method is said to find is what its integrator says it misses.
 #[test]
 fn techniques_and_blind_spots_go_together() {
-    let facts = SceneFacts { area_lights: true, point_lights: true, mirrors: true };
+    let facts = SceneFacts { area_lights: true, point_lights: true, sky: true, mirrors: true };
     for method in many() {
         let blind = method.build().blind_spots(&facts);
         let (techniques, is_blind) = (method.techniques(), |spot| blind.contains(&spot));

@@ -26,7 +26,7 @@ pub(super) struct Candidates {
 pub(super) fn candidates(facts: SceneFacts) -> Candidates {
     let mut all = vec![Method::PURE_MC, Method::DIRECT_LIGHT, Method::PARTICLE];
     // Point lights are not hit: there is nothing to combine.
-    if facts.area_lights {
+    if facts.area_lights || facts.sky {
         all.extend(HEURISTICS.map(combined));
     }
     for heuristic in HEURISTICS {
@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     fn facts(area_lights: bool, point_lights: bool, mirrors: bool) -> SceneFacts {
-        SceneFacts { area_lights, point_lights, mirrors }
+        SceneFacts { area_lights, point_lights, sky: false, mirrors }
     }
 
     #[test]
@@ -80,6 +80,14 @@ mod tests {
         assert!(!names(facts(true, false, true)).contains(&"particle"));
         let beside_points = names(facts(true, true, true));
         assert!(beside_points.iter().all(|name| *name == "bdpt"), "{beside_points:?}");
+    }
+
+    /// The sky is hit as lamps with an area are.
+    #[test]
+    fn the_sky_is_aimed_at_and_hit() {
+        let under_sky = SceneFacts { sky: true, ..facts(false, false, false) };
+        let methods = |facts| candidates(facts).methods;
+        assert_eq!(methods(under_sky), methods(facts(true, false, false)));
     }
 
     #[test]

@@ -78,6 +78,11 @@ impl Materials {
         &self.model_names[number]
     }
 
+    /// Their pictures, and what else reads some within the same limits.
+    pub(super) fn textures(&mut self) -> &mut Textures {
+        &mut self.textures
+    }
+
     /// What was repaired in their pictures.
     pub(super) fn into_warnings(self) -> Vec<Warning> {
         self.textures.into_warnings()

@@ -146,7 +146,38 @@ impl Textures {
         texture
     }
 
+    /// Loads a picture that emits light, times this factor. There is no light below zero: what
+    /// is negative is none.
+    pub(super) fn load_light(&mut self, file: &Location, factor: f32) -> Result<Grid<Rgb>, String> {
+        let factor = Rgb::splat(factor);
+        let usage = Usage { factor, ..Usage::plain(Meaning::Colour) };
+        let mut light = self.pixels_of(&PictureSource::File(file), usage)?;
+        let mut count = 0_u32;
+        for pixel in light.values_mut().iter_mut().filter(|pixel| pixel.min_band() < 0.0) {
+            *pixel = Rgb::from(pixel.to_array().map(|band| band.max(0.0)));
+            count = count.saturating_add(1);
+        }
+        if count > 0 {
+            let what = "negative light taken for 0".to_string();
+            self.warnings.push(Warning { file: file.to_string(), what, count });
+        }
+        Ok(light)
+    }
+
     fn read(&mut self, source: &PictureSource<'_>, usage: Usage) -> Result<Arc<Texture>, String> {
+        let pixels = self.pixels_of(source, usage)?;
+        let is_full = pixels.values().iter().all(|pixel| pixel.min_band() >= FULL);
+        let texture =
+            Texture::new(pixels).ok_or_else(|| format!("{}: it has no pixels", source.name()))?;
+        let texture = Arc::new(texture);
+        if is_full {
+            self.full.push(Arc::clone(&texture));
+        }
+        Ok(texture)
+    }
+
+    /// The pixels of a picture as they are used, all of them numbers.
+    fn pixels_of(&mut self, source: &PictureSource<'_>, usage: Usage) -> Result<Grid<Rgb>, String> {
         let file = source.name();
         let most = MOST_PIXELS.max(self.limits.pixels);
         let left = self.limits.pixels.min(most - self.pixels);
@@ -164,13 +195,7 @@ impl Textures {
                 self.warnings.push(warning);
             }
         }
-        let is_full = pixels.values().iter().all(|pixel| pixel.min_band() >= FULL);
-        let texture = Texture::new(pixels).ok_or_else(|| format!("{file}: it has no pixels"))?;
-        let texture = Arc::new(texture);
-        if is_full {
-            self.full.push(Arc::clone(&texture));
-        }
-        Ok(texture)
+        Ok(pixels)
     }
 
     /// Returns a layer of opacity, unless its picture leaves nothing out.

@@ -170,6 +170,47 @@ fn exposure_and_point_lights_are_checked() {
     assert!(shown.starts_with("the position must be finite"), "{shown}");
 }
 
+/// A Radiance picture of two pixels: (1, 2, 4) on the left, black on the right.
+const HALF_SKY: &[u8] =
+    b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x20\x40\x80\x83\0\0\0\0";
+
+#[test]
+fn a_sky_is_a_light_from_everywhere() {
+    use traylib_math::{Rgb, Vec3};
+    let sky = |sky: &str| {
+        let loaded = load_text("sky", &format!("({CAMERA} sky: {sky})"), &[("a.hdr", HALF_SKY)]);
+        let scene = loaded.unwrap().scene;
+        let sky = scene.sky().unwrap();
+        [-Vec3::X, Vec3::X].map(|toward| sky.radiance(toward))
+    };
+    assert_eq!(sky("Constant(radiance: (1, 2, 3))"), [Rgb::new(1.0, 2.0, 3.0); 2]);
+    let bright = Rgb::new(1.0, 2.0, 4.0);
+    assert_eq!(sky("Picture(file: \"a.hdr\")"), [bright, Rgb::BLACK]);
+    let turned = "Picture(file: \"a.hdr\", scale: 0.5, turn: 180)";
+    assert_eq!(sky(turned), [Rgb::BLACK, bright * 0.5]);
+    // That of an included file is its own matter.
+    let room: &[u8] = b"(sky: Constant(radiance: (1, 1, 1)))";
+    let loaded =
+        load_text("skies", &lit("include: [\"room.ron\"]"), &[("room.ron", room)]).unwrap();
+    assert!(loaded.scene.sky().is_none());
+}
+
+#[test]
+fn a_sky_is_checked() {
+    for (sky, words) in [
+        ("Constant(radiance: (1, -1, 1))", "the radiance must be finite and not negative"),
+        ("Constant(radiance: (0, 0, 0))", "nothing in the scene emits light"),
+        ("Picture(file: \"a.hdr\", scale: -1)", "the scale must be finite and not negative"),
+        ("Picture(file: \"a.hdr\", turn: inf)", "the turn must be finite"),
+        ("Picture(file: \"none.hdr\")", "none.hdr"),
+        ("Picture(file: \"a.hdr\", scale: (1, 2))", "`scale` wants a number"),
+    ] {
+        let text = format!("({CAMERA} sky: {sky})");
+        let shown = report("wrong-sky", &text, &[("a.hdr", HALF_SKY)]);
+        assert!(shown.contains(words), "{sky}: {shown}");
+    }
+}
+
 #[test]
 fn included_files_bring_materials_objects_and_lights_once() {
     let room = br#"(

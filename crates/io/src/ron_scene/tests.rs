@@ -17,6 +17,7 @@ const WHOLE: &str = r#"
         (shape: Mesh(file: "x.3ds"), emission: (1, 2, 3)),
     ],
     lights: [Point(position: (0, 1, 0), intensity: (1, 1, 1))],
+    sky: Picture(file: "sky.hdr", turn: 90),
 )"#;
 
 /// The message for a text that cannot be decoded.
@@ -42,6 +43,12 @@ fn a_file_is_read_with_its_defaults() {
     assert_eq!((mesh.scale, mesh.rotate), (1.0, [0.0; 3]));
     assert_eq!(document.objects[1].emission, Some([1.0, 2.0, 3.0]));
     assert_eq!(document.lights.len(), 1);
+    let Some(Sky::Picture(sky)) = &document.sky else { panic!("not a picture") };
+    assert_eq!((sky.file.as_str(), sky.scale, sky.turn), ("sky.hdr", 1.0, 90.0));
+    let constant =
+        WHOLE.replace("Picture(file: \"sky.hdr\", turn: 90)", "Constant(radiance: (1, 2, 3))");
+    let Some(Sky::Constant(sky)) = decode(&constant).unwrap().sky else { panic!("not constant") };
+    assert_eq!(sky.radiance, [1.0, 2.0, 3.0]);
 }
 
 #[test]

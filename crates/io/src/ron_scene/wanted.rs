@@ -24,19 +24,22 @@ pub(super) fn wanted(context: &Context<'_>) -> Option<&'static str> {
         (_, "rotate") => "three angles in degrees, as `(-90, 0, 0)`",
         (Some("Textured"), "diffuse" | "specular" | "opacity") => PICTURE,
         (_, "bump") => "a picture and its height, as `(file: \"relief.png\", height: 0.02)`",
-        (_, "reflectance" | "through" | "diffuse" | "specular" | "emission" | "intensity") => {
-            COLOUR
-        }
+        (
+            _,
+            "reflectance" | "through" | "diffuse" | "specular" | "emission" | "intensity"
+            | "radiance",
+        ) => COLOUR,
         (_, "reflection" | "transmission") => "parts, as `(diffuse: (0.5, 0.5, 0.5))`",
         (_, "resolution") => "width and height in pixels, as `(400, 300)`",
         (Some("Mesh"), "scale") => "one number, as `0.5`: a mesh keeps its proportions",
-        (_, "scale") => "two numbers, as `(4, 4)`",
         (Some("Mesh"), "lights")
+        | (Some("Picture"), "scale" | "turn")
         | (
             _,
             "fov" | "radius" | "exponent" | "index" | "exposure" | "strength" | "height" | "glow"
             | "full" | "dark",
         ) => NUMBER,
+        (_, "scale") => "two numbers, as `(4, 4)`",
         (_, "spp") => "a whole number above 0, as `64`",
         (_, "material") => "the name of a material in quotes, as `\"white\"`",
         (_, "file") => "the name of a file in quotes, as `\"wood.png\"`",
@@ -52,6 +55,7 @@ pub(super) fn wanted(context: &Context<'_>) -> Option<&'static str> {
         (_, "materials") => "names with materials, as `{ \"white\": Lambert(…) }`",
         (_, "objects") => "a list of objects, as `[(shape: Sphere(…), material: \"white\")]`",
         (_, "lights") => "a list of lights, as `[Point(position: …, intensity: …)]`",
+        (_, "sky") => "`Constant(radiance: (1, 1, 1))` or `Picture(file: \"sky.hdr\")`",
         (_, "include") => "a list of files, as `[\"room.ron\"]`",
         _ => return None,
     })

@@ -12,6 +12,9 @@ pub struct Lambert {
 }
 
 impl Lambert {
+    /// Absorbs all light.
+    pub const BLACK: Self = Self { reflectance: Rgb::BLACK };
+
     /// A surface that reflects `reflectance` (kd) of what arrives.
     ///
     /// # Errors

@@ -18,12 +18,14 @@ pub(super) struct LightBall {
 }
 
 impl LightBall {
-    /// Describes any lamp but one that is seen from within, which fills every mirror.
+    /// Describes any lamp but one that is seen from within, as the sky is, which fills every
+    /// mirror.
     pub(super) fn of(light: &Light) -> Option<Self> {
         let power = light.power().luminance();
         let ([centre, reach], normal) = match light {
             Light::Area { primitive, .. } => around(&primitive.form())?,
             Light::Point(PointLight { position, .. }) => ([*position, Vec3::ZERO], None),
+            Light::Sky(_) => return None,
         };
         Some(Self { centre, radius: reach.length(), normal, power })
     }

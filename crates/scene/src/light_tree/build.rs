@@ -12,13 +12,16 @@ const MAX_DEPTH: u32 = u64::BITS;
 /// Intervals along each axis between which a split is looked for.
 const BINS: usize = 16;
 
-/// A tree over clusters of one lamp each; there must be one.
+/// A tree over clusters of one lamp each. Without any it has no node, and nothing to choose.
 pub(super) fn tree(lamps: &[Cluster]) -> LightTree {
     let mut builder = Builder {
         lamps,
         order: (0..lamps.len() as u32).collect(),
         tree: LightTree { root: Link::Lamp(0), nodes: Vec::new(), paths: vec![0; lamps.len()] },
     };
+    if lamps.is_empty() {
+        return builder.tree;
+    }
     let (_, root) = builder.child(0..lamps.len(), 0, 0);
     LightTree { root, ..builder.tree }
 }

@@ -14,8 +14,8 @@ pub(super) struct Cluster {
 }
 
 impl Cluster {
-    /// One lamp of this share.
-    pub(super) fn of(light: &Light, intensity: f64) -> Self {
+    /// One lamp of this share; `None` of the sky, which is nowhere.
+    pub(super) fn of(light: &Light, intensity: f64) -> Option<Self> {
         let (bounds, cone) = match light {
             Light::Area { primitive, .. } => {
                 (primitive.bounds(), Cone::around_normals(primitive.normals()))
@@ -24,8 +24,9 @@ impl Cluster {
                 let cone = cone.map_or(Cone::SPHERE, |c| Cone::filled(c.axis, c.cos_dark));
                 (Aabb::around([*position]), cone)
             }
+            Light::Sky(_) => return None,
         };
-        Self { bounds, cone, intensity }
+        Some(Self { bounds, cone, intensity })
     }
 
     /// All lamps of both.

@@ -55,7 +55,7 @@ fn densities_are_those_of_the_draws() {
         assert!(close(densities.toward, choice.probability * pdf.0), "{x0:?} {densities:?}");
         let area = match choice.light {
             Light::Area { primitive, .. } => primitive.area(),
-            Light::Point(_) => 1.0,
+            Light::Point(_) | Light::Sky(_) => 1.0,
         };
         let by_power = choice.light.power().g / power;
         assert!(close(densities.emission, by_power / area), "{x0:?} {densities:?}");

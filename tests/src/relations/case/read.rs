@@ -2,7 +2,7 @@
 
 use crate::relations::scene::{
     Base, BumpMap, Camera, DrawnScene, Light, Lobes, Map, Material, Mesh, Object, Picture, Shape,
-    Spot, Tiling,
+    Sky, Spot, Tiling,
 };
 use std::collections::HashMap;
 use std::f32::consts::PI;
@@ -11,9 +11,9 @@ use std::path::Path;
 use traylib_geometry::Sides;
 use traylib_io::ron_scene::material as ron;
 use traylib_io::ron_scene::{self, Document, Facing, decode};
-use traylib_io::{mgf, three_ds};
-use traylib_math::Vec3;
+use traylib_io::{TextureLimits, load_texture, mgf, three_ds};
 use traylib_math::glam::DVec3;
+use traylib_math::{Rgb, Vec3};
 
 /// Lumens a watt of Radiance.
 const LUMENS_PER_WATT: f32 = 179.0;
@@ -38,6 +38,7 @@ pub(super) fn scene(text: &str, path: &Path) -> Result<DrawnScene, String> {
         },
         objects,
         lights: document.lights.iter().map(light).collect(),
+        sky: document.sky.as_ref().map(|sky| reader.sky(sky)).transpose()?,
         max_depth: None,
     })
 }
@@ -82,6 +83,20 @@ impl Reader<'_> {
         };
         let picture = Picture::File { ending, content };
         Ok(Map { picture, tiling, scale: lay.scale.into(), strength })
+    }
+
+    fn sky(&self, sky: &ron_scene::Sky) -> Result<Sky, String> {
+        match sky {
+            ron_scene::Sky::Constant(sky) => Ok(Sky::even(sky.radiance.into())),
+            ron_scene::Sky::Picture(sky) => {
+                let path = self.folder.join(&sky.file);
+                let picture = load_texture(&path, TextureLimits::default());
+                let pixels = picture.map_err(|error| error.to_string())?.pixels;
+                let texel = |light: &Rgb| Vec3::from(light.to_array()) * sky.scale;
+                let texels = pixels.values().iter().map(texel).collect();
+                Ok(Sky { width: pixels.width(), texels, turn: sky.turn })
+            }
+        }
     }
 
     fn read(&self, file: &str) -> Result<Vec<u8>, String> {

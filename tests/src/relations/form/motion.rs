@@ -56,7 +56,8 @@ impl Motion {
     }
 
     /// The whole scene. Point lights shine with the square of the scale, so that
-    /// every picture stays; where it mirrors, pictures turn left for right.
+    /// every picture stays; where it mirrors, pictures turn left for right. The sky stays as it is:
+    /// one that is not the same all around must not be turned.
     pub fn scene(&self, scene: &DrawnScene) -> DrawnScene {
         let Camera { position, target, up, fov, pixels } = scene.camera;
         let camera = Camera {
@@ -68,7 +69,7 @@ impl Motion {
         };
         let objects = scene.objects.iter().map(|object| self.object(object)).collect();
         let lights = scene.lights.iter().map(|light| self.light(light)).collect();
-        DrawnScene { camera, objects, lights, max_depth: scene.max_depth }
+        DrawnScene { camera, objects, lights, sky: scene.sky.clone(), max_depth: scene.max_depth }
     }
 
     fn light(&self, light: &Light) -> Light {

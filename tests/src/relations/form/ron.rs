@@ -65,9 +65,10 @@ pub(super) fn scene(scene: &DrawnScene, entries: &[Entry<'_>], files: &mut Files
     }
     let lights: Vec<String> =
         scene.lights.iter().map(|l| format!("        {},\n", light(l))).collect();
+    let sky = scene.sky.as_ref().map_or_else(String::new, |sky| super::sky::field(sky, files));
     format!(
         "(\n    {},\n    materials: {{\n{materials}    }},\n    objects: [\n{objects}    ],\n    \
-         lights: [\n{}    ],\n)\n",
+         lights: [\n{}    ],\n{sky})\n",
         camera(&scene.camera),
         lights.concat(),
     )

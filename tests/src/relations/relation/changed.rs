@@ -104,9 +104,36 @@ impl Change {
         Self::Brighter,
     ];
 
+    /// Whether it takes directions elsewhere, where a sky cannot follow that differs by them.
+    fn turns(self) -> bool {
+        match self {
+            Self::QuarterTurned | Self::Turned | Self::Mirrored => true,
+            Self::MovedByHalves
+            | Self::Moved
+            | Self::ScaledByPowerOfTwo
+            | Self::Scaled
+            | Self::Backwards
+            | Self::BoxesAsQuads
+            | Self::QuadsAsTriangles
+            | Self::MeshesAsTriangles
+            | Self::TrianglesAsMeshes
+            | Self::LampsInTwo
+            | Self::ThroughMgf
+            | Self::ThroughThreeDs
+            | Self::Placed
+            | Self::ColoursAsPictures
+            | Self::PanesAsHoles
+            | Self::Brighter => false,
+        }
+    }
+
     /// The other form; `None` where there is none, or where rounding may decide
     /// what is seen.
     fn apply(self, scene: &DrawnScene, dice: &mut Dice) -> Option<Changed> {
+        let has_picture = scene.sky.as_ref().is_some_and(|sky| !sky.is_even());
+        if has_picture && self.turns() {
+            return None;
+        }
         let changed = |how: String, scene: DrawnScene, law: Law| {
             Some(Changed { scene, law, flipped: false, how, before: None })
         };
@@ -297,6 +324,7 @@ fn brighter(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Troubl
     let mut scene = subject.drawn.clone();
     scene.objects.iter_mut().for_each(|object| object.emission *= 0.25);
     scene.lights.iter_mut().for_each(|light| light.intensity *= 0.25);
+    scene.sky.iter_mut().flat_map(|sky| &mut sky.texels).for_each(|texel| *texel *= 0.25);
     let method = dice.pick(&[methods::COMBINED, methods::BDPT, methods::PARTICLE]);
     let (estimator, law) = (Estimator::Method(method), Law::SameMean(1e-9));
     let scenes = [subject.drawn, &scene];

@@ -5,7 +5,7 @@ use crate::methods;
 use crate::relations::draw::Dice;
 use crate::relations::judge::{Claim, Law, Numbers, Side};
 use crate::relations::render::{Built, Estimator, Trouble};
-use crate::relations::scene::{Base, DrawnScene, Lobes, Material, Object, Shape};
+use crate::relations::scene::{Base, DrawnScene, Lobes, Material, Object, Shape, Sky};
 use std::sync::Arc;
 use traylib_geometry::{Ray, Sides};
 use traylib_integrators::Method;
@@ -25,7 +25,21 @@ pub(super) fn white(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>
     let others = [methods::COMBINED, methods::BDPT, methods::BDPT_BALANCE];
     let other = dice.pick(if scene.fronts_are_alike() { &others } else { &others[..1] });
     let claim = |method, bound| as_if_empty("white", (&scene, &built), method, bound);
-    Ok(vec![claim(methods::PURE_MC, 1e-5), claim(other, 2e-5)])
+    let mut claims = vec![claim(methods::PURE_MC, 1e-5), claim(other, 2e-5)];
+    if dice.chance(0.5) {
+        let endless = without_dome(&scene);
+        let built = subject.build(&endless)?;
+        let method = dice.pick(&[methods::PURE_MC, other]);
+        claims.push(as_if_empty("white and endless", (&endless, &built), method, 2e-5));
+    }
+    Ok(claims)
+}
+
+/// The same under a sky that is infinitely far away.
+fn without_dome(scene: &DrawnScene) -> DrawnScene {
+    let mut endless = scene.clone();
+    endless.objects.retain(|object| !object.is_light());
+    DrawnScene { sky: Some(Sky::even(Vec3::ONE)), ..endless }
 }
 
 /// Claims that this furnace is not to be seen, up to this part of its light.
@@ -52,6 +66,7 @@ fn as_if_empty(
 pub(super) fn glowing(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
     let mut scene = subject.drawn.clone();
     scene.lights.clear();
+    scene.sky = None;
     scene.max_depth = Some(LONGEST);
     // Light is denser in glass.
     scene.objects.retain(|object| !matches!(object.material.base, Base::Glass(_)));
@@ -126,6 +141,7 @@ pub(super) fn no_gain(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
 fn under_the_sky(subject: &Subject<'_>) -> Result<Option<DrawnScene>, Trouble> {
     let mut scene = subject.drawn.clone();
     scene.lights.clear();
+    scene.sky = None;
     scene.objects.iter_mut().for_each(|object| object.emission = Vec3::ZERO);
     // Light is denser in glass.
     let camera = scene.camera.position;

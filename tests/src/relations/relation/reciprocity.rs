@@ -36,6 +36,7 @@ struct Plate {
 pub(super) fn claims(subject: &Subject<'_>, dice: &mut Dice) -> Result<Vec<Claim>, Trouble> {
     let mut scene = subject.drawn.clone();
     scene.lights.clear();
+    scene.sky = None;
     scene.objects.iter_mut().for_each(reciprocal);
     // From lamp to plate, on, and into the camera.
     scene.max_depth = scene.max_depth.map(|longest| longest.max(3));

@@ -63,10 +63,11 @@ fn brightest_of_all(subject: &Subject<'_>, parts: &[Part]) -> Result<f64, Troubl
     Ok(RARITY * subject.built.scene.lights().len() as f64 * mean)
 }
 
-/// The scene with one object that shines, for each of them.
+/// The scene with one object that shines, or one light, for each of them.
 fn each_alone(scene: &DrawnScene) -> Vec<DrawnScene> {
     let mut dark = scene.clone();
     dark.lights.clear();
+    dark.sky = None;
     dark.objects.iter_mut().for_each(|object| object.emission = Vec3::ZERO);
     let lamps = scene.objects.iter().enumerate().filter(|(_, object)| object.is_light());
     let of_objects = lamps.map(|(index, lamp)| {
@@ -76,5 +77,6 @@ fn each_alone(scene: &DrawnScene) -> Vec<DrawnScene> {
     });
     let of_lights =
         scene.lights.iter().map(|&light| DrawnScene { lights: vec![light], ..dark.clone() });
-    of_objects.chain(of_lights).collect()
+    let of_sky = scene.sky.iter().map(|sky| DrawnScene { sky: Some(sky.clone()), ..dark.clone() });
+    of_objects.chain(of_lights).chain(of_sky).collect()
 }

@@ -18,6 +18,7 @@ pub(super) fn claims(subject: &Subject<'_>) -> Result<Vec<Claim>, Trouble> {
         return Ok(Vec::new());
     }
     scene.objects.iter_mut().for_each(|object| object.emission = Vec3::ZERO);
+    scene.sky = None;
     scene.max_depth = Some(2);
     let built = Arc::new(subject.workshop.build(&scene)?);
     let by = |estimator| Side::Rendered(vec![part(&scene, &built, estimator)]);

@@ -35,6 +35,7 @@ pub(super) fn sees(subject: &Subject<'_>, method: Method) -> bool {
         BlindSpot::SeenInMirrors => sees_mirrors(&subject.built.scene),
         BlindSpot::Interreflection
         | BlindSpot::AreaLights
+        | BlindSpot::SkyLight
         | BlindSpot::PointLightCaustics
         | BlindSpot::PointLightCausticsInMirrors
         | BlindSpot::PointLightChains
@@ -62,8 +63,8 @@ pub(super) fn part(drawn: &DrawnScene, built: &Arc<Built>, estimator: Estimator)
     Part { built: Arc::clone(built), estimator, brightest, is_rare }
 }
 
-/// The greatest sample of walks from the camera: each edge may end on a lamp, and
-/// surfaces only weaken; or a point light shines on the surface nearest to it.
+/// The greatest sample of walks from the camera: each edge may end on a lamp or in the sky,
+/// and surfaces only weaken; or a point light shines on the surface nearest to it.
 fn brightest_walk(drawn: &DrawnScene, built: &Built) -> f64 {
     let area = drawn.objects.iter().map(|object| luminance(object.emission)).fold(0.0, f32::max);
     let points = drawn.lights.iter().map(|light| {
@@ -75,7 +76,9 @@ fn brightest_walk(drawn: &DrawnScene, built: &Built) -> f64 {
         let nearest = (0..200).filter_map(to_surface).fold(f32::INFINITY, f32::min);
         f64::from(luminance(light.intensity) / (nearest * nearest)) * lobe(drawn)
     });
-    (f64::from(area) + points.sum::<f64>()) * longest(drawn)
+    let texels = drawn.sky.iter().flat_map(|sky| &sky.texels);
+    let sky = texels.map(|&texel| luminance(texel)).fold(0.0, f32::max);
+    (f64::from(area + sky) + points.sum::<f64>()) * longest(drawn)
 }
 
 /// The greatest value of a lobe.

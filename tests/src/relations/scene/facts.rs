@@ -114,7 +114,10 @@ impl DrawnScene {
 
     /// Makes its first object shine if nothing does.
     pub fn light_up(&mut self) {
-        if self.lights.is_empty() && !self.objects.iter().any(Object::is_light) {
+        if self.lights.is_empty()
+            && self.sky.is_none()
+            && !self.objects.iter().any(Object::is_light)
+        {
             self.objects[0].emission = Vec3::ONE;
         }
     }

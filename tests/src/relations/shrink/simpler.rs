@@ -1,7 +1,9 @@
 //! Scenes that are one step simpler.
 
 use crate::relations::scene::sides_of_box;
-use crate::relations::scene::{Camera, DrawnScene, Light, Material, Mesh, Object, Picture, Shape};
+use crate::relations::scene::{
+    Camera, DrawnScene, Light, Material, Mesh, Object, Picture, Shape, Sky,
+};
 use traylib_geometry::Sides;
 use traylib_math::Vec3;
 
@@ -17,6 +19,11 @@ pub(super) fn than(scene: &DrawnScene) -> Vec<DrawnScene> {
         let mut without = scene.clone();
         without.lights.remove(index);
         simpler.push(without);
+    }
+    if let Some(sky) = &scene.sky {
+        simpler.push(DrawnScene { sky: None, ..scene.clone() });
+        let even = Sky::even(sky.texels[0]);
+        simpler.push(DrawnScene { sky: Some(even), ..scene.clone() });
     }
     let shorter = 1..scene.max_depth.unwrap_or(4);
     simpler.extend(shorter.map(|depth| DrawnScene { max_depth: Some(depth), ..scene.clone() }));
@@ -54,7 +61,9 @@ pub(super) fn than(scene: &DrawnScene) -> Vec<DrawnScene> {
 }
 
 fn can_be_seen(scene: &DrawnScene) -> bool {
-    let shines = !scene.lights.is_empty() || scene.objects.iter().any(Object::is_light);
+    let shines = !scene.lights.is_empty()
+        || scene.sky.is_some()
+        || scene.objects.iter().any(Object::is_light);
     let Camera { position, target, up, fov, .. } = scene.camera;
     shines && !scene.objects.is_empty() && (target - position).cross(up) != Vec3::ZERO && fov > 0.0
 }

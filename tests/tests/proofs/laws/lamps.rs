@@ -96,7 +96,8 @@ fn power_finding(name: &str, light: &Light, power: f64) -> Finding {
         let cosine = f64::from(point.cosine(direction));
         // Along the surface single precision gives a cosine of zero or nearly so.
         if cosine > 1e-3 {
-            let density = f64::from(light.emission_pdf().0 * point.direction_pdf(direction).0);
+            let density =
+                f64::from(light.emission_pdf(&point).0 * point.direction_pdf(direction).0);
             let weight = f64::from(point.emitted.g) * cosine / density;
             worst = worse(worst, (weight / power - 1.0).abs());
         }

@@ -11,7 +11,9 @@ use crate::toward_light::{TowardLight, images_for};
 use traylib_geometry::Ray;
 use traylib_materials::BsdfSample;
 use traylib_math::{Rgb, Sampler, SolidAnglePdf, Vec3, solid_angle_per_area};
-use traylib_scene::{ImageDirections, LightId, LightPoint, PointImage, Scene, SurfacePoint, Walk};
+use traylib_scene::{
+    ImageDirections, Light, LightId, LightPoint, PointImage, Scene, SurfacePoint, Walk,
+};
 
 /// x₀ … x_k; surfaces holds x₁ … x_{k−1}.
 #[derive(Clone, Debug)]
@@ -109,6 +111,10 @@ impl FullPath {
         self.x0.is_point
     }
 
+    pub(super) fn starts_in_the_sky(&self) -> bool {
+        self.x0.is_sky
+    }
+
     /// The weights of all techniques that can find the path, each with its s.
     pub(super) fn weights(
         &self,
@@ -188,7 +194,17 @@ impl FullPath {
     }
 
     fn first_direction(&self) -> Vec3 {
+        if self.x0.is_sky {
+            return self.x0.site.normal;
+        }
         (self.surfaces[0].site.position - self.x0.site.position).normalize()
+    }
+
+    /// The square of the length of the first edge; one from the sky, whose densities are those of
+    /// directions and of places across them.
+    fn first_distance_squared(&self) -> f32 {
+        let offset = self.surfaces[0].site.position - self.x0.site.position;
+        if self.x0.is_sky { 1.0 } else { offset.length_squared() }
     }
 
     fn densities(&self, scene: &Scene) -> traylib_scene::LightDensities {
@@ -253,6 +269,7 @@ impl FullPath {
         let direction = (events[0].point.site.position - camera.position()).normalize();
         let state = SubpathState {
             position: camera.position(),
+            is_sky: false,
             cosine: 0.0,
             pdf: camera.pdf(direction),
             is_delta: false,
@@ -271,7 +288,8 @@ impl FullPath {
         let wi = -self.first_direction();
         let event = self.events(scene)[0];
         let state = x1.go_on(Walk::FromCamera, wi, &event, bdpt);
-        let lamp = self.lamp.unwrap_or(SurfacePoint {
+        let sky = self.x0.is_sky.then(|| Ray::new(x1.point.site.position, wi));
+        let lamp = self.lamp.or_else(|| scene.sky_behind(&sky?)).unwrap_or(SurfacePoint {
             site: self.x0.site,
             normal: self.x0.site.normal,
             shading_normal: self.x0.site.normal,
@@ -282,12 +300,12 @@ impl FullPath {
 
     fn light_sample(&self, scene: &Scene, x1: &Vertex, bdpt: &Bdpt) -> f64 {
         let direction = self.first_direction();
-        let offset = x1.point.site.position - self.x0.site.position;
+        let distance_squared = self.first_distance_squared();
         let images = self.images(scene, 0);
         let scattering = x1.scattering(Walk::FromCamera, -direction, images);
         let conversion =
-            solid_angle_per_area(x1.point.normal.dot(direction).abs(), offset.length_squared());
-        let at_lamp = solid_angle_per_area(self.x0.cosine(direction), offset.length_squared());
+            solid_angle_per_area(x1.point.normal.dot(direction).abs(), distance_squared);
+        let at_lamp = solid_angle_per_area(self.x0.cosine(direction), distance_squared);
         let hit_pdf =
             if self.x0.is_point { 0.0 } else { scattering.toward_light.to_area(at_lamp).0 };
         let end = End { scattering, conversion };
@@ -298,6 +316,9 @@ impl FullPath {
 
 fn owns(scene: &Scene, id: LightId, x0: &LightPoint) -> bool {
     let light = scene.light(id);
+    if x0.is_sky || matches!(light, Light::Sky(_)) {
+        return x0.is_sky && matches!(light, Light::Sky(_));
+    }
     light.is_point() == x0.is_point && {
         let (point, _) = light.sample_toward(Vec3::ZERO, traylib_math::Vec2::splat(0.5));
         point.emitted == x0.emitted

@@ -4,7 +4,7 @@ use traylib_geometry::{Facing, Primitive, Quad, Sides, Sphere};
 use traylib_materials::{
     Dielectric, Lambert, Material, MaxPhong, Mirror, Phong, Sheet, SurfaceModel,
 };
-use traylib_math::{Rgb, Vec3};
+use traylib_math::{Grid, Rgb, Vec3};
 use traylib_scene::{
     Camera, CameraSettings, MaterialId, Object, ObjectShape, Scene, SceneBuilder, SpotCone,
 };
@@ -49,6 +49,26 @@ fn transparent(builder: &mut SceneBuilder) -> [MaterialId; 3] {
 /// and a metal ball, three kinds of glass, a spherical lamp, a small quad lamp, a
 /// point lamp and a spot light.
 pub(crate) fn room() -> Scene {
+    let mut builder = empty();
+    let grey = furnish(&mut builder);
+    add(&mut builder, (wall(Vec3::splat(1.0), -2.0 * Vec3::X, -2.0 * Vec3::Z), grey, Rgb::BLACK));
+    builder.build().unwrap()
+}
+
+/// The same without a ceiling, under a sky with a sun and a dark half.
+pub(crate) fn room_under_sky() -> Scene {
+    let mut builder = empty();
+    furnish(&mut builder);
+    let radiance = |index| match index {
+        11 => Rgb::splat(100.0),
+        0..32 => Rgb::new(0.5, 1.0, 1.0 + index as f32 / 8.0),
+        _ => Rgb::BLACK,
+    };
+    builder.set_sky(Grid::from_fn(8, 8, radiance), 20.0).unwrap();
+    builder.build().unwrap()
+}
+
+fn empty() -> SceneBuilder {
     let settings = CameraSettings {
         position: Vec3::new(0.0, 0.1, 0.9),
         target: Vec3::new(0.0, 0.0, -1.0),
@@ -57,17 +77,25 @@ pub(crate) fn room() -> Scene {
         width: 32,
         height: 32,
     };
-    let mut builder = SceneBuilder::new(Camera::new(settings).unwrap());
-    let [grey, mixed, gloss, metal] = materials(&mut builder);
+    SceneBuilder::new(Camera::new(settings).unwrap())
+}
+
+fn add(builder: &mut SceneBuilder, (primitive, material, emission): (Primitive, MaterialId, Rgb)) {
+    let shape = ObjectShape::Primitive(primitive);
+    builder.add_object(Object { shape, sides: Sides::Both, material, emission }).unwrap();
+}
+
+/// All but the ceiling; what that is made of.
+fn furnish(builder: &mut SceneBuilder) -> MaterialId {
+    let [grey, mixed, gloss, metal] = materials(builder);
     let mirror = Mirror::new(Rgb::splat(0.9), Rgb::BLACK).unwrap();
     let mirror = builder.add_material(SurfaceModel::Mirror(mirror));
-    let [glass, frosted, pane] = transparent(&mut builder);
+    let [glass, frosted, pane] = transparent(builder);
     let (x, y, z) = (Vec3::X * 2.0, Vec3::Y * 2.0, Vec3::Z * 2.0);
     let (low, high) = (Vec3::splat(-1.0), Vec3::splat(1.0));
     let dark = Rgb::BLACK;
     let parts = [
         (wall(low, z, x), mixed, dark),
-        (wall(high, -x, -z), grey, dark),
         (wall(low, x, y), grey, dark),
         (wall(high, -y, -x), grey, dark),
         (wall(low, y, z), gloss, dark),
@@ -81,12 +109,11 @@ pub(crate) fn room() -> Scene {
         (ball(Vec3::new(0.3, 0.6, -0.4), 0.15), grey, Rgb::splat(5.0)),
         (wall(Vec3::new(-0.5, 0.95, -0.5), x * 0.1, z * 0.1), grey, Rgb::splat(20.0)),
     ];
-    for (primitive, material, emission) in parts {
-        let shape = ObjectShape::Primitive(primitive);
-        builder.add_object(Object { shape, sides: Sides::Both, material, emission }).unwrap();
+    for part in parts {
+        add(builder, part);
     }
     builder.add_point_light(Vec3::new(-0.6, 0.5, 0.3), Rgb::splat(2.0)).unwrap();
     let cone = SpotCone { axis: Vec3::new(0.6, -0.8, 0.0), cos_full: 0.9, cos_dark: 0.6 };
     builder.add_spot_light(Vec3::new(-0.7, 0.8, -0.6), Rgb::splat(8.0), cone).unwrap();
-    builder.build().unwrap()
+    grey
 }

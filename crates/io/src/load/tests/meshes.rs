@@ -56,7 +56,7 @@ fn a_mesh_is_the_same_by_itself_and_in_a_scene() {
     assert_eq!((loaded.scene.primitive_count(), loaded.scene.lights().len()), (4, 2));
     let shines = |loaded: &Loaded| match loaded.scene.lights()[0] {
         Light::Area { radiance, .. } => radiance.g,
-        Light::Point(_) => 0.0,
+        Light::Point(_) | Light::Sky(_) => 0.0,
     };
     assert_eq!(shines(&loaded), 3.0);
     let dimmed = load_text("dimmed", &mesh(", glow: 0.5"), &others).unwrap();

@@ -22,7 +22,7 @@ fn load_mgf(test: &str, text: &str, options: LoadOptions<'_>) -> Result<Loaded, 
 fn radiance(loaded: &Loaded) -> Vec<f32> {
     let area = |light: &Light| match light {
         Light::Area { radiance, .. } => Some(radiance.g),
-        Light::Point(_) => None,
+        Light::Point(_) | Light::Sky(_) => None,
     };
     loaded.scene.lights().iter().filter_map(area).collect()
 }

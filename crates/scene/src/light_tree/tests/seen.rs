@@ -29,7 +29,7 @@ fn what_is_seen_to_shine_has_a_chance() {
         let rival = lamp(&mut sampler, round, 1.0);
         for primitive in shapes(&mut sampler, 1.0) {
             let lamp = Light::Area { primitive, radiance: Rgb::WHITE };
-            let tree = LightTree::new(&[rival, lamp]);
+            let tree = LightTree::new(&[rival.clone(), lamp]);
             let mut shining = 0;
             for _ in 0..64 {
                 let x1 = viewpoint(&mut sampler, &primitive);
