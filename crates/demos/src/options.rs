@@ -19,7 +19,8 @@ use traylib_scene::Camera;
 /// The options of what to render and how much.
 #[derive(Args, Clone, Debug)]
 pub struct RenderOptions {
-    /// Scene file (.ron, .gltf, .glb, .obj, .ply, .3ds, .mgf) or name of a built-in scene
+    /// Scene file (.ron, .gltf, .glb, .obj, .ply, .3ds, .mgf, Mitsuba's .xml) or name of a
+    /// built-in scene
     #[arg(default_value = "cornell")]
     pub scene: String,
 

@@ -65,8 +65,10 @@ impl From<traylib_io::Error> for Failure {
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is wrong was read")]
     fn from(error: traylib_io::Error) -> Self {
         match error {
-            traylib_io::Error::PictureFormat(_) => Self::usage(error),
-            traylib_io::Error::Write { .. } => Self::output(error),
+            traylib_io::Error::PictureFormat(_) | traylib_io::Error::SceneName(_) => {
+                Self::usage(error)
+            }
+            traylib_io::Error::Write { .. } | traylib_io::Error::Exists(_) => Self::output(error),
             traylib_io::Error::FilmsDiffer { .. } | traylib_io::Error::FilmsOverlap { .. } => {
                 Self::unfit(error)
             }

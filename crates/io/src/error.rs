@@ -41,6 +41,9 @@ pub enum Error {
     /// An MGF file makes no sense.
     #[error(transparent)]
     Mgf(#[from] crate::mgf::Error),
+    /// A scene of Mitsuba makes no sense.
+    #[error(transparent)]
+    Mitsuba(#[from] crate::mitsuba::Error),
     /// No file was named.
     #[error("no file is named")]
     NoFile,
@@ -79,6 +82,12 @@ pub enum Error {
         .0.display()
     )]
     PictureFormat(PathBuf),
+    /// A scene is to be written where something is already.
+    #[error("{}: is there already, with what may have been written by hand: `--force` replaces it", .0.display())]
+    Exists(PathBuf),
+    /// The ending of a scene's name says no format that scenes are written in.
+    #[error("{}: scenes are written as .ron, and the name must end so", .0.display())]
+    SceneName(PathBuf),
     /// A file cannot be written.
     #[error("{}: cannot be written: {cause}", .file.display())]
     Write {

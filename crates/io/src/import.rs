@@ -20,12 +20,14 @@ mod object;
 mod one_sided;
 mod place;
 mod placement;
+mod scene_parts;
 mod shape;
 mod sky;
 mod textures;
 mod whole;
 
 pub(crate) use files::{SceneFile, gather};
+pub(crate) use scene_parts::{PartObject, SceneParts};
 pub(crate) use whole::import_whole;
 
 use crate::load_options::{LoadOptions, SceneSettings};
@@ -52,6 +54,8 @@ pub(crate) struct Imported {
     pub(crate) notes: Vec<String>,
     /// Whether it got a light at the camera.
     pub(crate) headlight: bool,
+    /// What it was built of, if that was to be kept.
+    pub(crate) parts: Option<SceneParts>,
 }
 
 /// Tells whether a file's name says that it brings shapes without being a scene file.
@@ -73,8 +77,12 @@ pub(crate) fn mesh_counts(
 }
 
 /// Builds the scene of these files; the last one is the scene itself, the
-/// others are included.
-pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Imported, Error> {
+/// others are included. What it is built of is kept where the caller wants it.
+pub(crate) fn import(
+    files: &[SceneFile],
+    options: LoadOptions<'_>,
+    keep_parts: bool,
+) -> Result<Imported, Error> {
     let mut problems = Problems::default();
     let Some(root) = files.last() else { return Err(Error::Scene(problems.into_report())) };
     let camera = camera(root, options, &mut problems);
@@ -91,6 +99,13 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
         Some(camera) if problems.is_empty() => {
             let places = points.iter().map(|light| light.position).chain([camera.position()]);
             let one_sided = one_sided(&parts, &materials, &models, places.collect());
+            let kept = keep_parts.then(|| SceneParts {
+                camera: camera.settings(),
+                settings,
+                materials: named(&materials, &models),
+                objects: kept_objects(&parts, materials.models().len()),
+                lights: points.clone(),
+            });
             let lights = (points, sky);
             let scene =
                 build(root, camera, [materials.models(), models.materials()], parts, lights)?;
@@ -98,10 +113,31 @@ pub(crate) fn import(files: &[SceneFile], options: LoadOptions<'_>) -> Result<Im
             warnings.extend(models.into_warnings());
             warnings.extend(one_sided);
             warnings.extend(coincidence::warnings(&scene, &root.source.name));
-            Ok(Imported { scene, settings, warnings, notes: Vec::new(), headlight: false })
+            Ok(Imported {
+                scene,
+                settings,
+                warnings,
+                notes: Vec::new(),
+                headlight: false,
+                parts: kept,
+            })
         }
         _ => Err(Error::Scene(problems.into_report())),
     }
+}
+
+/// All materials with their names, those of scene files first.
+fn named(materials: &Materials, models: &ModelFiles<'_>) -> Vec<(String, Material)> {
+    let own = (0..).zip(materials.models());
+    let own = own.map(|(number, material)| (materials.name(number).to_string(), material.clone()));
+    let others = (0..).zip(models.materials());
+    let others =
+        others.map(|(number, material)| (models.name(number).to_string(), material.clone()));
+    own.chain(others).collect()
+}
+
+fn kept_objects(parts: &[object::Part], named: usize) -> Vec<PartObject> {
+    parts.iter().filter_map(|part| PartObject::of(&part.item, named)).collect()
 }
 
 fn camera(root: &SceneFile, options: LoadOptions<'_>, problems: &mut Problems) -> Option<Camera> {

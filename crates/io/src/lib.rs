@@ -1,7 +1,7 @@
 //! Scene and picture files.
 //!
 //! A decoder turns bytes into a plain document and knows nothing else
-//! ([`ron_scene`], [`gltf`], [`obj`], [`ply`], [`three_ds`], [`mgf`]); importing turns documents into a scene
+//! ([`ron_scene`], [`gltf`], [`obj`], [`ply`], [`three_ds`], [`mgf`], [`mitsuba`]); importing turns documents into a scene
 //! ([`load_scene`]). Pictures go out through [`save_picture`] and come in through
 //! [`load_exr`] and [`load_texture`].
 //!
@@ -18,6 +18,7 @@
 mod builtin;
 mod chromaticities;
 mod error;
+mod export;
 mod film;
 mod film_fault;
 mod format_error;
@@ -30,6 +31,7 @@ mod load_options;
 pub mod locate;
 mod mesh_counts;
 pub mod mgf;
+pub mod mitsuba;
 pub mod obj;
 pub mod picture;
 pub mod ply;
@@ -50,6 +52,7 @@ pub mod warning_counts;
 
 pub use builtin::builtin_names;
 pub use error::{Error, Warning};
+pub use export::{Converted, convert_scene};
 pub use film::{FilmAbout, FilmReader, check_films_fit, load_film, merge_films, save_film};
 pub use film_fault::{FilmDifference, FilmFault};
 pub use format_error::FormatError;

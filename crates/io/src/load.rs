@@ -26,12 +26,12 @@ pub struct Loaded {
     pub name: String,
 }
 
-/// Loads a scene in RON, glTF, OBJ, PLY, 3DS or MGF, or a built-in scene where no file has this
+/// Loads a scene in RON, glTF, OBJ, PLY, 3DS, MGF or Mitsuba's XML, or a built-in scene where no file has this
 /// name.
 ///
 /// # Errors
 /// [`Error::UnknownScene`], [`Error::Read`], [`Error::Scene`] with every place
-/// where a scene file makes no sense; [`Error::Format`], [`Error::Mgf`],
+/// where a scene file makes no sense; [`Error::Format`], [`Error::Mgf`], [`Error::Mitsuba`],
 /// [`Error::NothingToSee`] and [`Error::Unlit`] of the other formats.
 pub fn load_scene(name_or_path: &str) -> Result<Loaded, Error> {
     load_scene_with(name_or_path, LoadOptions::default())
@@ -42,16 +42,40 @@ pub fn load_scene(name_or_path: &str) -> Result<Loaded, Error> {
 /// # Errors
 /// As `load_scene`.
 pub fn load_scene_with(name_or_path: &str, options: LoadOptions<'_>) -> Result<Loaded, Error> {
-    let location = find(name_or_path)?;
-    let imported = match &location {
-        Location::Disk(path) if import::is_model(path) => import::import_whole(&location, options)?,
-        Location::Disk(_) | Location::BuiltIn(_) => {
-            import::import(&import::gather(&location, options.root)?, options)?
-        }
-    };
-    let import::Imported { scene, mut settings, warnings, notes, headlight } = imported;
+    let imported = imported(name_or_path, options, false)?;
+    let import::Imported { scene, mut settings, warnings, notes, headlight, parts: _ } = imported;
     settings.exposure = options.exposure.unwrap_or(settings.exposure);
     Ok(Loaded { scene, settings, warnings, notes, headlight, name: stem(name_or_path) })
+}
+
+fn imported(
+    name_or_path: &str,
+    options: LoadOptions<'_>,
+    keep_parts: bool,
+) -> Result<import::Imported, Error> {
+    let location = find(name_or_path)?;
+    match &location {
+        Location::Disk(path) if import::is_model(path) => {
+            import::import_whole(&location, options, keep_parts)
+        }
+        Location::Disk(_) | Location::BuiltIn(_) => {
+            import::import(&import::gather(&location, options.root)?, options, keep_parts)
+        }
+    }
+}
+
+/// What a scene is built of, with warnings and notes.
+///
+/// # Errors
+/// As [`load_scene`].
+pub(crate) fn load_parts(
+    name_or_path: &str,
+    options: LoadOptions<'_>,
+) -> Result<(import::SceneParts, Vec<Warning>, Vec<String>), Error> {
+    let imported = imported(name_or_path, options, true)?;
+    let import::Imported { warnings, notes, parts, .. } = imported;
+    let parts = parts.ok_or_else(|| Error::NothingToSee(name_or_path.to_string()))?;
+    Ok((parts, warnings, notes))
 }
 
 fn find(name: &str) -> Result<Location, Error> {

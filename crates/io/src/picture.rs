@@ -203,6 +203,11 @@ fn encode(
     }
 }
 
+/// The bytes of an EXR file of this light, which says nothing else.
+pub(crate) fn encode_exr(light: &Grid<Rgb>) -> Result<Vec<u8>, Cause> {
+    exr::encode(light, Extras { attributes: &[], frame: None, layers: &[] })
+}
+
 /// Returns what of this light a file of this name cannot hold, as one warning about it: in 8-bit
 /// pictures what is not a number, in `.hdr` also what is negative or has no bound. That 8-bit
 /// pictures end at black and white is their nature.

@@ -1,7 +1,7 @@
 //! Bounds that a caller has set, as each reader takes them.
 
 use crate::polygon_limits::PolygonLimits;
-use crate::{Limit, TextureLimits, gltf, mgf, three_ds};
+use crate::{Limit, TextureLimits, gltf, mgf, mitsuba, three_ds};
 use std::path::{Path, PathBuf};
 
 /// The bounds that a caller has set; the readers' own else.
@@ -67,6 +67,16 @@ impl ReadLimits {
         }
     }
 
+    pub(crate) fn mitsuba(&self) -> mitsuba::Limits {
+        let usual = mitsuba::Limits::default();
+        mitsuba::Limits {
+            bytes: self.count(Limit::Bytes, usual.bytes),
+            elements: self.count(Limit::Items, usual.elements),
+            depth: self.count(Limit::Depth, usual.depth),
+            triangles: self.get(Limit::Surfaces).unwrap_or(usual.triangles),
+        }
+    }
+
     pub(crate) fn texture(&self) -> TextureLimits {
         let usual = TextureLimits::default();
         TextureLimits {
@@ -84,7 +94,8 @@ mod tests {
     #[test]
     fn what_is_set_is_used() {
         let used = |limits: ReadLimits| {
-            let meshes = format!("{:?}{:?}", limits.three_ds(), limits.polygons());
+            let meshes =
+                format!("{:?}{:?}{:?}", limits.three_ds(), limits.polygons(), limits.mitsuba());
             format!("{:?}{meshes}{:?}{:?}", limits.mgf(None), limits.gltf(), limits.texture())
         };
         let usual = used(ReadLimits::default());
@@ -92,14 +103,10 @@ mod tests {
             let mut limits = ReadLimits::default();
             limits.set(limit, 12_345);
             let times = match limit {
-                Limit::Bytes => 5,
-                Limit::Corners | Limit::Cutting | Limit::Surfaces | Limit::Items => 2,
-                Limit::Memory
-                | Limit::Work
-                | Limit::Line
-                | Limit::Depth
-                | Limit::Transforms
-                | Limit::Pixels => 1,
+                Limit::Bytes => 6,
+                Limit::Surfaces | Limit::Items => 3,
+                Limit::Corners | Limit::Cutting | Limit::Depth => 2,
+                Limit::Memory | Limit::Work | Limit::Line | Limit::Transforms | Limit::Pixels => 1,
             };
             assert_eq!(used(limits).matches("12345").count(), times, "{limit:?}");
             assert!(!usual.contains("12345"));

@@ -115,6 +115,8 @@ pub enum Shape {
     Disk(Disk),
     /// A triangle.
     Triangle(Triangle),
+    /// The side of a truncated cone or a cylinder.
+    Cone(Cone),
     /// Six rectangles around a room or a block.
     Box(Block),
     /// Triangles from a file.
@@ -146,7 +148,7 @@ pub struct Sphere {
     pub facing: Facing,
 }
 
-/// Where the front of a sphere is.
+/// Where the front of a round shape is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Derive)]
 pub enum Facing {
     /// Outside.
@@ -166,6 +168,22 @@ pub struct Disk {
     pub normal: [f32; 3],
     /// Its radius.
     pub radius: f32,
+    /// The radius of the hole in its middle.
+    #[serde(default)]
+    pub inner: f32,
+}
+
+/// The side of a truncated cone, without its ends.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Cone {
+    /// The ends of its axis.
+    pub ends: [[f32; 3]; 2],
+    /// The radius at each.
+    pub radii: [f32; 2],
+    /// Where its front is.
+    #[serde(default)]
+    pub facing: Facing,
 }
 
 /// A triangle. Its front is the side from which a, b, c turn counter-clockwise.

@@ -40,6 +40,11 @@ impl Texture {
         (pixels.width() > 0 && pixels.height() > 0).then_some(Self { pixels })
     }
 
+    /// All pixels, row 0 at the top.
+    pub fn pixels(&self) -> &Grid<Rgb> {
+        &self.pixels
+    }
+
     /// The mean of all pixels.
     pub fn mean(&self) -> Rgb {
         let values = self.pixels.values();

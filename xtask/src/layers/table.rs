@@ -39,6 +39,7 @@ pub(super) const LAYERS: &[Layer] = &[
             "pcx",
             "png",
             "ron",
+            "roxmltree",
             "serde",
             "serde_json",
             "strsim",

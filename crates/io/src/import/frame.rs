@@ -102,6 +102,7 @@ fn inside(tree: &Tree, bounds: &Aabb, up: Vec3) -> Option<ModelCamera> {
         up,
         fov: Fov::Horizontal(FOV_INSIDE),
         aspect: None,
+        resolution: None,
     })
 }
 
@@ -140,7 +141,14 @@ fn outside(bounds: &Aabb, up: Vec3, aspect: f32) -> ModelCamera {
     let target = bounds.centre();
     let distance = 1.05 * distance_to_see(bounds, towards, up, aspect);
     let position = target + towards * if distance > 0.0 { distance } else { 1.0 };
-    ModelCamera { position, target, up, fov: Fov::Horizontal(FOV_OUTSIDE), aspect: None }
+    ModelCamera {
+        position,
+        target,
+        up,
+        fov: Fov::Horizontal(FOV_OUTSIDE),
+        aspect: None,
+        resolution: None,
+    }
 }
 
 /// How far from the middle, in the direction `towards`, all corners are in view.

@@ -79,8 +79,9 @@ impl MeshImporter<'_> {
 
     fn not_usable(&self, error: String, location: &Location) -> Problem {
         let is_model = Format::of(Path::new(&self.mesh.file)).is_some();
-        let what =
-            || (!is_model).then(|| "a Mesh is an OBJ, PLY, glTF, 3DS or MGF file".to_string());
+        let what = || {
+            (!is_model).then(|| "a Mesh is an OBJ, PLY, glTF, 3DS, MGF or Mitsuba file".to_string())
+        };
         let help = location.advice(&self.mesh.file).or_else(what);
         self.place.field("shape").field("file").problem(error).with_help_if_any(help)
     }

@@ -1,4 +1,4 @@
-//! Files that bring shapes with materials of their own: 3DS, MGF, OBJ, PLY and glTF.
+//! Files that bring shapes with materials of their own: 3DS, MGF, OBJ, PLY, glTF and Mitsuba's.
 
 mod appearance;
 mod arrays;
@@ -9,6 +9,7 @@ mod format;
 mod gltf;
 mod meshes;
 mod mgf;
+mod mitsuba;
 mod obj;
 mod pictures;
 mod plain;
@@ -44,6 +45,7 @@ enum Content {
     Mgf(Vec<crate::mgf::Surface>),
     ThreeDs(three_ds::Content),
     Meshes(meshes::Content),
+    Mitsuba(mitsuba::Content),
 }
 
 impl ModelFile {
@@ -68,6 +70,7 @@ impl ModelFile {
             Format::Gltf => gltf::read(location, options, &mut counter)?,
             Format::Obj => obj::read(location, options, &mut counter)?,
             Format::Ply => ply::read(location, options, &mut counter)?,
+            Format::Mitsuba => mitsuba::read(location, options, &mut counter)?,
         };
         warnings.extend(counter.into_warnings(&location.to_string()));
         Ok((file, warnings))
@@ -91,6 +94,7 @@ impl ModelFile {
             Content::Mgf(surfaces) => mgf::parts(surfaces, &self.materials, placement, counter),
             Content::ThreeDs(content) => content.parts(placement),
             Content::Meshes(content) => content.parts(&self.materials, placement),
+            Content::Mitsuba(content) => Ok(content.parts(placement, counter)),
         }
     }
 
@@ -100,6 +104,7 @@ impl ModelFile {
             Content::Mgf(_) => Vec::new(),
             Content::ThreeDs(content) => content.lights(placement, around),
             Content::Meshes(content) => content.lights(placement),
+            Content::Mitsuba(content) => content.lights(placement),
         }
     }
 
@@ -111,6 +116,7 @@ impl ModelFile {
             Content::Mgf(_) => 0,
             Content::ThreeDs(content) => content.light_count(),
             Content::Meshes(content) => content.lights.len(),
+            Content::Mitsuba(content) => content.lights.len(),
         };
         (lights, glows && self.format.usual_glow() == 0.0)
     }
@@ -121,6 +127,15 @@ impl ModelFile {
             Content::Mgf(_) => None,
             Content::ThreeDs(content) => content.camera(),
             Content::Meshes(content) => content.camera,
+            Content::Mitsuba(content) => content.camera,
+        }
+    }
+
+    /// Samples per pixel, if it says.
+    pub(super) fn samples(&self) -> Option<u32> {
+        match &self.content {
+            Content::Mgf(_) | Content::ThreeDs(_) | Content::Meshes(_) => None,
+            Content::Mitsuba(content) => content.samples,
         }
     }
 }

@@ -11,6 +11,8 @@ pub(super) struct ModelCamera {
     pub(super) fov: Fov,
     /// Width by height of the picture that it is made for, if the file says.
     pub(super) aspect: Option<f32>,
+    /// Width and height of that picture in pixels, if the file says.
+    pub(super) resolution: Option<(u32, u32)>,
 }
 
 /// An angle of view in degrees.

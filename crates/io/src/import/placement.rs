@@ -1,7 +1,7 @@
 //! Where a mesh from a file goes.
 
 use traylib_math::Vec3;
-use traylib_math::glam::{DVec3, Mat3};
+use traylib_math::glam::{DAffine3, DVec3, Mat3};
 
 /// Scale, then turn, then move.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +44,12 @@ impl Placement {
     pub(super) fn wide_point(&self, point: DVec3) -> DVec3 {
         let turned = self.rotation.as_dmat3() * (point * f64::from(self.scale));
         turned + self.translation.as_dvec3()
+    }
+
+    /// All of it as one.
+    pub(super) fn affine(&self) -> DAffine3 {
+        let matrix3 = self.rotation.as_dmat3() * f64::from(self.scale);
+        DAffine3 { matrix3, translation: self.translation.as_dvec3() }
     }
 
     /// Metres a unit.

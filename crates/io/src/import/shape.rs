@@ -2,7 +2,7 @@
 
 use super::place::Place;
 use crate::report::Problems;
-use crate::ron_scene::{self, Block, Disk, Facing, Quad, Shape, Sphere, Triangle};
+use crate::ron_scene::{self, Block, Cone, Disk, Facing, Quad, Shape, Sphere, Triangle};
 use traylib_geometry::{self as geometry, Error, Primitive};
 use traylib_math::Vec3;
 
@@ -16,9 +16,10 @@ pub(super) fn primitives(shape: &Shape, place: &Place, problems: &mut Problems) 
             .map(Primitive::Quad),
         Shape::Sphere(s) => geometry::Sphere::new(s.center.into(), s.radius, facing(s.facing))
             .map(Primitive::Sphere),
-        Shape::Disk(s) => {
-            geometry::Disk::new(s.center.into(), s.normal.into(), s.radius).map(Primitive::Disk)
-        }
+        Shape::Disk(s) => geometry::Disk::ring(s.center.into(), s.normal.into(), s.inner, s.radius)
+            .map(Primitive::Disk),
+        Shape::Cone(s) => geometry::Cone::new(s.ends.map(Vec3::from), s.radii, facing(s.facing))
+            .map(Primitive::Cone),
         Shape::Triangle(s) => {
             geometry::Triangle::new(s.a.into(), s.b.into(), s.c.into()).map(Primitive::Triangle)
         }
@@ -55,10 +56,15 @@ fn are_numbers(shape: &Shape, place: &Place, problems: &mut Problems) -> bool {
             check("center", center);
             check("radius", &[*radius]);
         }
-        Shape::Disk(Disk { center, normal, radius }) => {
+        Shape::Disk(Disk { center, normal, radius, inner }) => {
             check("center", center);
             check("normal", normal);
             check("radius", &[*radius]);
+            check("inner", &[*inner]);
+        }
+        Shape::Cone(Cone { ends, radii, facing: _ }) => {
+            check("ends", ends.as_flattened());
+            check("radii", radii);
         }
         Shape::Triangle(Triangle { a, b, c }) => {
             check("a", a);

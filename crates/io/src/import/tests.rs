@@ -12,7 +12,7 @@ fn outcome(text: String) -> Result<(), String> {
         .map_err(|error| Report::from(syntax::problem(&source, &error)).to_string())?;
     let location = Location::BuiltIn("changed.ron".to_string());
     let files = [SceneFile { location, source, document }];
-    import(&files, LoadOptions::default()).map(drop).map_err(|error| error.to_string())
+    import(&files, LoadOptions::default(), false).map(drop).map_err(|error| error.to_string())
 }
 
 /// Characters that make trouble, among others.

@@ -4,6 +4,7 @@ use super::Imported;
 use super::coincidence;
 use super::counter::Counter;
 use super::frame;
+use super::imported_material::ImportedMaterial;
 use super::imported_object::{ImportedObject, ObjectMaterial};
 use super::lights::add_light;
 use super::meter;
@@ -12,6 +13,7 @@ use super::model_camera::ModelCamera;
 use super::model_part::ModelPart;
 use super::one_sided::{self, Described};
 use super::placement::Placement;
+use super::scene_parts::{PartObject, SceneParts};
 use crate::load_options::{Headlight, LoadOptions, SceneSettings};
 use crate::ron_scene;
 use crate::source::Location;
@@ -25,13 +27,17 @@ use traylib_scene::{
 
 /// Width and height of a picture that nobody has named.
 const RESOLUTION: (u32, u32) = (400, 300);
+/// Samples per pixel where nobody says it.
+const SAMPLES: u32 = 64;
 /// What a grey surface in a room of grey walls shall look like.
 const MIDDLE_GREY: f32 = 0.25;
 
-/// Builds the scene of a file, with a camera if it has none.
+/// Builds the scene of a file, with a camera if it has none. What it is built of is kept where the
+/// caller wants it.
 pub(crate) fn import_whole(
     location: &Location,
     options: LoadOptions<'_>,
+    keep_parts: bool,
 ) -> Result<Imported, Error> {
     let (file, mut warnings) = ModelFile::read(location, options)?;
     let name = location.to_string();
@@ -54,9 +60,12 @@ pub(crate) fn import_whole(
     }
     let places = lights.iter().map(|light| light.position).chain([view.position]);
     let one_sided = one_sided(&file, &name, &items, places.collect());
+    let objects =
+        keep_parts.then(|| items.iter().filter_map(|item| PartObject::of(item, 0)).collect());
+    let kept_lights = if keep_parts { lights.clone() } else { Vec::new() };
     let camera = Camera::new(view).map_err(failed)?;
     let scene = build(camera, &file, items, lights, &mut counter).map_err(failed)?;
-    let exposure = match options.exposure {
+    let exposure = match options.exposure.or(file.format.exposure()) {
         Some(exposure) => exposure,
         // Under the light at the camera surfaces show their colours as they are.
         None if lack.is_some() => 1.0,
@@ -71,8 +80,13 @@ pub(crate) fn import_whole(
     warnings.extend(counter.into_warnings(&name));
     warnings.extend(one_sided);
     warnings.extend(coincidence::warnings(&scene, &name));
-    let settings = SceneSettings { spp: 64, exposure };
-    Ok(Imported { scene, settings, warnings, notes, headlight: lack.is_some() })
+    let settings = SceneSettings { spp: file.samples().unwrap_or(SAMPLES), exposure };
+    let parts = objects.map(|objects| {
+        let named = |material: &ImportedMaterial| (material.name.clone(), material.surface.clone());
+        let materials = file.materials.iter().map(named).collect();
+        SceneParts { camera: view, settings, materials, objects, lights: kept_lights }
+    });
+    Ok(Imported { scene, settings, warnings, notes, headlight: lack.is_some(), parts })
 }
 
 /// What a file has not that the caller wants a light at the camera for, if so.
@@ -129,7 +143,8 @@ fn view(
 ) -> (CameraSettings, Vec<String>) {
     let camera = file.camera();
     let aspect = camera.and_then(|camera| camera.aspect);
-    let (width, height) = options.resolution.unwrap_or_else(|| resolution(aspect));
+    let own = camera.and_then(|camera| camera.resolution);
+    let (width, height) = options.resolution.or(own).unwrap_or_else(|| resolution(aspect));
     let settings = |view: ModelCamera| CameraSettings {
         position: view.position,
         target: view.target,

@@ -22,8 +22,10 @@ pub enum Material {
     Glass(Glass),
     /// Thin clear glass.
     Pane(Pane),
+    /// Another material that part of the light passes straight.
+    Gauze(Gauze),
     /// Another material with pictures on it.
-    Textured(Textured),
+    Textured(Box<Textured>),
 }
 
 /// Ideal diffuse.
@@ -115,6 +117,16 @@ pub struct Pane {
     pub through: [f32; 3],
 }
 
+/// A material that part of the light passes straight.
+#[derive(Clone, Debug, PartialEq, Derive)]
+#[serde(deny_unknown_fields)]
+pub struct Gauze {
+    /// The material that scatters the rest.
+    pub base: Box<Material>,
+    /// Part of the light that goes straight on.
+    pub through: [f32; 3],
+}
+
 /// A material with pictures on it.
 #[derive(Clone, Debug, PartialEq, Derive)]
 #[serde(deny_unknown_fields)]
@@ -161,6 +173,9 @@ pub struct Lay {
     pub tiling: Tiling,
     /// The number of times that it fits along u and along v.
     pub scale: [f32; 2],
+    /// In place of the scale, (a, b, c, d, x, y): u and v of the surface are a·u + c·v + x and
+    /// b·u + d·v + y of the picture.
+    pub matrix: Option<[f32; 6]>,
 }
 
 /// The values beyond the edges of a picture.
@@ -183,6 +198,7 @@ struct TextureFields {
     tiling: Tiling,
     #[serde(default = "once")]
     scale: [f32; 2],
+    matrix: Option<[f32; 6]>,
     #[serde(default = "fully")]
     strength: f32,
 }
@@ -196,6 +212,7 @@ struct BumpMapFields {
     tiling: Tiling,
     #[serde(default = "once")]
     scale: [f32; 2],
+    matrix: Option<[f32; 6]>,
     height: f32,
 }
 
@@ -208,14 +225,14 @@ fn fully() -> f32 {
 }
 
 impl From<BumpMapFields> for BumpMap {
-    fn from(BumpMapFields { file, tiling, scale, height }: BumpMapFields) -> Self {
-        Self { file, lay: Lay { tiling, scale }, height }
+    fn from(BumpMapFields { file, tiling, scale, matrix, height }: BumpMapFields) -> Self {
+        Self { file, lay: Lay { tiling, scale, matrix }, height }
     }
 }
 
 impl From<TextureFields> for Texture {
-    fn from(TextureFields { file, tiling, scale, strength }: TextureFields) -> Self {
-        Self { file, lay: Lay { tiling, scale }, strength }
+    fn from(TextureFields { file, tiling, scale, matrix, strength }: TextureFields) -> Self {
+        Self { file, lay: Lay { tiling, scale, matrix }, strength }
     }
 }
 
@@ -236,7 +253,7 @@ impl<'de> Visitor<'de> for TextureVisitor {
 
     fn visit_str<E>(self, file: &str) -> Result<Texture, E> {
         let (file, tiling, scale) = (file.to_string(), Tiling::Repeat, once());
-        Ok(Texture::from(TextureFields { file, tiling, scale, strength: 1.0 }))
+        Ok(Texture::from(TextureFields { file, tiling, scale, matrix: None, strength: 1.0 }))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Texture, A::Error> {

@@ -73,7 +73,7 @@ fn a_misspelt_variant_gets_a_suggestion() {
 9 |         "b": Mirorr(reflectance: (1, 1, 1)),
   |              ^^^^^^ did you mean `Mirror`?
   |
-  = help: expected one of `Lambert`, `Phong`, `MaxPhong`, `Mirror`, `Sheet`, `Glass`, `Pane`, `Textured`"#;
+  = help: expected one of `Lambert`, `Phong`, `MaxPhong`, `Mirror`, `Sheet`, `Glass`, `Pane`, `Gauze`, `Textured`"#;
     assert_eq!(message(&text), expected);
 }
 

@@ -30,14 +30,17 @@ pub(super) fn wanted(context: &Context<'_>) -> Option<&'static str> {
             | "radiance",
         ) => COLOUR,
         (_, "reflection" | "transmission") => "parts, as `(diffuse: (0.5, 0.5, 0.5))`",
+        (_, "ends") => "two points, as `((0, 0, 0), (0, 1, 0))`",
+        (_, "radii") => "two numbers, as `(0.5, 0.2)`",
+        (_, "matrix") => "six numbers, as `(1, 0, 0, 1, 0.5, 0)`",
         (_, "resolution") => "width and height in pixels, as `(400, 300)`",
         (Some("Mesh"), "scale") => "one number, as `0.5`: a mesh keeps its proportions",
         (Some("Mesh"), "lights")
         | (Some("Picture"), "scale" | "turn")
         | (
             _,
-            "fov" | "radius" | "exponent" | "index" | "exposure" | "strength" | "height" | "glow"
-            | "full" | "dark",
+            "fov" | "radius" | "inner" | "exponent" | "index" | "exposure" | "strength" | "height"
+            | "glow" | "full" | "dark",
         ) => NUMBER,
         (_, "scale") => "two numbers, as `(4, 4)`",
         (_, "spp") => "a whole number above 0, as `64`",

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use traylib_io::mgf::{self, tessellate};
 use traylib_io::three_ds::{self, pose, smoothing};
-use traylib_io::{TextureLimits, texture_from_bytes};
-use traylib_io::{gltf, obj, ply};
+use traylib_io::{TextureLimits, load_scene, texture_from_bytes};
+use traylib_io::{gltf, mitsuba, obj, ply};
 
 /// Tells whether it could be read. `root` is a folder of the test alone, in which `name` is.
 pub(crate) fn read(root: &Path, name: &Path, bytes: &[u8]) -> bool {
@@ -16,6 +16,7 @@ pub(crate) fn read(root: &Path, name: &Path, bytes: &[u8]) -> bool {
         Some("mtl") => obj::mtl::decode(bytes, obj::Limits::default()).is_ok(),
         Some("ply") => read_ply(bytes),
         Some("gltf" | "glb") => read_gltf(bytes),
+        Some("xml") => read_mitsuba(root, bytes),
         _ => texture_from_bytes(bytes, name, TextureLimits::default()).is_ok(),
     }
 }
@@ -63,6 +64,20 @@ fn read_ply(bytes: &[u8]) -> bool {
     let Ok(document) = ply::decode(bytes, ply::Limits::default()) else { return false };
     let corners = document.faces().flat_map(|(_, corners)| corners);
     assert!(corners.into_iter().all(|&corner| (corner as usize) < document.positions.len()));
+    true
+}
+
+fn read_mitsuba(root: &Path, bytes: &[u8]) -> bool {
+    let mut load = |_: &str| Err("none".to_string());
+    let decoded = mitsuba::decode("a.xml", bytes, mitsuba::Limits::default(), &mut load);
+    let Ok(document) = decoded else { return false };
+    let all = document.objects.len();
+    assert!(
+        document.objects.iter().flat_map(|object| &object.children).all(|child| child.object < all)
+    );
+    let file = root.join("mutated.xml");
+    std::fs::write(&file, bytes).unwrap();
+    let _ = load_scene(&file.to_string_lossy());
     true
 }
 

@@ -3,7 +3,7 @@
 use super::made;
 
 pub(crate) fn all() -> Vec<(String, Vec<u8>)> {
-    let files: [(&str, &[u8]); 9] = [
+    let files: [(&str, &[u8]); 12] = [
         ("shapes.mgf", include_bytes!("../data/shapes.mgf")),
         ("arrays.mgf", include_bytes!("../data/arrays.mgf")),
         ("trimesh.obj", include_bytes!("../data/models/trimesh.obj")),
@@ -11,6 +11,9 @@ pub(crate) fn all() -> Vec<(String, Vec<u8>)> {
         ("text.ply", include_bytes!("../data/models/trimesh-text.ply")),
         ("binary.ply", include_bytes!("../data/models/trimesh-binary.ply")),
         ("trimesh.glb", include_bytes!("../data/models/trimesh.glb")),
+        ("shapes.xml", include_bytes!("../data/mitsuba/shapes.xml")),
+        ("textures.xml", include_bytes!("../data/mitsuba/textures.xml")),
+        ("old.xml", include_bytes!("../data/mitsuba/old.xml")),
         ("cube.3ds", include_bytes!("../../../../scenes/models/cube.3ds")),
         ("enemy01.3ds", include_bytes!("../../../../scenes/models/enemy01.3ds")),
     ];

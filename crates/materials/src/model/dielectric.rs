@@ -32,6 +32,11 @@ impl Dielectric {
         }
     }
 
+    /// The index of refraction of the solid over that of what is around it.
+    pub fn index(&self) -> f32 {
+        self.relative_index
+    }
+
     /// Returns the boundary seen from inside of the solid.
     pub(crate) fn seen_from_behind(self) -> Self {
         Self { relative_index: self.relative_index.recip() }

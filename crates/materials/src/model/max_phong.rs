@@ -31,8 +31,13 @@ impl MaxPhong {
         Ok(Self { specular, exponent })
     }
 
+    /// The specular part ks.
+    pub fn specular(&self) -> Rgb {
+        self.specular
+    }
+
     /// The exponent n.
-    pub(crate) fn exponent(&self) -> f32 {
+    pub fn exponent(&self) -> f32 {
         self.exponent
     }
 

@@ -52,8 +52,13 @@ impl Mirror {
     }
 
     /// Returns the part of the light that goes into the mirror direction.
-    pub(crate) fn reflectance(&self) -> Rgb {
+    pub fn reflectance(&self) -> Rgb {
         self.reflectance
+    }
+
+    /// The part of the light that is reflected diffusely.
+    pub fn diffuse(&self) -> Rgb {
+        self.diffuse.reflectance()
     }
 
     #[inline]

@@ -61,6 +61,11 @@ impl Phong {
         self.specular
     }
 
+    /// The exponent n of the specular part, also where that is black.
+    pub fn exponent(&self) -> f32 {
+        self.exponent
+    }
+
     /// The exponent of the specular part, if there is one.
     pub(crate) fn lobe_exponent(&self) -> Option<f32> {
         (!self.specular.is_black()).then_some(self.exponent)

@@ -34,6 +34,16 @@ impl Sheet {
         Ok(Self { reflection, transmission, through_chance })
     }
 
+    /// The part that throws light back.
+    pub fn reflection(&self) -> Phong {
+        self.reflection
+    }
+
+    /// The part that lets light through.
+    pub fn transmission(&self) -> Phong {
+        self.transmission
+    }
+
     #[inline]
     pub(crate) fn evaluate(&self, normal: Vec3, wo: Vec3, wi: Vec3) -> Scattering {
         let (part, chance) = if normal.dot(wi) < 0.0 {

@@ -4,10 +4,12 @@ use crate::import::place::Place;
 use crate::import::textures::{Meaning, Textures, Usage};
 use crate::report::Problems;
 use crate::ron_scene::Material;
-use crate::ron_scene::material::{BumpMap, Lay, Lobes, Pane, Sheet, Texture, Textured, Tiling};
+use crate::ron_scene::material::{
+    BumpMap, Gauze, Lay, Lobes, Pane, Sheet, Texture, Textured, Tiling,
+};
 use crate::source::Location;
 use traylib_materials::{self as materials, Bump, Error, Lambert, Layer, Maps, SurfaceModel};
-use traylib_math::glam::Affine2;
+use traylib_math::glam::{Affine2, Mat2};
 use traylib_math::{Rgb, Vec2};
 
 /// Makes the materials of a scene file, and notes what makes none.
@@ -36,6 +38,7 @@ impl Maker<'_> {
             Material::Glass(m) => materials::Dielectric::new(m.index).map(SurfaceModel::Dielectric),
             Material::Sheet(m) => return self.sheet(place, m).map(Into::into),
             Material::Pane(m) => return self.pane(place, m),
+            Material::Gauze(m) => return self.gauze(place, m),
             Material::Textured(m) => return self.textured(place, m),
         };
         self.made(place, model).map(Into::into)
@@ -67,6 +70,24 @@ impl Maker<'_> {
             self.problems.push(place.field("through").problem(message));
         }
         Some(materials::Material { through, ..SurfaceModel::Mirror(mirror?).into() })
+    }
+
+    fn gauze(&mut self, place: &Place, gauze: &Gauze) -> Option<materials::Material> {
+        let base = place.field("base");
+        if matches!(*gauze.base, Material::Gauze(_) | Material::Pane(_) | Material::Textured(_)) {
+            let message = "the base has pictures, or light passes it straight already";
+            self.problems.push(base.problem(message));
+            return None;
+        }
+        let material = self.material(&base, &gauze.base)?;
+        let through = Rgb::from(gauze.through);
+        let sum = through + scattered(&material.model);
+        if !(through.min_band() >= 0.0 && sum.max_band() <= 1.0 + 1e-5) {
+            let message =
+                "`through` must be from 0 to 1, also together with what the base scatters";
+            self.problems.push(place.field("through").problem(message));
+        }
+        Some(materials::Material { through, ..material })
     }
 
     fn textured(&mut self, place: &Place, textured: &Textured) -> Option<materials::Material> {
@@ -122,11 +143,25 @@ impl Maker<'_> {
         Some(Bump { layer, height: map.height })
     }
 
-    fn lay(&mut self, place: &Place, file: &str, lay: Lay, meaning: Meaning) -> Option<Layer> {
+    fn placement(&mut self, place: &Place, lay: Lay) -> Affine2 {
+        if let Some([a, b, c, d, x, y]) = lay.matrix {
+            let matrix = Mat2::from_cols(Vec2::new(a, b), Vec2::new(c, d));
+            let placement = Affine2::from_mat2_translation(matrix, Vec2::new(x, y));
+            if !placement.is_finite() || matrix.determinant() == 0.0 {
+                let message = "the matrix must be finite, and its a·d must not be b·c";
+                self.problems.push(place.field("matrix").problem(message));
+            }
+            return placement;
+        }
         let scale = Vec2::from(lay.scale);
         if !(scale.is_finite() && scale.cmpne(Vec2::ZERO).all()) {
             self.problems.push(place.field("scale").problem("the scale must be finite and not 0"));
         }
+        Affine2::from_scale(scale)
+    }
+
+    fn lay(&mut self, place: &Place, file: &str, lay: Lay, meaning: Meaning) -> Option<Layer> {
+        let placement = self.placement(place, lay);
         let location = self.location.beside(file);
         let texture = self.textures.load(&location, Usage::plain(meaning));
         let texture = texture.map_err(|error| {
@@ -134,8 +169,21 @@ impl Maker<'_> {
             self.problems.push(problem.with_help_if_any(location.advice(file)));
         });
         let texture = texture.ok()?;
-        let (placement, tiling) = (Affine2::from_scale(scale), tiling(lay.tiling));
+        let tiling = tiling(lay.tiling);
         Some(Layer { placement, tiling, ..Layer::new(texture) })
+    }
+}
+
+/// The most that a model scatters.
+fn scattered(model: &SurfaceModel) -> Rgb {
+    let both = |m: &materials::Phong| m.diffuse() + m.specular();
+    match model {
+        SurfaceModel::Lambert(m) => m.reflectance(),
+        SurfaceModel::Phong(m) => both(m),
+        SurfaceModel::MaxPhong(m) => m.specular(),
+        SurfaceModel::Mirror(m) => m.reflectance() + m.diffuse(),
+        SurfaceModel::Sheet(m) => both(&m.reflection()) + both(&m.transmission()),
+        SurfaceModel::Dielectric(_) => Rgb::WHITE,
     }
 }
 

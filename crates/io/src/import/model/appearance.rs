@@ -64,7 +64,7 @@ impl Appearance {
 }
 
 /// A layer that is the same everywhere.
-fn even(value: f32) -> Option<Layer> {
+pub(super) fn even(value: f32) -> Option<Layer> {
     let texture = Texture::new(Grid::filled(1, 1, Rgb::splat(value)))?;
     Some(Layer::new(Arc::new(texture)))
 }

@@ -16,6 +16,18 @@ pub(super) struct Arrays {
 }
 
 impl Arrays {
+    /// Puts two sets into one; of attributes that one of them has alone, zero for the other.
+    pub(super) fn joined(mut self, other: Self) -> Self {
+        let first = self.positions.len() as u32;
+        let counts = [self.positions.len(), other.positions.len()];
+        join(&mut self.normals, other.normals, Vec3::ZERO, counts);
+        join(&mut self.uvs, other.uvs, Vec2::ZERO, counts);
+        self.positions.extend(other.positions);
+        let moved = |triangle: [u32; 3]| triangle.map(|corner| corner + first);
+        self.triangles.extend(other.triangles.into_iter().map(moved));
+        self
+    }
+
     /// Makes the mesh, of which every normal is on the front of its triangle: a surface would be
     /// black where it is not.
     ///
@@ -86,6 +98,16 @@ impl Arrays {
         let odd = u32::try_from(odd).unwrap_or(u32::MAX);
         counter.add_many("normal on the back of its face: that of the face taken", odd);
     }
+}
+
+/// Puts values behind others, with zeros for so many that have none.
+fn join<T: Copy>(own: &mut Vec<T>, added: Vec<T>, zero: T, [first, more]: [usize; 2]) {
+    if own.is_empty() && added.is_empty() {
+        return;
+    }
+    own.resize(first, zero);
+    own.extend(added);
+    own.resize(first + more, zero);
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ use traylib_scene::ObjectShape;
 pub(in crate::import) fn is_counted(path: &std::path::Path) -> bool {
     match Format::of(path) {
         Some(Format::Obj | Format::Ply | Format::Gltf) => true,
-        Some(Format::Mgf | Format::ThreeDs) | None => false,
+        Some(Format::Mgf | Format::ThreeDs | Format::Mitsuba) | None => false,
     }
 }
 

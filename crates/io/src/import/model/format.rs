@@ -18,6 +18,8 @@ pub(in crate::import) enum Format {
     Ply,
     /// Khronos' format, as text or binary.
     Gltf,
+    /// Mitsuba's scenes.
+    Mitsuba,
 }
 
 impl Format {
@@ -30,6 +32,7 @@ impl Format {
             "obj" => Self::Obj,
             "ply" => Self::Ply,
             "gltf" | "glb" => Self::Gltf,
+            "xml" => Self::Mitsuba,
             _ => return None,
         })
     }
@@ -38,7 +41,7 @@ impl Format {
     /// light.
     pub(in crate::import) fn usual_glow(self) -> f32 {
         match self {
-            Self::Mgf | Self::Obj | Self::Ply | Self::Gltf => 1.0,
+            Self::Mgf | Self::Obj | Self::Ply | Self::Gltf | Self::Mitsuba => 1.0,
             Self::ThreeDs => 0.0,
         }
     }
@@ -47,7 +50,15 @@ impl Format {
     pub(in crate::import) fn is_physical(self) -> bool {
         match self {
             Self::Mgf => true,
-            Self::ThreeDs | Self::Obj | Self::Ply | Self::Gltf => false,
+            Self::ThreeDs | Self::Obj | Self::Ply | Self::Gltf | Self::Mitsuba => false,
+        }
+    }
+
+    /// The exposure of its pictures, if what it emits is meant to be shown as it is.
+    pub(in crate::import) fn exposure(self) -> Option<f32> {
+        match self {
+            Self::Mitsuba => Some(1.0),
+            Self::Mgf | Self::ThreeDs | Self::Obj | Self::Ply | Self::Gltf => None,
         }
     }
 
@@ -56,7 +67,7 @@ impl Format {
         match self {
             Self::Mgf => frame::up(items, bounds),
             Self::ThreeDs => Vec3::Z,
-            Self::Obj | Self::Ply | Self::Gltf => Vec3::Y,
+            Self::Obj | Self::Ply | Self::Gltf | Self::Mitsuba => Vec3::Y,
         }
     }
 
@@ -71,6 +82,10 @@ impl Format {
             }
             Self::Gltf => {
                 "make it `doubleSided`, or use the file in a scene file, its object with \
+                 `sides: Both`"
+            }
+            Self::Mitsuba => {
+                "put it into a `twosided`, or use the file in a scene file, its object with \
                  `sides: Both`"
             }
             Self::Obj | Self::Ply => "use the file in a scene file, its object with `sides: Both`",

@@ -114,6 +114,7 @@ fn camera(camera: &Camera) -> ModelCamera {
         up: camera.up,
         fov: Fov::Vertical(camera.yfov.to_degrees()),
         aspect: camera.aspect,
+        resolution: None,
     }
 }
 

@@ -97,7 +97,7 @@ fn placed(mesh: &Mesh, place: &DAffine3, placement: &Placement) -> Result<Mesh, 
 
 /// Returns what turns normals with a surface: the cofactors, which are the inverse transposed but
 /// for a positive factor, and exist where that does not.
-fn across(matrix: &DMat3) -> DMat3 {
+pub(super) fn across(matrix: &DMat3) -> DMat3 {
     let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
     let sign = if matrix.determinant() < 0.0 { -1.0 } else { 1.0 };
     DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)) * sign

@@ -5,6 +5,7 @@ mod material;
 mod smoothing;
 mod welder;
 
+use super::arrays::Arrays;
 use super::beside::Beside;
 use super::meshes::{Content, Piece};
 use super::pictures::Pictures;
@@ -15,7 +16,7 @@ use crate::import::imported_material::ImportedMaterial;
 use crate::import::textures::Textures;
 use crate::load_options::LoadOptions;
 use crate::obj::mtl::Material;
-use crate::obj::{self, Document};
+use crate::obj::{self, Document, Face};
 use crate::source::Location;
 use crate::{Error, Warning};
 use material::MaterialImporter;
@@ -48,6 +49,27 @@ pub(super) fn read(
     Ok((ModelFile::of_meshes(Format::Obj, materials, content), textures.into_warnings()))
 }
 
+/// Reads a file without its materials and smoothing groups: its polygons in triangles.
+///
+/// # Errors
+/// It makes no sense, or has no face.
+pub(super) fn bare(
+    bytes: &[u8],
+    limits: obj::Limits,
+    counter: &mut Counter,
+) -> Result<Arrays, String> {
+    let document = obj::decode(bytes, limits).map_err(|cause| cause.to_string())?;
+    if document.faces.is_empty() {
+        return Err("it has no face that can be drawn".to_string());
+    }
+    counter.add_counts(&document.warnings);
+    let mut welder = Welder::new(&document);
+    for face in &document.faces {
+        welder.add(&Face { material: None, smoothing: 0, ..*face });
+    }
+    Ok(welder.finish().into_values().fold(Arrays::default(), Arrays::joined))
+}
+
 /// Makes the materials of the document in its order, and last that of faces without one.
 fn materials(
     document: &Document,
@@ -78,7 +100,7 @@ fn pieces(
     for face in &document.faces {
         welder.add(face);
     }
-    let finished = |((material, _, _), arrays): (welder::Key, super::arrays::Arrays)| {
+    let finished = |((material, _, _), arrays): (welder::Key, Arrays)| {
         let mesh = arrays.finish(counter)?;
         Ok(Piece { mesh, material: material.map_or(plain, |number| number as usize) })
     };

@@ -39,6 +39,23 @@ pub(super) fn read(
     Ok((ModelFile::of_meshes(Format::Ply, vec![material], content), textures.into_warnings()))
 }
 
+/// Reads a file without its picture: its polygons in triangles.
+///
+/// # Errors
+/// It makes no sense, or has no face.
+pub(super) fn bare(
+    bytes: &[u8],
+    limits: ply::Limits,
+    counter: &mut Counter,
+) -> Result<Arrays, String> {
+    let document = ply::decode(bytes, limits).map_err(|cause| cause.to_string())?;
+    if document.counts.is_empty() {
+        return Err("it has no face that can be drawn".to_string());
+    }
+    counter.add_counts(&document.warnings);
+    Ok(arrays(document))
+}
+
 /// Makes the only material: grey, or the first picture that the file names.
 fn material(
     document: &Document,

@@ -136,7 +136,7 @@ fn meshes(document: &Document) -> Vec<Mesh> {
 fn camera(camera: &three_ds::Camera) -> Option<ModelCamera> {
     let (position, target, up) = (camera.position, camera.target, camera.up()?);
     let fov = Fov::Horizontal(camera.fov_degrees());
-    Some(ModelCamera { position, target, up, fov, aspect: None })
+    Some(ModelCamera { position, target, up, fov, aspect: None, resolution: None })
 }
 
 #[cfg(test)]

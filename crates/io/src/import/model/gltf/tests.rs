@@ -80,7 +80,7 @@ fn pictures_show_in_both_parts() {
         layer.as_ref().unwrap().texture.lookup(Vec2::splat(0.5), Tiling::Repeat).unwrap()
     };
     let c = r#""baseColorFactor":[1,1,0.5,1],"baseColorTexture":{"index":0}"#;
-    let (half, _) = pbr("half", &format!(r#"{c},"metallicFactor":0.5"#));
+    let (half, _) = pbr("half picture", &format!(r#"{c},"metallicFactor":0.5"#));
     let maps = half.surface.maps.as_ref().unwrap();
     assert!(near(at(&maps.diffuse), Rgb::new(0.25, 0.5, 0.0) * 0.48));
     assert!(near(at(&maps.specular), Rgb::new(0.25, 0.5, 0.0)));
