@@ -19,5 +19,6 @@ mod models;
 mod outputs;
 mod pictures;
 mod printing;
+mod scene;
 mod shards;
 mod stats;
