@@ -65,7 +65,7 @@ fn differences(parts: &SceneParts, written: &Path, name: &Path) -> Result<Option
     Ok((count > 0).then_some(Warning { file, what, count }))
 }
 
-pub(crate) use import::PartObject;
+pub(crate) use import::{PartObject, PartSky};
 
 #[cfg(test)]
 mod tests;

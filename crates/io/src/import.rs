@@ -27,7 +27,7 @@ mod textures;
 mod whole;
 
 pub(crate) use files::{SceneFile, gather};
-pub(crate) use scene_parts::{PartObject, SceneParts};
+pub(crate) use scene_parts::{PartObject, PartSky, SceneParts};
 pub(crate) use whole::import_whole;
 
 use crate::load_options::{LoadOptions, SceneSettings};
@@ -105,6 +105,7 @@ pub(crate) fn import(
                 materials: named(&materials, &models),
                 objects: kept_objects(&parts, materials.models().len()),
                 lights: points.clone(),
+                sky: sky.as_ref().and_then(ImportedSky::as_part),
             });
             let lights = (points, sky);
             let scene =

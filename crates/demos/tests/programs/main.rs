@@ -22,6 +22,7 @@ mod outputs;
 mod pictures;
 mod printing;
 mod progress;
+mod scene;
 mod shards;
 mod stats;
 mod windows;

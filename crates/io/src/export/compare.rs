@@ -18,7 +18,8 @@ pub(super) fn differences(before: &SceneParts, after: &SceneParts) -> u32 {
     let missing = before.objects.len().abs_diff(after.objects.len())
         + before.lights.len().abs_diff(after.lights.len())
         + before.materials.len().saturating_sub(after.materials.len());
-    camera + (materials + objects + lights + missing) as u32
+    let sky = u32::from(before.sky != after.sky);
+    camera + sky + (materials + objects + lights + missing) as u32
 }
 
 fn is_same(a: &PartObject, b: &PartObject) -> bool {

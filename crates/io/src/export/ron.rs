@@ -2,7 +2,7 @@
 
 use super::number::{colour, number, quoted, vector};
 use super::picture::Pictures;
-use super::{PartObject, exact, mesh, picture, surface};
+use super::{PartObject, PartSky, exact, mesh, picture, surface};
 use crate::import::SceneParts;
 use crate::ron_scene;
 use std::collections::HashSet;
@@ -85,7 +85,19 @@ impl<'a> Writer<'a, '_> {
             self.line(&format!("        {},", light(one)));
         }
         self.line("    ],");
+        if let Some(sky) = &parts.sky {
+            let text = self.sky(sky);
+            self.line(&format!("    sky: {text},"));
+        }
         self.line(")");
+    }
+
+    fn sky(&mut self, PartSky { radiance, turn_degrees }: &PartSky) -> String {
+        if let [light] = radiance.pixels().values() {
+            return format!("Constant(radiance: {})", colour(*light));
+        }
+        let file = format!("{}/picture-{}.exr", self.folder, self.pictures.number(radiance));
+        format!("Picture(file: {}, turn: {})", quoted(&file), number(*turn_degrees))
     }
 
     fn line(&mut self, line: &str) {

@@ -46,6 +46,25 @@ const CAMERA: &str =
     "camera: (position: (0, 1, 4), target: (0.1, 1, 0), fov: 40, resolution: (40, 30)),";
 
 #[test]
+fn skies_read_back_as_they_were() {
+    let ball = r#"materials: { "grey": Lambert(reflectance: (0.5, 0.5, 0.5)) },
+        objects: [(shape: Sphere(center: (0, 0, 0), radius: 1), material: "grey")],"#;
+    let folder = Folder::new("sky");
+    let [constant, again] =
+        folder.both(&format!("({CAMERA} {ball} sky: Constant(radiance: (1, 0.3, 0.1)))"));
+    assert!(constant.sky.is_some() && constant.sky == again.sky);
+    // A picture, twice as bright and turned: what is written has that in its texels.
+    let folder = Folder::new("sky-picture");
+    let light = traylib_math::Grid::from_fn(4, 2, |i| traylib_math::Rgb::splat(0.1 * i as f32));
+    crate::write_picture(&folder.path("sky.exr"), &light, 1.0, &[]).unwrap();
+    let sky = "sky: Picture(file: \"sky.exr\", scale: 2, turn: 33.3)";
+    let [picture, again] = folder.both(&format!("({CAMERA} {ball} {sky})"));
+    let sky = picture.sky.unwrap();
+    assert_eq!(sky.radiance.pixels().get(3, 1).g, 1.4);
+    assert_eq!(Some(sky), again.sky);
+}
+
+#[test]
 fn every_shape_material_and_light_reads_back_as_it_was() {
     let text = format!(
         r#"({CAMERA} exposure: 0.3, spp: 7,

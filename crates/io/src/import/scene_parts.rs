@@ -2,8 +2,9 @@
 
 use super::imported_object::{ImportedObject, ObjectMaterial};
 use crate::load_options::SceneSettings;
+use std::sync::Arc;
 use traylib_geometry::Sides;
-use traylib_materials::Material;
+use traylib_materials::{Material, Texture};
 use traylib_math::Rgb;
 use traylib_scene::{CameraSettings, ObjectShape, PointLight};
 
@@ -16,6 +17,15 @@ pub(crate) struct SceneParts {
     pub(crate) materials: Vec<(String, Material)>,
     pub(crate) objects: Vec<PartObject>,
     pub(crate) lights: Vec<PointLight>,
+    pub(crate) sky: Option<PartSky>,
+}
+
+/// The sky of a scene.
+#[derive(Debug, PartialEq)]
+pub(crate) struct PartSky {
+    /// Its radiance, row by row from the top; one texel if it is the same everywhere.
+    pub(crate) radiance: Arc<Texture>,
+    pub(crate) turn_degrees: f32,
 }
 
 /// An object of a scene.

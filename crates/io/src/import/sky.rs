@@ -2,10 +2,13 @@
 
 use super::files::SceneFile;
 use super::place::Place;
+use super::scene_parts::PartSky;
 use super::textures::Textures;
 use crate::locate::Path;
 use crate::report::Problems;
 use crate::ron_scene::{PictureSky, Sky};
+use std::sync::Arc;
+use traylib_materials::Texture;
 use traylib_math::{Grid, Rgb};
 
 /// A sky as the builder of a scene takes it.
@@ -36,6 +39,12 @@ impl ImportedSky {
                 Some(Self { radiance, turn_degrees: sky.turn, place })
             }
         }
+    }
+
+    /// What is kept of it to write it again; `None` if it has no texels.
+    pub(super) fn as_part(&self) -> Option<PartSky> {
+        let radiance = Arc::new(Texture::new(self.radiance.clone())?);
+        Some(PartSky { radiance, turn_degrees: self.turn_degrees })
     }
 
     /// Whether light comes from anywhere.

@@ -84,7 +84,7 @@ pub(crate) fn import_whole(
     let parts = objects.map(|objects| {
         let named = |material: &ImportedMaterial| (material.name.clone(), material.surface.clone());
         let materials = file.materials.iter().map(named).collect();
-        SceneParts { camera: view, settings, materials, objects, lights: kept_lights }
+        SceneParts { camera: view, settings, materials, objects, lights: kept_lights, sky: None }
     });
     Ok(Imported { scene, settings, warnings, notes, headlight: lack.is_some(), parts })
 }
