@@ -49,11 +49,9 @@ impl<'a> Joiner<'a> {
         if !self.bdpt.techniques.splats {
             return;
         }
+        // The walk has left room for the edge to the camera behind each of them.
         for last in 0..path.vertices.len() {
-            // x₀, `last + 1` vertices more, and the camera.
-            if self.limits().allow(last as u32 + 2) {
-                self.splat(tracer, path.start, &path.vertices[..=last], out);
-            }
+            self.splat(tracer, path.start, &path.vertices[..=last], out);
         }
     }
 
