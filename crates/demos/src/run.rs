@@ -80,7 +80,7 @@ fn try_run(
     let (passes, error) = (film.passes(), film.relative_error());
     let layers = if job.makes_pictures() { film.develop_layers() } else { BTreeMap::new() };
     let wants_variance = options.aov.contains(&Aov::Variance);
-    let variance = film.variance_of_mean().filter(|_| wants_variance);
+    let variance = wants_variance.then(|| film.variance_of_mean()).flatten();
     let variance = variance.map(|variance| variance.map(|&v| Rgb::from(v.map(|band| band as f32))));
     let done = Done { loaded, passes, error, variance, layers, notes, statistics, elapsed, before };
     if job.makes_pictures() {

@@ -2,8 +2,8 @@
 
 use super::PartObject;
 use crate::import::SceneParts;
-use traylib_geometry::{Mesh, Vec3};
-use traylib_scene::{ObjectShape, PointLight};
+use traylib_geometry::Mesh;
+use traylib_scene::ObjectShape;
 
 /// How much is not the same: objects, materials, lights, or all there is of one of them.
 pub(super) fn differences(before: &SceneParts, after: &SceneParts) -> u32 {
@@ -14,7 +14,7 @@ pub(super) fn differences(before: &SceneParts, after: &SceneParts) -> u32 {
     let objects = before.objects.iter().zip(&after.objects);
     let objects = objects.filter(|(a, b)| !is_same(a, b)).count();
     let lights = before.lights.iter().zip(&after.lights);
-    let lights = lights.filter(|(a, b)| !is_same_light(a, b)).count();
+    let lights = lights.filter(|(a, b)| a != b).count();
     let missing = before.objects.len().abs_diff(after.objects.len())
         + before.lights.len().abs_diff(after.lights.len())
         + before.materials.len().saturating_sub(after.materials.len());
@@ -33,13 +33,8 @@ fn is_same(a: &PartObject, b: &PartObject) -> bool {
 }
 
 fn is_same_mesh(a: &Mesh, b: &Mesh) -> bool {
-    let near = |a: &[Vec3], b: &[Vec3]| a == b;
-    near(a.positions(), b.positions())
+    a.positions() == b.positions()
         && a.triangles() == b.triangles()
-        && near(a.normals(), b.normals())
+        && a.normals() == b.normals()
         && a.uvs() == b.uvs()
-}
-
-fn is_same_light(a: &PointLight, b: &PointLight) -> bool {
-    a == b
 }

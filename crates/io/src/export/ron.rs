@@ -11,7 +11,7 @@ use std::sync::Arc;
 use traylib_geometry::{Cone, Disk, Facing, Mesh, Primitive, Quad, Sides, Sphere, Triangle};
 use traylib_materials::Texture;
 use traylib_math::Vec3;
-use traylib_scene::{CameraSettings, ObjectShape, PointLight, SpotCone};
+use traylib_scene::{ObjectShape, PointLight, SpotCone};
 
 /// A scene file with its meshes and pictures, of which none is on disk yet.
 pub(super) struct Written<'a> {
@@ -64,7 +64,7 @@ struct Writer<'a, 'f> {
 impl<'a> Writer<'a, '_> {
     fn scene(&mut self, parts: &'a SceneParts) {
         self.line("(");
-        self.line(&format!("    {},", camera(&parts.camera)));
+        self.line(&format!("    {},", ron_scene::Camera::of(&parts.camera)));
         self.line(&format!("    exposure: {},", number(parts.settings.exposure)));
         self.line(&format!("    spp: {},", parts.settings.spp));
         let names = names(parts);
@@ -144,17 +144,6 @@ fn names(parts: &SceneParts) -> Vec<String> {
         }
     };
     parts.materials.iter().map(name).collect()
-}
-
-fn camera(settings: &CameraSettings) -> String {
-    let camera = ron_scene::Camera {
-        position: settings.position.into(),
-        target: settings.target.into(),
-        up: settings.up.into(),
-        fov: settings.fov_degrees,
-        resolution: (settings.width, settings.height),
-    };
-    camera.to_string()
 }
 
 fn primitive(primitive: &Primitive) -> String {

@@ -171,14 +171,7 @@ fn resolution(aspect: Option<f32>) -> (u32, u32) {
 }
 
 fn shown(view: &CameraSettings) -> String {
-    let camera = ron_scene::Camera {
-        position: view.position.into(),
-        target: view.target.into(),
-        up: view.up.into(),
-        fov: view.fov_degrees,
-        resolution: (view.width, view.height),
-    };
-    camera.to_string()
+    ron_scene::Camera::of(view).to_string()
 }
 
 /// As bright as 3D Studio's lights: a diffuse surface in the middle shows its
