@@ -23,6 +23,7 @@ mod placement;
 mod scene_parts;
 mod shape;
 mod sky;
+mod sky_light;
 mod textures;
 mod whole;
 
@@ -93,7 +94,7 @@ pub(crate) fn import(
     let parts = object::collect(files, &materials, &mut models, &mut problems);
     let mut points = lights::collect(files, &mut problems);
     points.extend(models.take_lights());
-    let is_sky_lit = sky.as_ref().map_or(root.document.sky.is_some(), ImportedSky::is_lit);
+    let is_sky_lit = sky.as_ref().map_or(root.document.sky.is_some(), |sky| sky.light.is_lit());
     check_for_light(files, &parts, (&points, is_sky_lit), &mut problems);
     match camera {
         Some(camera) if problems.is_empty() => {
@@ -105,7 +106,7 @@ pub(crate) fn import(
                 materials: named(&materials, &models),
                 objects: kept_objects(&parts, materials.models().len()),
                 lights: points.clone(),
-                sky: sky.as_ref().and_then(ImportedSky::as_part),
+                sky: sky.as_ref().and_then(|sky| sky.light.as_part()),
             });
             let lights = (points, sky);
             let scene =
@@ -268,8 +269,8 @@ fn build(
     for light in points {
         whole.note(lights::add_light(&mut builder, light), &mut problems);
     }
-    if let Some(ImportedSky { radiance, turn_degrees, place }) = sky {
-        place.note(builder.set_sky(radiance, turn_degrees), &mut problems);
+    if let Some(ImportedSky { light, place }) = sky {
+        place.note(builder.set_sky(light.radiance, light.turn_degrees), &mut problems);
     }
     let scene = whole.note(builder.build(), &mut problems);
     scene.filter(|_| problems.is_empty()).ok_or(Error::Scene(problems.into_report()))

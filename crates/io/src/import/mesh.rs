@@ -89,6 +89,9 @@ impl MeshImporter<'_> {
     /// What could shine if the object wanted it.
     fn note_unused(&self, file: &ModelFile, counter: &mut Counter) {
         let (lights, glows) = file.unused_light();
+        if file.sky().is_some() {
+            counter.add("sky not taken: `sky` of the scene file is");
+        }
         if lights > 0 && self.mesh.lights == 0.0 {
             counter.add_many("light not taken (`lights: 1` takes it)", lights as u32);
         }

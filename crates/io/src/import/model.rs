@@ -24,6 +24,7 @@ use super::imported_material::ImportedMaterial;
 use super::model_camera::ModelCamera;
 use super::model_part::ModelPart;
 use super::placement::Placement;
+use super::sky_light::SkyLight;
 use crate::load_options::LoadOptions;
 use crate::source::{Location, why};
 use crate::{Error, Warning};
@@ -105,6 +106,14 @@ impl ModelFile {
             Content::ThreeDs(content) => content.lights(placement, around),
             Content::Meshes(content) => content.lights(placement),
             Content::Mitsuba(content) => content.lights(placement),
+        }
+    }
+
+    /// Its light from all around.
+    pub(super) fn sky(&self) -> Option<&SkyLight> {
+        match &self.content {
+            Content::Mgf(_) | Content::ThreeDs(_) | Content::Meshes(_) => None,
+            Content::Mitsuba(content) => content.sky.as_ref(),
         }
     }
 

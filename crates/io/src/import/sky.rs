@@ -2,20 +2,16 @@
 
 use super::files::SceneFile;
 use super::place::Place;
-use super::scene_parts::PartSky;
+use super::sky_light::SkyLight;
 use super::textures::Textures;
 use crate::locate::Path;
 use crate::report::Problems;
 use crate::ron_scene::{PictureSky, Sky};
-use std::sync::Arc;
-use traylib_materials::Texture;
 use traylib_math::{Grid, Rgb};
 
-/// A sky as the builder of a scene takes it.
+/// A sky with its place in the scene file.
 pub(super) struct ImportedSky {
-    /// W/(m²·sr), row by row from the top; one texel if it is the same everywhere.
-    pub(super) radiance: Grid<Rgb>,
-    pub(super) turn_degrees: f32,
+    pub(super) light: SkyLight,
     pub(super) place: Place,
 }
 
@@ -31,25 +27,13 @@ impl ImportedSky {
             Sky::Constant(sky) => {
                 let light = Rgb::from(sky.radiance);
                 place.field("radiance").check_light("radiance", light, problems);
-                let radiance = Grid::filled(1, 1, light);
-                Some(Self { radiance, turn_degrees: 0.0, place })
+                Some(Self { light: SkyLight::constant(light), place })
             }
             Sky::Picture(sky) => {
                 let radiance = picture(file, sky, &place, textures, problems)?;
-                Some(Self { radiance, turn_degrees: sky.turn, place })
+                Some(Self { light: SkyLight { radiance, turn_degrees: sky.turn }, place })
             }
         }
-    }
-
-    /// What is kept of it to write it again; `None` if it has no texels.
-    pub(super) fn as_part(&self) -> Option<PartSky> {
-        let radiance = Arc::new(Texture::new(self.radiance.clone())?);
-        Some(PartSky { radiance, turn_degrees: self.turn_degrees })
-    }
-
-    /// Whether light comes from anywhere.
-    pub(super) fn is_lit(&self) -> bool {
-        self.radiance.values().iter().any(|light| !light.is_black())
     }
 }
 

@@ -14,6 +14,7 @@ use super::model_part::ModelPart;
 use super::one_sided::{self, Described};
 use super::placement::Placement;
 use super::scene_parts::{PartObject, SceneParts};
+use super::sky_light::SkyLight;
 use crate::load_options::{Headlight, LoadOptions, SceneSettings};
 use crate::ron_scene;
 use crate::source::Location;
@@ -50,7 +51,7 @@ pub(crate) fn import_whole(
     }
     let mut lights = file.lights(&Placement::NONE, &bounds);
     let (view, mut notes) = view(&file, &items, &lights, &bounds, options);
-    let lack = lack_of_light(&lights, &items, options.headlight);
+    let lack = lack_of_light(&file, &lights, &items, options.headlight);
     if let Some(lack) = lack {
         if options.headlight == Headlight::Never {
             return Err(Error::Unlit(name));
@@ -84,19 +85,22 @@ pub(crate) fn import_whole(
     let parts = objects.map(|objects| {
         let named = |material: &ImportedMaterial| (material.name.clone(), material.surface.clone());
         let materials = file.materials.iter().map(named).collect();
-        SceneParts { camera: view, settings, materials, objects, lights: kept_lights, sky: None }
+        let sky = file.sky().and_then(SkyLight::as_part);
+        SceneParts { camera: view, settings, materials, objects, lights: kept_lights, sky }
     });
     Ok(Imported { scene, settings, warnings, notes, headlight: lack.is_some(), parts })
 }
 
 /// What a file has not that the caller wants a light at the camera for, if so.
 fn lack_of_light(
+    file: &ModelFile,
     lights: &[PointLight],
     items: &[ImportedObject],
     headlight: Headlight,
 ) -> Option<&'static str> {
     let has_points = lights.iter().any(|light| !light.intensity.is_black());
-    let glows = items.iter().any(|item| !item.emission.is_black());
+    let glows = items.iter().any(|item| !item.emission.is_black())
+        || file.sky().is_some_and(SkyLight::is_lit);
     match (has_points, glows, headlight) {
         (false, false, _) => Some("nothing in it emits light"),
         (false, true, Headlight::WithoutPointLight) => Some("it has no point or spot light"),
@@ -201,6 +205,9 @@ fn build(
     }
     for light in lights {
         add_light(&mut builder, light)?;
+    }
+    if let Some(SkyLight { radiance, turn_degrees }) = file.sky() {
+        builder.set_sky(radiance.clone(), *turn_degrees)?;
     }
     builder.build()
 }

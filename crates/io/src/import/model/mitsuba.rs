@@ -19,6 +19,7 @@ mod paint;
 mod panel;
 mod sensor;
 mod shape;
+mod sky;
 mod surface;
 mod texture;
 

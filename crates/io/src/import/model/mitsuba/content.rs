@@ -5,6 +5,7 @@ use crate::import::counter::Counter;
 use crate::import::model_camera::ModelCamera;
 use crate::import::model_part::{ModelPart, ModelSide};
 use crate::import::placement::Placement;
+use crate::import::sky_light::SkyLight;
 use std::rc::Rc;
 use traylib_math::glam::DAffine3;
 use traylib_scene::{PointLight, SpotCone};
@@ -14,6 +15,7 @@ use traylib_scene::{PointLight, SpotCone};
 pub(in crate::import::model) struct Content {
     pub(super) items: Vec<Item>,
     pub(in crate::import::model) lights: Vec<PointLight>,
+    pub(in crate::import::model) sky: Option<SkyLight>,
     pub(in crate::import::model) camera: Option<ModelCamera>,
     /// Samples per pixel, if the file says.
     pub(in crate::import::model) samples: Option<u32>,

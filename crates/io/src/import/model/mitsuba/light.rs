@@ -2,7 +2,6 @@
 
 use super::Importer;
 use super::fields::Fields;
-use crate::suggest::shown;
 use traylib_math::glam::DVec3;
 use traylib_scene::{PointLight, SpotCone};
 
@@ -15,24 +14,14 @@ impl Importer<'_> {
         match fields.object.kind.as_str() {
             "point" => self.point(&mut fields),
             "spot" => self.spot(&mut fields),
-            "constant" | "envmap" | "directional" | "sun" | "sky" | "sunsky" => {
-                self.sky(object);
-                return;
-            }
+            "constant" => self.constant(&mut fields),
+            "envmap" => self.environment(&mut fields),
             _ => {
                 self.skipped(object);
                 return;
             }
         }
         fields.finish(self.pictures.counter);
-    }
-
-    /// Light from all around or from far away, which scenes have none of here.
-    fn sky(&mut self, object: usize) {
-        let kind = shown(&self.document.objects[object].kind);
-        self.pictures
-            .counter
-            .add(format!("emitter `{kind}` skipped: no light comes from outside of a scene"));
     }
 
     fn point(&mut self, fields: &mut Fields<'_>) {

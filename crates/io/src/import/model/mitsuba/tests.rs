@@ -164,7 +164,7 @@ fn lights_and_spectra_are_as_in_mitsuba() {
         "<shape type='sphere'/>
         <emitter type='point'><spectrum name='intensity' value='10'/></emitter>
         <emitter type='spot'><transform name='to_world'><translate y='1'/></transform></emitter>
-        <emitter type='envmap'/><emitter type='constant'/>",
+        <emitter type='directional'/>",
     );
     let lights = file.lights(&Placement::NONE, &traylib_geometry::Aabb::EMPTY);
     near(lights[0].intensity, [12.0479, 9.48291, 9.08916]);
@@ -172,8 +172,45 @@ fn lights_and_spectra_are_as_in_mitsuba() {
     assert_eq!((lights[1].position, cone.axis), (Vec3::Y, Vec3::Z));
     let [full, dark] = [15.0_f32, 20.0].map(|angle| angle.to_radians().cos());
     assert!((cone.cos_full - full).abs() < 1e-6 && (cone.cos_dark - dark).abs() < 1e-6);
-    assert_eq!(warnings.len(), 3, "{warnings:?}");
-    assert!(warnings[1].contains("emitter `envmap` skipped"), "{warnings:?}");
+    assert_eq!(warnings.len(), 2, "{warnings:?}");
+    assert!(warnings[1].contains("emitter `directional` skipped"), "{warnings:?}");
+}
+
+#[test]
+fn skies_are_brought_in_once() {
+    let constant = "<emitter type='constant'><rgb name='radiance' value='1 2 3'/></emitter>";
+    let (file, warnings) = read("constant", &format!("<shape type='sphere'/>{constant}{constant}"));
+    assert_eq!(file.sky().unwrap().radiance.values(), [Rgb::new(1.0, 2.0, 3.0)]);
+    assert!(warnings.len() == 1 && warnings[0].contains("second sky skipped"), "{warnings:?}");
+
+    let picture = |name: &str, more: &str| {
+        let text = format!(
+            "<shape type='sphere'/><emitter type='envmap'>
+                <string name='filename' value='{name}'/><float name='scale' value='2'/>{more}
+            </emitter>"
+        );
+        let folder = Folder::new("envmap", &text);
+        let light = traylib_math::Grid::filled(4, 2, Rgb::new(0.5, 1.0, 2.0));
+        crate::write_picture(&folder.0.join("sky.exr"), &light, 1.0, &[]).unwrap();
+        folder.read().unwrap()
+    };
+    let (file, warnings) = picture("sky.exr", "");
+    assert_eq!(file.sky().unwrap().radiance.get(3, 3), &Rgb::new(1.0, 2.0, 4.0));
+    assert!(warnings.is_empty(), "{warnings:?}");
+    let scaled = "<transform name='to_world'><scale value='3'/></transform>";
+    let skewed =
+        "<transform name='to_world'><matrix value='1 1 0 0 0 1 0 0 0 0 1 0 0 0 0 1'/></transform>";
+    for (name, more, words) in [
+        ("none.exr", "", "sky `none.exr` not found"),
+        ("../other.exr", "", "not found"),
+        ("a.xml", "", "a.xml"),
+        ("sky.exr", scaled, "scale of an `envmap` skipped"),
+        ("sky.exr", skewed, "skewed `to_world` of an `envmap` skipped"),
+    ] {
+        let (file, warnings) = picture(name, more);
+        assert_eq!(file.sky().is_some(), name == "sky.exr", "{name}");
+        assert!(warnings.len() == 1 && warnings[0].contains(words), "{warnings:?}");
+    }
 }
 
 #[test]
