@@ -6,7 +6,7 @@ use traylib_geometry::Ray;
 use traylib_integrators::{BlindSpot, Integrator, Limits, SceneFacts};
 use traylib_io::picture::screen_rgb;
 use traylib_math::{Grid, Rgb, Vec2, Vec3};
-use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
+use traylib_scene::{MAX_PASS_THROUGHS, Scene, SurfacePoint};
 
 /// Rays from the camera that are looked at, across the picture and down.
 const GRID: [u32; 2] = [64, 48];
@@ -147,7 +147,7 @@ fn axes() -> impl Iterator<Item = Vec3> {
 
 /// The first surface that does not let all light straight through.
 fn surface(scene: &Scene, mut ray: Ray) -> Option<SurfacePoint> {
-    for _ in 0..MOST_PASSAGES {
+    for _ in 0..MAX_PASS_THROUGHS {
         let point = scene.intersect(&ray)?;
         if point.through != Rgb::WHITE {
             return Some(point);

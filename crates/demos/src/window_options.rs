@@ -53,7 +53,8 @@ impl WindowOptions {
 }
 
 impl Crop {
-    /// Those pixels whose left upper corner is inside: of parts that meet, each pixel is in one.
+    /// Returns the pixels whose left upper corner is inside: of parts that meet, each pixel is in
+    /// one.
     fn pixels(self, width: u32, height: u32) -> PixelBounds {
         let [x0, x1, y0, y1] = self.0;
         let at = |part: f32, count: u32| (f64::from(part) * f64::from(count)).ceil() as u32;

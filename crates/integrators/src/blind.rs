@@ -1,9 +1,9 @@
-//! What an integrator cannot see.
+//! The kinds of light that an integrator cannot see.
 
 use std::fmt;
 use traylib_scene::{Light, Scene};
 
-/// What decides which kinds of light there are in a scene.
+/// The facts that decide which kinds of light there are in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub struct SceneFacts {
@@ -50,8 +50,9 @@ impl SceneFacts {
         }
     }
 
-    /// What every walk from the camera misses: a point light cannot be hit after a mirror, nor
-    /// aimed at from it, but [joined](crate::toolkit::light_through_mirrors) by way of some.
+    /// The light that every walk from the camera misses: a point light cannot be hit after a
+    /// mirror, nor aimed at from it, but [joined](crate::toolkit::light_through_mirrors) by way of
+    /// some.
     pub(crate) fn point_light_caustics(self, joins_images: bool) -> Vec<BlindSpot> {
         let joined = [BlindSpot::PointLightCaustics, BlindSpot::PointLightChains];
         self.of_mirrored_points(joined[usize::from(joins_images)])

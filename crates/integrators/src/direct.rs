@@ -10,7 +10,7 @@ use traylib_scene::{LightChoice, LightDensities, LightId, LightPoint, Scene, Sur
 /// A way from a lamp to a vertex that carries light, if nothing stands in it.
 #[derive(Clone, Copy, Debug)]
 pub struct LightSample {
-    /// Which lamp.
+    /// The lamp that was chosen.
     pub id: LightId,
     /// The density with which this point of this lamp was drawn for the vertex.
     pub toward: f32,
@@ -20,7 +20,7 @@ pub struct LightSample {
     pub wi: Vec3,
     /// The squared distance of the two points, in m²; one of the sky.
     pub distance_squared: f32,
-    /// What the vertex makes of this direction.
+    /// The scattering of the vertex in this direction.
     pub scattering: PathScattering,
     /// Radiance toward `wo` that this sample estimates.
     pub radiance: Rgb,
@@ -97,7 +97,7 @@ fn sample_chosen_light(
     Some(sample)
 }
 
-/// What every point light gives a vertex, one sample each.
+/// Samples every point light once, as seen from a vertex.
 pub fn sample_point_lights<'a>(
     scene: &'a Scene,
     point: &'a SurfacePoint,

@@ -23,7 +23,7 @@ use traylib_scene::{Scene, SurfacePoint, Walk};
 /// With `combine`, both ways count everywhere, weighted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DirectLight {
-    /// How long paths get.
+    /// The limits of the lengths of paths.
     pub limits: Limits,
     /// Combine light sampling with hits by this heuristic.
     pub combine: Option<Heuristic>,
@@ -38,7 +38,7 @@ impl Default for DirectLight {
     }
 }
 
-/// How the walk came to where it is.
+/// The technique by which the walk came to its vertex.
 #[derive(Clone, Copy)]
 enum Arrival {
     /// From the camera or a perfect mirror: no light sample competes.
@@ -60,7 +60,7 @@ impl Integrator for DirectLight {
 }
 
 impl DirectLight {
-    /// What arrives over a ray from the camera; each path may be noted.
+    /// Estimates the radiance that arrives over a ray from the camera; each path may be noted.
     fn radiance(
         &self,
         tracer: &mut Tracer<'_>,

@@ -1,4 +1,4 @@
-//! What the camera sees first, beside its light.
+//! The first surface that the camera sees: its albedo, normal and depth.
 
 use crate::tracer::SurfaceHit;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts};

@@ -6,7 +6,7 @@ use crate::tracer::Tracer;
 use crate::{BlindSpot, Chunk, ChunkOutput, Integrator, SceneFacts};
 use traylib_geometry::Ray;
 use traylib_math::{Rgb, Vec2, Vec3};
-use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
+use traylib_scene::{MAX_PASS_THROUGHS, Scene, SurfacePoint};
 
 /// Emission seen directly, the sky's too, and one shadow ray to each point light; no other
 /// light, no interreflection. Without `jitter` the ray goes through the middle
@@ -54,7 +54,7 @@ impl Integrator for Trace {
     }
 }
 
-/// What a pixel sees, as far as it has been followed.
+/// The path of a pixel, as far as it has been followed.
 struct PixelPath {
     pixel: u32,
     ray: Ray,
@@ -67,7 +67,7 @@ struct PixelPath {
 /// all at once, without chance.
 fn follow(tracer: &mut Tracer<'_>, mut paths: Vec<PixelPath>) -> Vec<PixelPath> {
     let mut going: Vec<usize> = (0..paths.len()).collect();
-    for _ in 0..MOST_PASSAGES {
+    for _ in 0..MAX_PASS_THROUGHS {
         // What stands next in each path, and what point lights give it.
         let rays: Vec<Ray> = going.iter().map(|&index| paths[index].ray).collect();
         let mut sights = look(tracer, &rays).into_iter();
@@ -82,20 +82,20 @@ fn follow(tracer: &mut Tracer<'_>, mut paths: Vec<PixelPath>) -> Vec<PixelPath> 
     paths
 }
 
-/// What a ray has met: as much of a surface as is needed later. A list of whole surfaces would
-/// not fit into the nearest cache.
+/// The surface that a ray has met: as much of a surface as is needed later. A list of whole
+/// surfaces would not fit into the nearest cache.
 struct Sight {
     emitted: Rgb,
-    /// What point lights give, reflected.
+    /// The radiance of point lights that it reflects.
     lit: Rgb,
     opacity: f32,
     through: Rgb,
-    /// Where the ray goes on.
+    /// The origin of the ray that goes on.
     origin: Vec3,
 }
 
-/// What each ray meets, lit by all point lights, whose shadow rays are asked together; nothing
-/// of rays beyond the end of the list.
+/// Finds the surface that each ray meets, lit by all point lights, whose shadow rays are asked
+/// together; nothing of rays beyond the end of the list.
 fn look(tracer: &mut Tracer<'_>, rays: &[Ray]) -> Vec<Option<Sight>> {
     let scene = tracer.scene;
     let (mut segments, mut samples) = (Vec::new(), Vec::new());

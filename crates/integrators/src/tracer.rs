@@ -4,9 +4,9 @@ use crate::Control;
 use std::ops::AddAssign;
 use traylib_geometry::Ray;
 use traylib_math::Rgb;
-use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint, Walk};
+use traylib_scene::{MAX_PASS_THROUGHS, Scene, SurfacePoint, Walk};
 
-/// What a rendering did.
+/// Counts of the rays, paths and rejected samples of a rendering.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Statistics {
     /// Rays from the camera.
@@ -46,7 +46,7 @@ impl AddAssign for Statistics {
 pub struct Tracer<'scene> {
     /// The scene itself, for questions that are no rays.
     pub scene: &'scene Scene,
-    /// What was asked so far. A chunk adds it to its [`ChunkOutput`](crate::ChunkOutput).
+    /// The counts so far. A chunk adds it to its [`ChunkOutput`](crate::ChunkOutput).
     pub statistics: Statistics,
     control: &'scene Control,
 }
@@ -86,8 +86,8 @@ impl<'scene> Tracer<'scene> {
         self.meet(ray, pass_through, is_first, true)
     }
 
-    /// What stands first in each of some rays from the camera, be it see-through or not; of no
-    /// ray once it is cancelled.
+    /// Finds the first surface on each of some rays from the camera, be it see-through or not; of
+    /// no ray once it is cancelled.
     pub fn intersect_each<'a>(
         &mut self,
         rays: &'a [Ray],
@@ -151,7 +151,7 @@ impl<'scene> Tracer<'scene> {
         let rays = if is_from_camera { camera_rays } else { bounce_rays };
         // From surface to surface, for as long as chance says straight on.
         let (mut transmittance, mut rest) = (Rgb::WHITE, *ray);
-        for _ in 0..MOST_PASSAGES {
+        for _ in 0..MAX_PASS_THROUGHS {
             *rays += 1;
             // In the place from where it is returned: a point is large.
             let met = self.scene.intersect(&rest);
@@ -173,7 +173,7 @@ impl<'scene> Tracer<'scene> {
         None
     }
 
-    /// How much of the light of a point the camera sees. Asked from the camera,
+    /// Returns the part of the light of a point that the camera sees. Asked from the camera,
     /// as all questions of the kind are from the side of the eye: through the
     /// back of a one-sided surface light passes that way only.
     pub fn seen_by_camera(&mut self, point: &SurfacePoint) -> Option<Rgb> {
@@ -193,18 +193,18 @@ impl<'scene> Tracer<'scene> {
     }
 }
 
-/// Where an edge of a walk from the camera ends that meets no surface any more.
+/// Returns the point of the sky at which an edge of a walk from the camera ends that meets no
+/// surface.
 #[inline(never)]
 fn meet_sky(scene: &Scene, ray: &Ray, transmittance: Rgb) -> Option<SurfaceHit> {
     scene.sky_behind(ray).map(|point| SurfaceHit { point, transmittance })
 }
 
-/// Where an edge of a walk ends.
+/// The end of an edge of a walk.
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceHit {
     /// The surface, seen from the side that the ray came from.
     pub point: SurfacePoint,
-    /// What the throughput is multiplied with for what the edge passed on its
-    /// way.
+    /// The transmittance of the surfaces that the edge passed, a factor of the throughput.
     pub transmittance: Rgb,
 }

@@ -17,7 +17,7 @@ pub enum Error {
     /// Neither a file nor a built-in scene has this name.
     #[error("{}", unknown_scene(.name, .known))]
     UnknownScene {
-        /// What was asked for.
+        /// The name that was asked for.
         name: String,
         /// The names of the built-in scenes.
         known: &'static [&'static str],
@@ -169,7 +169,7 @@ fn unknown_scene(name: &str, known: &[&str]) -> String {
 pub struct Warning {
     /// The file.
     pub file: String,
-    /// What was met, in words.
+    /// The thing that was met, in words.
     pub what: String,
     /// The number of times it was met.
     pub count: u32,

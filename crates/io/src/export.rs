@@ -21,7 +21,7 @@ use ron::Written;
 use std::path::{Path, PathBuf};
 use target::Target;
 
-/// What was written.
+/// The files that were written.
 #[derive(Debug)]
 pub struct Converted {
     /// The files: that of the scene first.

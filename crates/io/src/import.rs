@@ -51,11 +51,11 @@ pub(crate) struct Imported {
     pub(crate) scene: Scene,
     pub(crate) settings: SceneSettings,
     pub(crate) warnings: Vec<Warning>,
-    /// What was chosen because no file says it.
+    /// Notes of the choices that no file makes.
     pub(crate) notes: Vec<String>,
     /// Whether it got a light at the camera.
     pub(crate) headlight: bool,
-    /// What it was built of, if that was to be kept.
+    /// The parts that it was built of, if they were to be kept.
     pub(crate) parts: Option<SceneParts>,
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn has_mesh_counts(path: &std::path::Path) -> bool {
     model::counts::is_counted(path)
 }
 
-/// What a file of meshes holds, in figures.
+/// Counts the contents of a file of meshes.
 pub(crate) fn mesh_counts(
     location: &Location,
     options: LoadOptions<'_>,
@@ -242,7 +242,7 @@ fn one_sided(
     one_sided::warnings(&items.collect::<Vec<_>>(), points)
 }
 
-/// What the checks before have let through can only fail in ways that depend
+/// Builds the scene. Parts that passed the checks before can only fail in ways that depend
 /// on the whole.
 fn build(
     root: &SceneFile,

@@ -13,13 +13,13 @@ use traylib_scene::Light;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Inventory {
-    /// What is in a 3DS file.
+    /// The contents of a 3DS file.
     ThreeDs(Box<three_ds::Counts>),
-    /// What is in MGF files, read one after the other.
+    /// The contents of MGF files, read one after the other.
     Mgf(Box<mgf::Counts>),
-    /// What is in an OBJ, PLY or glTF file.
+    /// The contents of an OBJ, PLY or glTF file.
     Meshes(Box<MeshCounts>),
-    /// What is in a scene in RON or built in.
+    /// The contents of a scene in RON or built in.
     Scene(SceneCounts),
 }
 

@@ -26,8 +26,8 @@ pub struct Loaded {
     pub name: String,
 }
 
-/// Loads a scene in RON, glTF, OBJ, PLY, 3DS, MGF or Mitsuba's XML, or a built-in scene where no file has this
-/// name.
+/// Loads a scene in RON, glTF, OBJ, PLY, 3DS, MGF or Mitsuba's XML, or a built-in scene where no
+/// file has this name.
 ///
 /// # Errors
 /// [`Error::UnknownScene`], [`Error::Read`], [`Error::Scene`] with every place
@@ -64,7 +64,7 @@ fn imported(
     }
 }
 
-/// What a scene is built of, with warnings and notes.
+/// Loads the parts that a scene is built of, with warnings and notes.
 ///
 /// # Errors
 /// As [`load_scene`].

@@ -151,7 +151,8 @@ pub fn save_picture_with(
     write_with(path, radiance, info.exposure, extras)
 }
 
-/// What an EXR file has beside the light; of it PNG files have the attributes.
+/// The layers and attributes that an EXR file has beside the light; of it PNG files have the
+/// attributes.
 #[derive(Clone, Copy)]
 struct Extras<'a> {
     attributes: &'a [(String, String)],

@@ -134,7 +134,7 @@ impl Problem {
         Self { help, ..self }
     }
 
-    /// Where a value cannot be found in the text, its path says where it is.
+    /// Renders a problem; of a value that cannot be found in the text its path is given.
     fn render(&self, is_first: bool) -> String {
         let level = if is_first { Level::ERROR.no_name() } else { Level::ERROR };
         let SourceText { name, text } = &*self.source;

@@ -25,7 +25,7 @@ pub struct Document {
     /// Scene files whose materials, objects and lights belong to this one.
     #[serde(default)]
     pub include: Vec<String>,
-    /// Where the picture is taken from.
+    /// The camera.
     pub camera: Option<Camera>,
     /// Factor on radiance in 8-bit pictures.
     pub exposure: Option<f32>,
@@ -91,11 +91,11 @@ pub struct Object {
     pub material: Option<String>,
     /// Radiance that its front emits, W/(m²·sr).
     pub emission: Option<[f32; 3]>,
-    /// Which sides are there for light.
+    /// The sides that are there for light.
     pub sides: Option<Sides>,
 }
 
-/// Which sides of a surface are there for light.
+/// The sides of a surface that are there for light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Derive)]
 pub enum Sides {
     /// Both.
@@ -143,12 +143,12 @@ pub struct Sphere {
     pub center: [f32; 3],
     /// Its radius.
     pub radius: f32,
-    /// Where its front is.
+    /// The side that is its front.
     #[serde(default)]
     pub facing: Facing,
 }
 
-/// Where the front of a round shape is.
+/// The side that is the front of a round shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Derive)]
 pub enum Facing {
     /// Outside.
@@ -181,7 +181,7 @@ pub struct Cone {
     pub ends: [[f32; 3]; 2],
     /// The radius at each.
     pub radii: [f32; 2],
-    /// Where its front is.
+    /// The side that is its front.
     #[serde(default)]
     pub facing: Facing,
 }
@@ -220,7 +220,7 @@ pub struct Mesh {
     /// Degrees about x, then about y, then about z.
     #[serde(default)]
     pub rotate: [f32; 3],
-    /// Where the file's origin goes.
+    /// The place of the file's origin.
     #[serde(default)]
     pub translate: [f32; 3],
     /// Materials of the scene for some of the file's, by their names there.
@@ -248,7 +248,7 @@ pub enum Light {
 }
 
 impl Light {
-    /// Where it is.
+    /// Its position.
     pub fn position(&self) -> [f32; 3] {
         match self {
             Self::Point(light) => light.position,
@@ -269,7 +269,7 @@ impl Light {
 #[derive(Clone, Debug, PartialEq, Derive)]
 #[serde(deny_unknown_fields, rename = "Point")]
 pub struct PointLight {
-    /// Where it is.
+    /// Its position.
     pub position: [f32; 3],
     /// Radiant intensity, W/sr.
     pub intensity: [f32; 3],
@@ -279,7 +279,7 @@ pub struct PointLight {
 #[derive(Clone, Debug, PartialEq, Derive)]
 #[serde(deny_unknown_fields, rename = "Spot")]
 pub struct SpotLight {
-    /// Where it is.
+    /// Its position.
     pub position: [f32; 3],
     /// A point in the middle of its light.
     pub target: [f32; 3],
@@ -366,7 +366,7 @@ pub fn decode(text: &str) -> Result<Document, ron::error::SpannedError> {
     options().from_str(text)
 }
 
-/// How all of our own text is read: without what says only that a value is there.
+/// The options with which all of our own text is read: `Some` need not be written.
 fn options() -> ron::Options {
     use ron::extensions::Extensions;
     ron::Options::default()

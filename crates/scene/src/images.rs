@@ -1,5 +1,4 @@
-//! Where the images of lamps stand in mirrors, for whoever looks for light from a rough
-//! surface.
+//! The images of lamps in mirrors, as rough surfaces that look for light see them.
 //!
 //! Light that comes over a mirror onto a rough surface is a caustic. Where that surface
 //! is itself seen by way of a mirror, no two neighbouring vertices between lamp and eye
@@ -172,7 +171,7 @@ impl Pair {
         self.seen_in.is_some() || self.mirror.rises_above(from, normal)
     }
 
-    /// Where a point sees the image, if it does.
+    /// Returns the cone of directions in which a point sees the image, if it does.
     fn image(&self, from: Vec3) -> Option<ImageCone> {
         match &self.seen_in {
             None => self.mirror.image(&self.lamp, from),

@@ -26,18 +26,18 @@ pub enum Light {
     /// A point that emits the same intensity (W/sr) into every direction, or into
     /// those of a cone.
     Point(PointLight),
-    /// What shines from infinitely far away. There is one at most, after all other lamps.
+    /// The sky, which shines from infinitely far away. There is one at most, after all other lamps.
     Sky(Arc<Sky>),
 }
 
 /// A lamp without extent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight {
-    /// Where it is.
+    /// Its position.
     pub position: Vec3,
     /// W/sr; of a spot light, where it is full.
     pub intensity: Rgb,
-    /// Where a spot light shines; `None` for every direction alike.
+    /// The cone in which a spot light shines; `None` for every direction alike.
     pub cone: Option<SpotCone>,
 }
 
@@ -55,14 +55,14 @@ pub struct LightPoint {
     /// densities are per steradian where those of other lamps are per m². Its position is
     /// where a light path starts, else it has none.
     pub is_sky: bool,
-    /// Where it shines if it is a spot light.
+    /// The cone in which it shines, if it is a spot light.
     pub cone: Option<SpotCone>,
 }
 
 /// A start of a light path.
 #[derive(Clone, Copy, Debug)]
 pub struct Emission {
-    /// Where the path starts.
+    /// The point at which the path starts.
     pub point: LightPoint,
     /// The unit direction it takes.
     pub direction: Vec3,
@@ -130,7 +130,7 @@ impl LightPoint {
         Ray::new(site.ray_origin(toward), toward)
     }
 
-    /// Where a ray toward `direction` starts.
+    /// Returns the origin of a ray toward `direction`.
     pub fn ray_origin(&self, direction: Vec3) -> Vec3 {
         self.site.ray_origin(direction)
     }

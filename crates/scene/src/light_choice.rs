@@ -1,4 +1,5 @@
-//! Which lamp a surface aims at: the sky in a fixed part of all cases, else one of the tree's.
+//! The choice of the lamp that a surface aims at: the sky in a fixed part of all cases, else one of
+//! the tree's.
 
 use crate::Light;
 use crate::light_tree::LightTree;

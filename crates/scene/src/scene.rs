@@ -71,7 +71,7 @@ pub struct LightDensities {
 
 /// More surfaces than this in a row let nothing through. Rounding could otherwise
 /// hold a ray for ever where panes meet.
-pub const MOST_PASSAGES: u32 = 1000;
+pub const MAX_PASS_THROUGHS: u32 = 1000;
 
 /// The distance, as a part of the way, at which two surfaces are met that share an edge.
 const EDGE: f32 = 1.0 / (1 << 18) as f32;
@@ -251,7 +251,7 @@ impl Scene {
         // Toward the sky there is none.
         let end = segment.t_max.is_finite().then(|| segment.at(segment.t_max));
         let (mut transmittance, mut rest) = (Rgb::WHITE, *segment);
-        for _ in 0..MOST_PASSAGES {
+        for _ in 0..MAX_PASS_THROUGHS {
             let Some(hit) = self.stage.tree.nearest(&rest) else { return transmittance };
             let surface = self.surface(&hit);
             let material = &self.stage.materials[surface.material()];
@@ -299,7 +299,8 @@ impl Scene {
         &self.stage.lights[id.0 as usize]
     }
 
-    /// Where a rough surface at this point sees images of lamps in mirrors, if it may see any.
+    /// Returns the directions in which a rough surface at this point sees images of lamps in
+    /// mirrors, if it may see any.
     #[inline]
     pub fn image_directions(&self, point: &SurfacePoint) -> Option<ImageDirections> {
         self.stage.mirrored_lights.seen_from(point)
@@ -333,8 +334,9 @@ impl Scene {
         }
     }
 
-    /// The sky that a ray of unit direction sees which meets no surface, as a surface that emits and reflects
-    /// nothing: a [point of the sky](SurfacePoint::is_sky). `None` where there is no sky.
+    /// The sky that a ray of unit direction sees which meets no surface, as a surface that emits
+    /// and reflects nothing: a [point of the sky](SurfacePoint::is_sky). `None` where there is no
+    /// sky.
     pub fn sky_behind(&self, ray: &Ray) -> Option<SurfacePoint> {
         self.sky()?;
         let sky = LightId(self.stage.lights.len() as u32 - 1);

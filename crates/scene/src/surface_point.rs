@@ -1,5 +1,5 @@
-//! Where a ray met a surface: the one place that knows both where it is and
-//! what it is made of.
+//! The point at which a ray met a surface: the one place that knows both its position and its
+//! material.
 
 use crate::LightId;
 use crate::light::sky;
@@ -10,7 +10,7 @@ use traylib_math::{Rgb, Vec3};
 /// A lobe of this exponent or more shows images: it is 6 degrees wide.
 pub(crate) const SHARP: f32 = 1e3;
 
-/// Which end of the path a walk started from.
+/// The end of the path that a walk started from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Walk {
     /// From the camera toward the lights.
@@ -40,7 +40,7 @@ pub struct SurfacePoint {
     pub through: Rgb,
     /// The lamp this surface is.
     pub light: Option<LightId>,
-    /// Which of the scene's surfaces it is, by its number there.
+    /// The index of the surface in the scene.
     pub surface: u32,
 }
 

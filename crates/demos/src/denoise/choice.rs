@@ -1,4 +1,4 @@
-//! Which filter did best where.
+//! The choice of the best filter for each place.
 
 use super::{Picture, smooth};
 use traylib_math::{Grid, Vec3};
@@ -15,7 +15,7 @@ pub(super) struct Candidate {
 const ERROR_RADIUS: usize = 5;
 /// From one choice to the next there are so many pixels of both.
 const BLEND_RADIUS: usize = 2;
-/// Where a picture is darker than this part of its mean, errors count as if it were not: that of
+/// The part of the mean below which errors are weighed as if the picture were that bright: that of
 /// relMSE.
 const DARK: f32 = 0.1;
 

@@ -12,7 +12,7 @@ const WINDOW_RADIUS: i32 = 7;
 /// Rows that one thread filters at a time.
 const BAND: usize = 16;
 
-/// By what it is told which pixels are alike.
+/// The pictures by which the likeness of pixels is judged.
 #[derive(Clone, Copy)]
 pub(super) struct Guide<'a> {
     /// A picture that is independent of the one that is filtered.
@@ -78,8 +78,8 @@ fn offsets() -> impl Iterator<Item = (i32, i32)> {
     along.clone().flat_map(move |dy| along.clone().map(move |dx| (dx, dy)))
 }
 
-/// How unlike each pixel of these rows is to the one at this offset, for a strength of one: the
-/// mean over the squares around both.
+/// Returns the unlikeness of each pixel of these rows to the one at this offset, for a strength of
+/// one: the mean over the squares around both.
 fn unlikeness(guide: Guide<'_>, rows: &Range<usize>, dx: i32, dy: i32) -> Vec<f32> {
     let (width, height) = (guide.light.width(), guide.light.height());
     // Pixel by pixel, with the rows that squares reach into.

@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Sub};
 use traylib_math::Grid;
 
-/// What can be summed up and divided.
+/// Values that can be summed up and divided.
 pub(super) trait Value: Copy + Default + Add<Output = Self> + Sub<Output = Self> {
     /// A part of it.
     fn times(self, factor: f32) -> Self;

@@ -27,7 +27,7 @@ pub(crate) struct Vertex {
     pub(crate) point: SurfacePoint,
     /// Unit direction back to the vertex before.
     pub(crate) wo: Vec3,
-    /// What the subpath up to here is worth, over its density.
+    /// The throughput of the subpath up to here, over its density.
     pub(crate) throughput: Rgb,
     /// The random numbers of this vertex.
     pub(crate) numbers: VertexNumbers,
@@ -45,7 +45,7 @@ pub(crate) struct Vertex {
     pub(crate) after_delta: bool,
     /// Whether the surface is sharp: see [`SurfacePoint::is_sharp`].
     pub(crate) is_sharp: bool,
-    /// Which of the images of its path a walk from the camera aims at from here.
+    /// The index of the images that a walk from the camera aims at from here.
     pub(crate) images: Option<u32>,
     pub(crate) d_vcm: f64,
     pub(crate) d_vc: f64,
@@ -131,7 +131,8 @@ impl Vertex {
 
     /// Notes how the walk goes on by this sample, and updates the partial weights for the
     /// next vertex (Georgiev, equations 34 to 36, without vertex merging). A walk from the
-    /// other end would have gone back with density `pdf_back`; `connections` is whether connecting at the next edge takes part at all.
+    /// other end would have gone back with density `pdf_back`; `connections` is whether connecting
+    /// at the next edge takes part at all.
     #[inline]
     pub(crate) fn scatter(
         &mut self,
@@ -162,7 +163,7 @@ impl Vertex {
     }
 }
 
-/// What a vertex makes of a connecting edge.
+/// The factors that one end of a connecting edge contributes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct End {
     /// BSDF and densities for the way from `wo` to the other end.

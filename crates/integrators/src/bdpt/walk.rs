@@ -15,7 +15,7 @@ use traylib_materials::BsdfSample;
 use traylib_math::{Heuristic, SolidAnglePdf};
 use traylib_scene::{LightDensities, LightId, LightPoint, Scene, SurfacePoint, Walk};
 
-/// Where a light subpath started: x₀.
+/// The start x₀ of a light subpath.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightStart {
     pub(crate) light: LightId,
@@ -57,7 +57,7 @@ impl Walker {
         Some(start)
     }
 
-    /// What the first surface needs to know of x₀: the techniques that could have
+    /// Returns the state of x₀ that the first surface needs: the techniques that could have
     /// found it otherwise are light sampling and, if the lamp has an area, a hit.
     pub(crate) fn light_state(&self, emitted: &Emitted) -> SubpathState {
         let Emitted { x0, direction, densities, .. } = emitted;

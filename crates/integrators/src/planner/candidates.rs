@@ -14,15 +14,15 @@ const SPLATTED: [u32; 4] = [250, 500, 1000, 2000];
 /// nothing.
 const JOINED: [u32; 2] = [500, 1000];
 
-/// What may pay, and what does not come into question.
+/// The methods that may pay, and those that do not come into question.
 pub(super) struct Candidates {
     /// Each finds whatever whole bidirectional tracing finds.
     pub(super) methods: Vec<Method>,
-    /// What is blind to some of it: to be faster for that is no merit.
+    /// The methods that are blind to some of the light: to be faster for that is no merit.
     pub(super) blind: Vec<(Method, BlindSpot)>,
 }
 
-/// What there is to choose from in a scene of such facts.
+/// Returns the methods to choose from in a scene of such facts.
 pub(super) fn candidates(facts: SceneFacts) -> Candidates {
     let mut all = vec![Method::PURE_MC, Method::DIRECT_LIGHT, Method::PARTICLE];
     // Point lights are not hit: there is nothing to combine.

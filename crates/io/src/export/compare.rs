@@ -1,11 +1,11 @@
-//! Whether a scene that was written reads back as it was.
+//! The comparison of a scene that was written with what is read back.
 
 use super::PartObject;
 use crate::import::SceneParts;
 use traylib_geometry::Mesh;
 use traylib_scene::ObjectShape;
 
-/// How much is not the same: objects, materials, lights, or all there is of one of them.
+/// Counts the differences: objects, materials, lights, or all there is of one of them.
 pub(super) fn differences(before: &SceneParts, after: &SceneParts) -> u32 {
     let camera = u32::from(before.camera != after.camera || before.settings != after.settings);
     // What files of meshes bring themselves stands behind ours.

@@ -9,14 +9,14 @@ use traylib_math::{Rgb, Vec2};
 
 /// A material in RON; its pictures are in `folder`.
 pub(super) fn material(material: &Material, folder: &str, pictures: &mut Pictures) -> String {
-    let plain = with_passage(&material.model, material.through);
+    let plain = with_pass_through(&material.model, material.through);
     match &material.maps {
         None => plain,
         Some(maps) => textured(&plain, maps, folder, pictures),
     }
 }
 
-fn with_passage(model: &SurfaceModel, through: Rgb) -> String {
+fn with_pass_through(model: &SurfaceModel, through: Rgb) -> String {
     if through.is_black() {
         return scattering(model);
     }

@@ -1,4 +1,4 @@
-//! Where a scene file and its folder go: all of it or nothing.
+//! The place of a scene file and its folder, of which all is written or nothing.
 
 use super::ron::Written;
 use crate::{Error, check_file, write_file};
@@ -30,7 +30,7 @@ impl Target {
         Ok(Self { scene: scene.to_path_buf(), folder, name })
     }
 
-    /// What the scene file calls the folder.
+    /// Returns the folder's name in the scene file.
     pub(super) fn folder_name(&self) -> &str {
         &self.name
     }

@@ -38,7 +38,7 @@ pub(super) fn bounds(items: &[ImportedObject]) -> Aabb {
     Aabb::around(finite().filter(|point| sound.contains(*point)))
 }
 
-/// Where coordinates make sense.
+/// Returns the range in which coordinates make sense.
 fn sound_range(mut values: Vec<f32>) -> [f32; 2] {
     let aside = values.len() / 1000;
     let Some(last) = values.len().checked_sub(1 + aside) else { return [0.0; 2] };
@@ -48,7 +48,7 @@ fn sound_range(mut values: Vec<f32>) -> [f32; 2] {
     [middle - 10.0 * extent, middle + 10.0 * extent]
 }
 
-/// Which of y and z is up: that along which lamps are nearer to the top of the
+/// Returns the one of y and z that is up: that along which lamps are nearer to the top of the
 /// box, and shine more downward. z where that does not tell.
 pub(super) fn up(items: &[ImportedObject], bounds: &Aabb) -> Vec3 {
     let (centre, half) = (bounds.centre(), 0.5 * bounds.extent());
@@ -106,7 +106,7 @@ fn inside(tree: &Tree, bounds: &Aabb, up: Vec3) -> Option<ModelCamera> {
     })
 }
 
-/// How far it is to the sides of the box.
+/// Returns the distance along the ray to the sides of the box.
 fn way_out(ray: &Ray, bounds: &Aabb) -> f32 {
     let ahead = Vec3::select(ray.direction.cmpgt(Vec3::ZERO), bounds.max, bounds.min);
     // Along a side there is no way out through it.
@@ -123,7 +123,7 @@ fn direction(index: u32, count: u32, up: Vec3) -> Vec3 {
     around * (1.0 - height * height).sqrt() + up * height
 }
 
-/// Where x, y and z are, if z is up.
+/// Returns the axes x, y and z of a frame in which z is up.
 fn upright(up: Vec3) -> [Vec3; 3] {
     if up == Vec3::Y { [Vec3::Z, Vec3::X, Vec3::Y] } else { [Vec3::X, Vec3::Y, Vec3::Z] }
 }
@@ -151,7 +151,8 @@ fn outside(bounds: &Aabb, up: Vec3, aspect: f32) -> ModelCamera {
     }
 }
 
-/// How far from the middle, in the direction `towards`, all corners are in view.
+/// Returns the distance from the middle, in the direction `towards`, from which all corners are in
+/// view.
 fn distance_to_see(bounds: &Aabb, towards: Vec3, up: Vec3, aspect: f32) -> f32 {
     let right = up.cross(towards).normalize();
     let up = towards.cross(right);

@@ -73,7 +73,7 @@ impl Materials {
         &self.models
     }
 
-    /// What the model of this number is called.
+    /// Returns the name of the model of this number.
     pub(super) fn name(&self, number: usize) -> &str {
         &self.model_names[number]
     }
@@ -83,7 +83,7 @@ impl Materials {
         &mut self.textures
     }
 
-    /// What was repaired in their pictures.
+    /// Returns warnings of what was repaired in their pictures.
     pub(super) fn into_warnings(self) -> Vec<Warning> {
         self.textures.into_warnings()
     }

@@ -26,7 +26,7 @@ pub(super) struct MeshImporter<'a> {
     pub(super) file: &'a SceneFile,
     pub(super) object: &'a Object,
     pub(super) mesh: &'a Mesh,
-    /// Where the object stands in the file.
+    /// The place of the object in the file.
     pub(super) place: &'a Place,
     pub(super) materials: &'a Materials,
     pub(super) problems: &'a mut Problems,
@@ -86,7 +86,7 @@ impl MeshImporter<'_> {
         self.place.field("shape").field("file").problem(error).with_help_if_any(help)
     }
 
-    /// What could shine if the object wanted it.
+    /// Counts the lights that could shine if the object wanted it.
     fn note_unused(&self, file: &ModelFile, counter: &mut Counter) {
         let (lights, glows) = file.unused_light();
         if file.sky().is_some() {
@@ -100,7 +100,7 @@ impl MeshImporter<'_> {
         }
     }
 
-    /// What the object says goes before what the file says.
+    /// Overrides what the file says by what the object says.
     fn change(&self, item: &mut ImportedObject, side: ModelSide, named: Option<usize>) {
         if let Some(number) = named {
             item.material = ObjectMaterial::Named(number);

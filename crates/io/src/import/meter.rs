@@ -10,7 +10,7 @@
 use std::f32::consts::FRAC_1_PI;
 use traylib_geometry::Ray;
 use traylib_math::{Rgb, Vec2, solid_angle_per_area};
-use traylib_scene::{MOST_PASSAGES, Scene, SurfacePoint};
+use traylib_scene::{MAX_PASS_THROUGHS, Scene, SurfacePoint};
 
 /// Points that are looked at, across the picture and down.
 const GRID: [u32; 2] = [32, 24];
@@ -43,7 +43,7 @@ pub(super) fn exposure(scene: &Scene) -> Option<f64> {
 
 /// The first surface of a ray that light does not pass through for the most part.
 fn surface(scene: &Scene, mut ray: Ray) -> Option<SurfacePoint> {
-    for _ in 0..MOST_PASSAGES {
+    for _ in 0..MAX_PASS_THROUGHS {
         let point = scene.intersect(&ray)?;
         if point.through.luminance() <= 0.5 {
             return Some(point);

@@ -117,7 +117,7 @@ impl ModelFile {
         }
     }
 
-    /// How many lights it has, and whether a material shines by itself without a
+    /// Returns the number of its lights, and whether a material shines by itself without a
     /// unit.
     pub(super) fn unused_light(&self) -> (usize, bool) {
         let glows = self.materials.iter().any(|material| !material.emission.is_black());
@@ -151,8 +151,8 @@ impl ModelFile {
 
 /// The files read so far: each is read, and warned about, once.
 pub(super) struct ModelFiles<'a> {
-    /// Where included files may come from, if the caller says, and how much there may
-    /// be of what.
+    /// The folder that included files may come from, if the caller says, and the limits of
+    /// readers.
     options: LoadOptions<'a>,
     files: HashMap<Location, Result<Rc<NumberedFile>, String>>,
     materials: Vec<Material>,
@@ -237,7 +237,7 @@ impl<'a> ModelFiles<'a> {
         &self.materials
     }
 
-    /// What a file calls its material of this number.
+    /// Returns the name that a file has for its material of this number.
     pub(super) fn name(&self, number: usize) -> &str {
         &self.names[number]
     }

@@ -2,7 +2,7 @@
 
 use traylib_math::Vec3;
 
-/// Where the picture is taken from, according to a file.
+/// The camera of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ModelCamera {
     pub(super) position: Vec3,

@@ -1,4 +1,4 @@
-//! Where a mesh from a file goes.
+//! The placement of a mesh from a file.
 
 use traylib_math::Vec3;
 use traylib_math::glam::{DAffine3, DVec3, Mat3};
@@ -40,7 +40,7 @@ impl Placement {
         self.rotation * (point * self.scale) + self.translation
     }
 
-    /// Where a point of double precision goes.
+    /// Places a point of double precision.
     pub(super) fn wide_point(&self, point: DVec3) -> DVec3 {
         let turned = self.rotation.as_dmat3() * (point * f64::from(self.scale));
         turned + self.translation.as_dvec3()

@@ -1,4 +1,4 @@
-//! What a scene is built of, whatever files it came from.
+//! The parts that a scene is built of, whatever files it came from.
 
 use super::imported_object::{ImportedObject, ObjectMaterial};
 use crate::load_options::SceneSettings;

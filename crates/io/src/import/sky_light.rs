@@ -20,13 +20,13 @@ impl SkyLight {
         Self { radiance: Grid::filled(1, 1, radiance), turn_degrees: 0.0 }
     }
 
-    /// What is kept of it to write it again; `None` if it has no texels.
+    /// Returns it as part of a scene that may be written again; `None` if it has no texels.
     pub(super) fn as_part(&self) -> Option<PartSky> {
         let radiance = Arc::new(Texture::new(self.radiance.clone())?);
         Some(PartSky { radiance, turn_degrees: self.turn_degrees })
     }
 
-    /// Whether light comes from anywhere.
+    /// Returns whether light comes from anywhere.
     pub(super) fn is_lit(&self) -> bool {
         self.radiance.values().iter().any(|light| !light.is_black())
     }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use traylib_materials::{Layer, Texture};
 use traylib_math::{Grid, Rgb};
 
-/// What the values of a picture stand for.
+/// The meaning of a picture's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Meaning {
     /// Light, to be made linear.
@@ -24,13 +24,13 @@ pub(super) enum Meaning {
     Mask(u32),
 }
 
-/// How a picture is used.
+/// The use that is made of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Usage {
     pub(super) meaning: Meaning,
     /// Whether black and white are exchanged.
     pub(super) negative: bool,
-    /// What every value is multiplied with.
+    /// The factor of every value.
     pub(super) factor: Rgb,
 }
 
@@ -72,13 +72,13 @@ fn described(error: &Error) -> String {
     }
 }
 
-/// Where a picture comes from.
+/// The source of a picture.
 pub(super) enum PictureSource<'a> {
     /// A file.
     File(&'a Location),
     /// Bytes of one within another file.
     Bytes {
-        /// What it is called.
+        /// Its name.
         name: String,
         /// All of it.
         bytes: &'a [u8],
@@ -248,7 +248,7 @@ mod tests {
     use traylib_materials::Tiling;
     use traylib_math::Vec2;
 
-    /// What a picture file has in its middle.
+    /// Loads a picture and returns the value in its middle.
     fn loaded(file: &Path, meaning: Meaning) -> f32 {
         let location = Location::Disk(file.to_path_buf());
         let texture = Textures::default().load(&location, Usage::plain(meaning)).unwrap();

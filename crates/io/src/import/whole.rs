@@ -30,7 +30,7 @@ use traylib_scene::{
 const RESOLUTION: (u32, u32) = (400, 300);
 /// Samples per pixel where nobody says it.
 const SAMPLES: u32 = 64;
-/// What a grey surface in a room of grey walls shall look like.
+/// The value in the picture of a grey surface in a room of grey walls.
 const MIDDLE_GREY: f32 = 0.25;
 
 /// Builds the scene of a file, with a camera if it has none. What it is built of is kept where the
@@ -91,7 +91,7 @@ pub(crate) fn import_whole(
     Ok(Imported { scene, settings, warnings, notes, headlight: lack.is_some(), parts })
 }
 
-/// What a file has not that the caller wants a light at the camera for, if so.
+/// Returns the light that a file lacks, in words, if the caller wants one at the camera for it.
 fn lack_of_light(
     file: &ModelFile,
     lights: &[PointLight],
@@ -118,7 +118,7 @@ fn items(
     Ok(parts.into_iter().map(object).collect())
 }
 
-/// What lets light through on one side only.
+/// Warns of surfaces that let light through on one side only.
 fn one_sided(
     file: &ModelFile,
     name: &str,

@@ -1,4 +1,4 @@
-//! What is asked of a text before it is read as XML.
+//! The bounds that a text must keep before it is read as XML.
 //!
 //! The reader of XML compares each attribute with all before it in its element, and hands the
 //! namespaces of an element on to all within it. That is no matter for what scenes have, and
@@ -49,7 +49,7 @@ pub(super) fn check(text: &str) -> Result<(), (usize, Fault)> {
     Ok(())
 }
 
-/// What stands between `<` and `>`.
+/// The text between `<` and `>`.
 struct Tag {
     length: usize,
     attributes: usize,

@@ -9,7 +9,7 @@ use traylib_math::glam::DAffine3;
 pub struct Document {
     /// All objects, in the order in which they begin in the file.
     pub objects: Vec<Object>,
-    /// Those that stand in the scene itself.
+    /// The indices of the objects that stand in the scene itself.
     pub roots: Vec<usize>,
     /// The names of the files, the first of which includes the others.
     pub files: Vec<String>,
@@ -40,13 +40,13 @@ pub struct Place {
 /// An object of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
-    /// What it is.
+    /// Its class.
     pub class: Class,
     /// Its type, as `sphere` or `diffuse`.
     pub kind: String,
     /// The name by which others refer to it, or none.
     pub id: String,
-    /// Where it begins.
+    /// The place at which it begins.
     pub place: Place,
     /// Whether its file is of a version before 2.
     pub is_old: bool,
@@ -67,7 +67,7 @@ pub enum Class {
     Emitter,
     /// A camera.
     Sensor,
-    /// What a camera throws its picture on.
+    /// The film of a camera.
     Film,
     /// A source of random numbers.
     Sampler,
@@ -99,7 +99,7 @@ impl Class {
         })
     }
 
-    /// What an element of it is called.
+    /// Returns the name of its elements.
     pub fn name(self) -> &'static str {
         match self {
             Self::Shape => "shape",
@@ -119,9 +119,9 @@ impl Class {
 /// A value of an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Property {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// What it is.
+    /// Its value.
     pub value: Value,
 }
 
@@ -151,7 +151,7 @@ pub enum Value {
 /// An object within another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Child {
-    /// What it is for there, or empty.
+    /// The name by which the object around it uses it, or empty.
     pub name: String,
     /// Its index among all objects.
     pub object: usize,

@@ -12,11 +12,11 @@ pub struct Error {
     pub line: u32,
     /// The character in it, from 1.
     pub column: u32,
-    /// What is wrong there.
+    /// The fault at that place.
     pub fault: Fault,
 }
 
-/// What can be wrong with a file.
+/// The faults that a file can have.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
@@ -45,7 +45,7 @@ pub enum Fault {
     Unreadable {
         /// The text.
         text: String,
-        /// What was expected.
+        /// The kind of value that was expected.
         expected: &'static str,
     },
     /// A parameter that has no value.
@@ -87,7 +87,7 @@ pub enum Fault {
     /// More than a file may ask for whatever its reader allows.
     #[error("more than {limit} {what}")]
     TooMany {
-        /// What there is too much of.
+        /// The kind of thing that there are too many of.
         what: &'static str,
         /// The bound.
         limit: usize,
@@ -95,7 +95,7 @@ pub enum Fault {
     /// A bound of the reader is exceeded.
     #[error("more than {limit} {what}; {}", .option.remedy(*.limit))]
     Limit {
-        /// What there is too much of.
+        /// The kind of thing that there are too many of.
         what: &'static str,
         /// The bound.
         limit: u64,

@@ -1,6 +1,6 @@
 //! From bytes of a text to lines and columns.
 
-/// Where the lines of a text begin.
+/// The offsets at which the lines of a text begin.
 pub(super) struct Lines<'a> {
     text: &'a str,
     starts: Vec<u32>,

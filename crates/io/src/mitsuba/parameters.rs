@@ -37,7 +37,7 @@ impl Parameters {
     }
 }
 
-/// What a name with no value looks like, for a message.
+/// Describes a name without a value, for a message.
 fn undefined(part: &str) -> String {
     let is_name = |c: &char| c.is_alphanumeric() || *c == '_';
     format!("${}", part.chars().take_while(is_name).take(60).collect::<String>())

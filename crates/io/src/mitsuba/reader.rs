@@ -228,7 +228,7 @@ impl Reader<'_> {
         Ok((object, self.name(node, is_old)?))
     }
 
-    /// What a value or an object is for in the object around it.
+    /// Returns the name by which the object around uses a value or an object.
     fn name(&self, node: Node<'_, '_>, is_old: bool) -> Result<String, Fault> {
         let name = self.optional(node, "name")?.unwrap_or_default();
         Ok(if is_old { names::modern(&name) } else { name.into_owned() })

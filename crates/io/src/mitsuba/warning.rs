@@ -1,4 +1,4 @@
-//! What the decoder skips.
+//! The parts of a file that the decoder skips.
 
 use std::fmt;
 

@@ -8,7 +8,7 @@ const PICTURE: &str = "a picture, as `\"wood.png\"` or `(file: \"wood.png\", sca
 const MATERIAL: &str = "a material, as `Lambert(reflectance: (0.5, 0.5, 0.5))`";
 const NUMBER: &str = "a number, as `1.5`";
 
-/// What a field wants; `None` if it is not known.
+/// Returns the kind of value that a field wants, in words; `None` if it is not known.
 pub(super) fn wanted(context: &Context<'_>) -> Option<&'static str> {
     if context.field.starts_with('"') {
         // Of a mesh, or of the file.

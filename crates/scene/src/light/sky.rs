@@ -19,7 +19,7 @@ use shadow::BoxShadow;
 use traylib_geometry::{Aabb, SurfaceSite};
 use traylib_math::{AreaPdf, Rgb, Vec2, Vec3};
 
-/// What shines from infinitely far away, from each direction its own radiance.
+/// A lamp infinitely far away, with a radiance of its own in each direction.
 #[derive(Clone, Debug)]
 pub struct Sky {
     picture: SkyPicture,
@@ -88,7 +88,7 @@ pub(crate) fn site(toward: Vec3) -> SurfaceSite {
 }
 
 impl LightPoint {
-    /// Of a point of the sky, the unit direction to it from anywhere.
+    /// Returns the unit direction from anywhere to a point of the sky.
     pub(crate) fn toward_sky(&self) -> Vec3 {
         -self.site.normal
     }

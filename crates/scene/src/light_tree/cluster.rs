@@ -4,7 +4,7 @@ use super::cone::Cone;
 use crate::{Light, PointLight};
 use traylib_geometry::Aabb;
 
-/// Where lamps are, where they shine, and how strong they are together.
+/// A cluster of lamps: their bounds, the directions in which they shine, and their power together.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cluster {
     pub(super) bounds: Aabb,

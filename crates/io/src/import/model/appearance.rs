@@ -8,13 +8,13 @@ use traylib_math::{Grid, Rgb};
 /// The sharpest lobe there is.
 pub(super) const SHARPEST: f32 = 1e6;
 
-/// What the formats say of a surface, each in its own words.
+/// The appearance of a surface, which the formats describe each in its own words.
 pub(super) struct Appearance {
     pub(super) diffuse: Rgb,
     pub(super) specular: Rgb,
     /// The exponent of the specular lobe about the mirror direction.
     pub(super) exponent: f32,
-    /// How much of the surface is there, from 0 to 1; light passes the rest straight.
+    /// The opacity, from 0 to 1; light passes the rest straight.
     pub(super) share: f32,
     /// The maps that are rendered.
     pub(super) maps: Maps,

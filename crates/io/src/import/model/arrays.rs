@@ -5,7 +5,7 @@ use crate::import::counter::Counter;
 use traylib_geometry::{self as geometry, Mesh, Vec2, Vec3};
 use traylib_math::glam::DVec3;
 
-/// What a mesh is made of: normals and texture coordinates are there for each position, or not
+/// The arrays of a mesh: normals and texture coordinates are there for each position, or not
 /// at all.
 #[derive(Debug, Default)]
 pub(super) struct Arrays {

@@ -23,7 +23,7 @@ pub(in crate::import) enum Format {
 }
 
 impl Format {
-    /// What a file's name says that it is, if it is one of these.
+    /// Returns the format that a file's name says, if it is one of these.
     pub(in crate::import) fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
         Some(match ending.as_str() {
@@ -71,7 +71,7 @@ impl Format {
         }
     }
 
-    /// What to do with a surface of one side that lets light through.
+    /// Returns advice for a surface of one side that lets light through.
     pub(in crate::import) fn remedy(self) -> &'static str {
         match self {
             Self::Mgf => {

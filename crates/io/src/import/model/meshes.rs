@@ -23,7 +23,7 @@ pub(super) struct Instance {
     pub(super) place: DAffine3,
 }
 
-/// What does not depend on where the file goes.
+/// The contents of a file before they are placed.
 #[derive(Debug, Default)]
 pub(super) struct Content {
     pub(super) pieces: Vec<Piece>,

@@ -27,7 +27,7 @@ use traylib_math::Vec3;
 use traylib_scene::{ObjectShape, PointLight};
 use welder::Welder;
 
-/// What does not depend on where the file goes.
+/// The contents of a file before they are placed.
 pub(super) struct Content {
     meshes: Vec<Mesh>,
     /// For each mesh, the unit normals of its faces' corners.

@@ -25,7 +25,8 @@ pub(crate) struct SkyPicture {
     rows: Vec<f64>,
     /// Within its row, the chance of a texel up to and including this one.
     columns: Vec<f64>,
-    /// What a texel's weight is divided by to be its density per steradian.
+    /// The integral of the weight over all directions: a texel's weight over it is its density per
+    /// steradian.
     total: f64,
 }
 
@@ -107,7 +108,7 @@ impl SkyPicture {
     }
 }
 
-/// What a texel is drawn in proportion to: its luminance, not zero where there is light.
+/// Returns the weight by which a texel is drawn: its luminance, not zero where there is light.
 fn weight(light: Rgb) -> f64 {
     let luminance = f64::from(light.luminance());
     if light.is_black() { 0.0 } else { luminance.max(f64::from(f32::MIN_POSITIVE)) }

@@ -1,4 +1,4 @@
-//! Where light of one direction enters the scene.
+//! The shadow of the scene's box, over which light of one direction enters.
 
 use traylib_geometry::{Aabb, Vec3};
 use traylib_math::Vec2;

@@ -1,4 +1,4 @@
-//! What a scene comes to, wherever it goes.
+//! The contents of a scene, wherever it goes.
 
 use super::form::Form;
 use crate::import::counter::Counter;
@@ -10,7 +10,7 @@ use std::rc::Rc;
 use traylib_math::glam::DAffine3;
 use traylib_scene::{PointLight, SpotCone};
 
-/// What does not depend on where the file goes.
+/// The contents of a file before they are placed.
 #[derive(Debug, Default)]
 pub(in crate::import::model) struct Content {
     pub(super) items: Vec<Item>,

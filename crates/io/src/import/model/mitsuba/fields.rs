@@ -9,7 +9,7 @@ use traylib_math::glam::DAffine3;
 pub(super) struct Fields<'a> {
     document: &'a Document,
     pub(super) object: &'a Object,
-    /// Which properties and which children have been asked for.
+    /// Flags of the properties, and of the children, that have been asked for.
     used: Vec<bool>,
     used_children: Vec<bool>,
 }
@@ -29,7 +29,7 @@ impl<'a> Fields<'a> {
         Some(&all[index].value)
     }
 
-    /// What `of` makes of a property; one of another kind counts as not asked for.
+    /// Returns what `of` makes of a property; one of another kind counts as not asked for.
     pub(super) fn of_kind<T>(
         &mut self,
         name: &str,

@@ -37,8 +37,7 @@ const SIDES: [[[f64; 3]; 3]; 6] = [
 
 /// Corners of a disk that is stretched.
 const CORNERS: u32 = 64;
-/// What lengths may differ by that should be the same, and the cosine of what should be at right
-/// angles.
+/// The tolerance of lengths that should be the same, and of the cosines of right angles.
 const ROUNDING: f64 = 1e-4;
 
 impl Form {

@@ -46,12 +46,12 @@ fn named(name: &str) -> Option<f64> {
     NAMED.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|&(_, index)| index)
 }
 
-/// What is reflected at normal incidence.
+/// Returns the reflectance at normal incidence.
 pub(super) fn straight(index: f64) -> f64 {
     ((index - 1.0) / (index + 1.0)).powi(2)
 }
 
-/// What a boundary throws back inside of light that comes from all directions alike.
+/// Returns the part that a boundary reflects inward of light that comes from all directions alike.
 ///
 /// ∫ F(cos θ) 2 cos θ d(cos θ), by the middles of steps; F is that of unpolarised light.
 pub(super) fn back_inside(index: f64) -> f64 {
@@ -79,7 +79,8 @@ fn fresnel(cosine: f64, index: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// What Mitsuba 3.9.1 prints for `plastic`: `fdr_int` for the relative index 1.48959.
+    /// The value is that which Mitsuba 3.9.1 prints for `plastic`: `fdr_int` for the relative index
+    /// 1.48959.
     #[test]
     fn light_is_kept_inside_as_in_mitsuba() {
         assert!((back_inside(1.49 / 1.000_277) - 0.590_479).abs() < 1e-3);

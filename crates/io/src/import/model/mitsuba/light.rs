@@ -5,7 +5,7 @@ use super::fields::Fields;
 use traylib_math::glam::DVec3;
 use traylib_scene::{PointLight, SpotCone};
 
-/// Of a spot light, in degrees.
+/// The cutoff angle of a spot light that gives none, in degrees.
 const CUTOFF: f64 = 20.0;
 
 impl Importer<'_> {

@@ -1,4 +1,4 @@
-//! What metals reflect at normal incidence.
+//! The reflectances of metals at normal incidence.
 
 use super::Importer;
 use super::fields::Fields;
@@ -47,7 +47,7 @@ const METALS: [(&str, [f32; 3]); 37] = [
     ("none", [1.0, 1.0, 1.0]),
 ];
 
-/// What a conductor reflects where it does not say it.
+/// The material of a conductor that names none.
 const NONE: &str = "none";
 /// The same, in files of versions 0.5 and 0.6.
 const NONE_ONCE: &str = "Cu";

@@ -57,7 +57,7 @@ impl Importer<'_> {
         self.even_paint(fields, name, usual).luminance()
     }
 
-    /// What a value reflects; `None` if that cannot be told.
+    /// Returns the reflectance that a value means; `None` if that cannot be told.
     pub(super) fn reflected(&mut self, value: &Value) -> Option<Rgb> {
         self.colour(value, Rgb::WHITE)
     }

@@ -125,7 +125,7 @@ impl Importer<'_> {
         Faces { front, back: back.map(|back| add(back, Rgb::BLACK)), is_textured }
     }
 
-    /// What its front emits, if it is a lamp.
+    /// Returns the radiance of its front, if it is a lamp.
     fn emission(&mut self, fields: &mut Fields<'_>) -> Option<Rgb> {
         let emitter = fields.children(Class::Emitter).first().copied()?;
         let mut fields = Fields::of(self.document, emitter);

@@ -15,9 +15,9 @@ use traylib_math::{Grid, Rgb};
 
 /// Columns and rows that ours has at least: with less, texels would be seen as steps in a mirror.
 const FEWEST: [usize; 2] = [1024, 512];
-/// How far the columns of a place may be from unit vectors across one another.
+/// The tolerance within which the columns of a place are unit vectors at right angles.
 const TOLERANCE: f64 = 1e-5;
-/// How many degrees our pictures begin behind Mitsuba's, whose left edge is where −z points.
+/// The turn in degrees from our pictures to Mitsuba's, whose left edge is where −z points.
 const TURN: f64 = 180.0;
 
 impl Importer<'_> {

@@ -36,14 +36,14 @@ use traylib_math::Rgb;
 /// BSDFs within each other.
 const MOST_DEPTH: usize = 16;
 
-/// How a surface scatters light.
+/// The scattering of a surface.
 #[derive(Clone, Debug)]
 pub(super) struct Surface {
     pub(super) front: Material,
     pub(super) backing: Backing,
 }
 
-/// How its back does.
+/// The scattering of its back.
 #[derive(Clone, Debug)]
 pub(super) enum Backing {
     /// As its front.
@@ -57,7 +57,7 @@ pub(super) enum Backing {
 type Made = Result<Material, materials::Error>;
 
 impl Importer<'_> {
-    /// What an object comes to, `depth` others being around it.
+    /// Returns the surface that an object means, `depth` others being around it.
     pub(super) fn surface(&mut self, object: usize, depth: usize) -> Result<Rc<Surface>, Error> {
         if let Some(known) = self.surfaces.get(&object) {
             return Ok(Rc::clone(known));
@@ -248,7 +248,7 @@ impl Importer<'_> {
         Ok(Material { through: passed, ..SurfaceModel::Mirror(mirror).into() })
     }
 
-    /// What is diffuse and what is mirrored of a plastic.
+    /// Returns the diffuse and the mirrored part of a plastic.
     fn plastic_parts(&mut self, fields: &mut Fields<'_>) -> (Paint, Rgb) {
         let index = relative(fields, "polypropylene");
         let reflected = straight(index);
@@ -307,7 +307,7 @@ impl Importer<'_> {
     }
 }
 
-/// What is not there.
+/// /// A surface that is not there.
 fn clear() -> Made {
     let model = SurfaceModel::Lambert(Lambert::new(Rgb::BLACK)?);
     Ok(Material { through: Rgb::WHITE, ..model.into() })
