@@ -65,6 +65,11 @@ impl Method {
     pub const PARTICLE: Self = Self::Particle(Particle { limits: Limits::NONE });
     /// `bdpt`, weighted by the power heuristic.
     pub const BDPT: Self = Self::Bdpt(BdptSettings::DEFAULT);
+    /// `bdpt --auto`: the method that a [plan](crate::planner) chooses.
+    pub const AUTO: Self = Self::Bdpt(BdptSettings {
+        auto: Some(Auto { may_lose: MayLose::NOTHING }),
+        ..BdptSettings::DEFAULT
+    });
 
     /// Each as it is without any option.
     pub const ALL: [Self; 5] = {

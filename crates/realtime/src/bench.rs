@@ -16,8 +16,12 @@ use traylib_math::Vec2;
 /// long that took. Every frame is whole, of one sample a pixel, and made ready for a window.
 ///
 /// # Errors
-/// The system refuses threads, or standard output takes no more.
+/// The method is left to a plan, the system refuses threads, or standard output takes no more.
 pub(crate) fn turn(stage: Stage, options: &Options, frames: u32) -> Result<(), Failure> {
+    if options.method.auto().is_some() {
+        let advice = "`--frames` measures one method: name one with `--method` in place of a plan";
+        return Err(Failure::usage(advice));
+    }
     let control = Arc::new(Control::default());
     let answer = Arc::clone(&control);
     let (sender, signals) = std::sync::mpsc::channel();

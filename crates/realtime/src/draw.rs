@@ -4,6 +4,7 @@
 mod pace;
 
 use crate::frame::Frame;
+use crate::plan::planned;
 use crate::screen::develop;
 use crate::stage::Stage;
 use crate::view::Wanted;
@@ -56,14 +57,21 @@ impl Artist {
             self.pace = (wanted.method, Pace::default());
         }
         let CameraSettings { width, height, .. } = wanted.camera;
-        let coarseness = self.pace.1.coarseness(width, height);
+        let mut coarseness = self.pace.1.coarseness(width, height);
+        if wanted.method.auto().is_some() {
+            // Something is to be seen while it is planned.
+            coarseness = coarseness.max(2);
+        }
         let first = if coarseness == 1 { end } else { is_stale };
         if coarseness > 1
             && let Some(preview) = self.first_frame(wanted, coarseness, end)?
         {
             show(preview);
         }
-        self.refine(wanted, first, is_stale, show)
+        match planned(&self.stage, wanted, is_stale)? {
+            Some(method) => self.refine(wanted, method, [first, is_stale], show),
+            None => Ok(()),
+        }
     }
 
     /// The first pass, with so many pixels of the window drawn as one in each direction; `None`
@@ -79,39 +87,40 @@ impl Artist {
     ) -> Result<Option<Frame>, Failure> {
         let mut frame = None;
         let mut show = |drawn| frame = Some(drawn);
-        self.passes(wanted, coarseness, 1, [control; 2], &mut show)?;
+        self.passes((wanted, wanted.method), coarseness, 1, [control; 2], &mut show)?;
         Ok(frame)
     }
 
     fn refine(
         &mut self,
         wanted: &Wanted,
-        first: &Control,
-        others: &Control,
+        method: Method,
+        controls: [&Control; 2],
         show: &mut dyn FnMut(Frame),
     ) -> Result<(), Failure> {
-        let passes = self.stage.options().passes(wanted.method);
-        self.passes(wanted, 1, passes, [first, others], show)
+        let passes = self.stage.options().passes(method);
+        self.passes((wanted, method), 1, passes, controls, show)
     }
 
-    /// Draws so many passes; the first of them as the first control says, the others as the
-    /// second.
+    /// Draws so many passes by this method; the first of them as the first control says, the
+    /// others as the second.
     fn passes(
         &mut self,
-        wanted: &Wanted,
+        (wanted, method): (&Wanted, Method),
         coarseness: u32,
         passes: u32,
         [first, others]: [&Control; 2],
         show: &mut dyn FnMut(Frame),
     ) -> Result<(), Failure> {
         let start = Instant::now();
-        let loaded = self.stage.of(wanted.method)?;
+        let loaded = self.stage.of(method)?;
         // Whoever wants it has made sure that there is a view.
         let camera = camera(wanted, coarseness).map_err(Failure::scene)?;
-        let (scene, integrator) = (loaded.scene.seen_by(camera), wanted.method.build());
+        let (scene, integrator) = (loaded.scene.seen_by(camera), method.build());
         let options = self.stage.options();
         let mut picture = Picture {
             wanted,
+            method,
             coarseness,
             size: (camera.width(), camera.height()),
             exposure: loaded.settings.exposure,
@@ -143,6 +152,7 @@ impl Artist {
 /// The picture that is being drawn.
 struct Picture<'a> {
     wanted: &'a Wanted,
+    method: Method,
     coarseness: u32,
     size: (u32, u32),
     exposure: f32,
@@ -156,6 +166,7 @@ impl Picture<'_> {
         let (radiance, pixels) = develop(film, self.size, self.exposure);
         Frame {
             wanted: *self.wanted,
+            method: self.method,
             coarseness: self.coarseness,
             pixels,
             radiance,

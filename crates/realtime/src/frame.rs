@@ -1,7 +1,7 @@
 //! A picture on its way to the window.
 
 use crate::view::Wanted;
-use traylib_integrators::Statistics;
+use traylib_integrators::{Method, Statistics};
 use traylib_math::{Grid, Rgb};
 
 /// A picture of some passes.
@@ -9,6 +9,8 @@ use traylib_math::{Grid, Rgb};
 pub(crate) struct Frame {
     /// The camera and the method that it was to show.
     pub(crate) wanted: Wanted,
+    /// The method that rendered it, if the wanted one is left to a plan the one that it chose.
+    pub(crate) method: Method,
     /// The columns of the window that one of its pixels fills; one but for a preview.
     pub(crate) coarseness: u32,
     /// Light, as far as it is known.

@@ -41,6 +41,8 @@ pub(crate) enum Press {
     Write,
     /// Renders by the method of this number, counted from zero in [`Method::ALL`].
     Method(usize),
+    /// Renders by the method that a plan chooses.
+    Auto,
 }
 
 /// Distances to the target that a held key walks in a second.
@@ -83,6 +85,7 @@ impl Press {
     pub(crate) fn method(self) -> Option<Method> {
         match self {
             Self::Method(number) => Method::ALL.get(number).copied(),
+            Self::Auto => Some(Method::AUTO),
             Self::End | Self::Home | Self::Print | Self::Write => None,
         }
     }
@@ -129,5 +132,6 @@ mod tests {
             ["trace", "puremc", "directlight", "bdpt", "particle"]
         );
         assert_eq!(Press::Method(5).method(), None);
+        assert_eq!(Press::Auto.method().map(|method| method.to_string()).unwrap(), "bdpt --auto");
     }
 }

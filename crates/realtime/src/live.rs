@@ -39,7 +39,7 @@ pub(crate) fn show(stage: Stage, options: &Options) -> Result<(), Failure> {
         // Without a display there is one thing to say.
         if !options.quiet {
             stage.announce(options.method)?;
-            say("keys: 1 to 5 methods, P prints the camera, F12 writes the picture, Escape ends; --help tells the others");
+            say("keys: 1 to 6 methods, P prints the camera, F12 writes the picture, Escape ends; --help tells the others");
         }
         let mut live = Live {
             window,
@@ -116,7 +116,7 @@ impl Live<'_> {
                 Press::Home => self.view.go_home(),
                 Press::Print => tell(snapshot::camera_line(&self.view.wanted().camera))?,
                 Press::Write => self.wants_file = true,
-                Press::Method(_) => {
+                Press::Method(_) | Press::Auto => {
                     press.method().into_iter().for_each(|method| self.view.render_by(method));
                 }
             }

@@ -8,6 +8,7 @@ mod live;
 mod motion;
 mod options;
 mod painter;
+mod plan;
 mod screen;
 mod snapshot;
 mod stage;

@@ -20,6 +20,7 @@ wheel goes nearer. With Shift steps are four times as long.
   W A S D  walk                    arrows     look around
   E Q      up and down             Home       back to the scene's camera
   1 trace  2 puremc  3 directlight  4 bdpt  5 particle
+  6 auto: the method that a plan chooses for what is seen
   P        print the camera as a line for a scene file
   F12      write the picture       Escape     end
 
@@ -35,7 +36,7 @@ read or makes no sense, 4 if there is no display or a picture cannot be written,
 #[derive(Clone, Debug, Parser)]
 #[command(name = "realtime", version = VERSION, max_term_width = 80, after_long_help = EXAMPLES)]
 pub(crate) struct Options {
-    /// Scene file (.ron, .3ds, .mgf) or name of a built-in scene
+    /// Scene file, or name of a built-in scene: what the other programs read
     #[arg(default_value = "spheres")]
     pub(crate) scene: String,
 

@@ -29,7 +29,7 @@ pub(crate) fn write(
 
 /// Returns the description of how it was made, with the command that makes it again.
 fn info(frame: &Frame, scene: &str, is_moved: bool, options: &Options) -> PictureInfo {
-    let (method, camera) = (frame.wanted.method, &frame.wanted.camera);
+    let (method, camera) = (frame.method, &frame.wanted.camera);
     let recipe = Recipe {
         program: method.name(),
         scene: &options.scene,

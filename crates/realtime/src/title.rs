@@ -38,7 +38,10 @@ impl Rates {
 
 /// Scene and method, how fast frames come, and how good the last one is.
 pub(crate) fn title(scene: &str, frame: &Frame, [frames, rays]: [f64; 2]) -> String {
-    let method = frame.wanted.method;
+    let method = match frame.wanted.method.auto() {
+        Some(_) if frame.coarseness == 1 => format!("auto, {}", frame.method),
+        Some(_) | None => frame.method.to_string(),
+    };
     let rays = count(rays as u64);
     let error = frame.error.map_or(String::new(), |error| format!(", err {:.2} %", 100.0 * error));
     format!(
@@ -69,6 +72,7 @@ mod tests {
         };
         Frame {
             wanted: Wanted { camera, method: Method::COMBINED },
+            method: Method::COMBINED,
             coarseness: 1,
             radiance: Grid::filled(1, 1, Rgb::BLACK),
             pixels: vec![0],
@@ -99,5 +103,12 @@ mod tests {
         assert_eq!(told, wanted);
         let told = title("cornell", &frame(1, 1, 1.0), [12.4, 3.25e6]);
         assert!(told.ends_with("| 1 spp"), "{told}");
+        let mut planned = frame(1, 1, 1.0);
+        planned.wanted.method = Method::AUTO;
+        let told = title("cornell", &planned, [12.4, 3.25e6]);
+        assert!(told.contains(": auto, directlight --combine |"), "{told}");
+        (planned.coarseness, planned.method) = (2, Method::AUTO);
+        let told = title("cornell", &planned, [12.4, 3.25e6]);
+        assert!(told.contains(": bdpt --auto |"), "{told}");
     }
 }

@@ -57,7 +57,8 @@ impl View {
 
     /// Renders by another method.
     pub(crate) fn render_by(&mut self, method: Method) {
-        let is_given = method.name() == self.given.name();
+        let kind = |method: Method| (method.name(), method.auto().is_some());
+        let is_given = kind(method) == kind(self.given);
         self.wanted.method = if is_given { self.given } else { method };
     }
 
@@ -118,6 +119,8 @@ mod tests {
         assert_eq!(view.wanted().method, Method::PURE_MC);
         view.render_by(Method::BDPT);
         assert_eq!(view.wanted().method, given);
+        view.render_by(Method::AUTO);
+        assert_eq!(view.wanted().method, Method::AUTO);
     }
 
     #[test]

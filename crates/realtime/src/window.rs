@@ -177,6 +177,7 @@ fn meaning(key: Key) -> Option<Press> {
         Key::Key3 | Key::NumPad3 => Some(Press::Method(2)),
         Key::Key4 | Key::NumPad4 => Some(Press::Method(3)),
         Key::Key5 | Key::NumPad5 => Some(Press::Method(4)),
+        Key::Key6 | Key::NumPad6 => Some(Press::Auto),
         _ => None,
     }
 }

@@ -139,6 +139,13 @@ pub const CORRECTIONS: &[Correction] = &[
     ),
     corrected(
         "F10",
+        methods::PARTICLE,
+        V,
+        "as with walks from the camera: light paths are as they were, and a relMSE of 7 a pass is 24 \
+         times the best",
+    ),
+    corrected(
+        "F10",
         methods::DIRECT_LIGHT,
         Ok,
         "points of a lamp that is near are drawn by solid angle; by area the tail has the index 1.5",

@@ -124,7 +124,7 @@ fn methods_agree_under_the_sky() {
 #[test]
 #[ignore = "at length: cargo xtask prove"]
 fn methods_agree_under_the_sky_at_length() {
-    let from_light = [(BDPT_BALANCE, 1), (PARTICLE, 1)];
+    let from_light = [(BDPT_BALANCE, 1), (PARTICLE, 24)];
     let walks = [(COMBINED, 4), (DIRECT_LIGHT, 4), (PURE_MC, 16)];
     yard_agrees(vec![256, 1024, 4096], &[&from_light[..], &walks].concat(), 5e-3);
 }

@@ -35,6 +35,25 @@ fn the_last_frame_is_the_picture_of_the_programs() {
     }
 }
 
+/// A plan is made for the view, and then its choice is what is seen.
+#[test]
+fn a_plan_chooses_for_what_is_seen() {
+    let mut artist = artist("cornell --resolution 96x72 --spp 64");
+    let wanted = wanted(&artist, Method::AUTO);
+    let (stale, end) = (Control::default(), Control::default());
+    let mut seen = Vec::new();
+    let mut show = |frame: Frame| {
+        if frame.coarseness == 1 {
+            stale.cancel();
+        }
+        seen.push((frame.coarseness, frame.method, frame.wanted == wanted));
+    };
+    artist.draw(&wanted, &stale, &end, &mut show).unwrap();
+    let chosen = planned(&artist.stage, &wanted, &Control::default()).unwrap().unwrap();
+    assert!(chosen.auto().is_none(), "{chosen}");
+    assert_eq!(seen, [(8, Method::AUTO, true), (1, chosen, true)]);
+}
+
 #[test]
 fn a_preview_comes_first_while_nothing_is_known_and_a_quick_picture_does_without() {
     let mut artist = artist("spheres --resolution 40x30");
