@@ -2,6 +2,7 @@
 
 use crate::aov::Aov;
 use crate::camera_options::CameraOptions;
+use crate::display::DisplayAddress;
 use crate::duration::parse_duration;
 use crate::keep_options::KeepOptions;
 use crate::noise::Noise;
@@ -101,6 +102,11 @@ pub struct RenderOptions {
     /// How to tell how far it is
     #[arg(long, value_name = "FORM", default_value = "line")]
     pub progress: ProgressForm,
+
+    /// Show the picture in a viewer while it is rendered: in tev, or one that is told the same by
+    /// TCP; boxes are where most of the estimated error is. Port 14158 if none is named
+    #[arg(long, value_name = "HOST:PORT")]
+    pub display_server: Option<DisplayAddress>,
 
     /// Write what was done as JSON: passes, rays, paths, seconds, memory, and what ended it;
     /// with --check what is in the file, also of one of shapes without camera or lamp. `-` is

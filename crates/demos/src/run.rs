@@ -75,7 +75,8 @@ fn try_run(
         return tell(describe(&loaded.name, &loaded.scene));
     }
     outputs.make_folder()?;
-    let Outcome { rendering, elapsed, end, before } = render_job(job, &loaded, integrator, &plan)?;
+    let Outcome { rendering, elapsed, end, before, display } =
+        render_job(job, &loaded, integrator, &plan)?;
     let Rendering { film, notes, statistics } = rendering;
     let (passes, error) = (film.passes(), film.relative_error());
     let layers = if job.makes_pictures() { film.develop_layers() } else { BTreeMap::new() };
@@ -101,6 +102,9 @@ fn try_run(
     if !options.quiet {
         summarise(job.program, &done, &end.words());
         suggest(options);
+    }
+    if let Some(display) = display {
+        display.finish();
     }
     conclusion(end, options, &done)
 }

@@ -9,6 +9,7 @@ mod black;
 mod checkpoints;
 mod common;
 mod convert;
+mod display;
 #[cfg(unix)]
 mod disturbances;
 mod errors;
