@@ -18,6 +18,7 @@ mod drive;
 mod duration;
 mod end;
 mod explain;
+mod exposure;
 mod film;
 mod for_shells;
 mod interrupt;
@@ -51,6 +52,7 @@ pub use display::DisplayAddress;
 pub use done::Done;
 pub use duration::parse_duration;
 pub use explain::Explain;
+pub use exposure::Exposure;
 pub use film::{
     ConvertOptions, DenoiseOptions, DiffOptions, FilmCommand, InfoOptions, MergeOptions,
 };

@@ -16,6 +16,7 @@ mod errors;
 mod film;
 #[cfg(unix)]
 mod interrupts;
+mod looks;
 mod models;
 mod noise;
 #[cfg(unix)]
