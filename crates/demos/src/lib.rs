@@ -42,6 +42,7 @@ mod shard;
 mod signals;
 mod stats;
 mod technique_pictures;
+mod technique_sheet;
 mod window_options;
 
 pub use aov::Aov;
