@@ -39,11 +39,12 @@ pub fn another_scene(path: &Path, scene: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use traylib_io::{PictureInfo, save_picture};
+    use traylib_io::{PictureInfo, Tone, save_picture};
 
     fn info(scene: &str) -> PictureInfo {
         PictureInfo {
             exposure: 1.0,
+            tone: Tone::Linear,
             program: String::new(),
             integrator: String::new(),
             command: String::new(),

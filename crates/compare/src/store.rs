@@ -9,7 +9,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::{self, Debug, Write};
 use std::path::{Path, PathBuf};
-use traylib_io::{PictureInfo, check_file, load_exr, save_picture, write_file};
+use traylib_io::{PictureInfo, Tone, check_file, load_exr, save_picture, write_file};
 use traylib_math::Fnv;
 
 /// A folder of finished work.
@@ -84,6 +84,7 @@ impl Store {
 fn nameless() -> PictureInfo {
     PictureInfo {
         exposure: 1.0,
+        tone: Tone::Linear,
         program: concat!("TrayLib ", env!("CARGO_PKG_VERSION")).into(),
         integrator: String::new(),
         command: String::new(),

@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails fails its test")]
 
+use std::collections::BTreeSet;
 use traylib_compare::judge::{no_verdict, verdict};
 use traylib_compare::page::{charts as chart_files, page};
 use traylib_compare::results::{Estimate, Point, Results};
@@ -330,5 +331,31 @@ fn every_chart_is_a_file_with_its_legend() {
     let error = &files[0].1;
     for method in &results.scenes[0].methods {
         assert!(error.contains(&format!("\n{}\n", method.marked_name())), "{}", method.name);
+    }
+}
+
+/// As another reader of XML finds it: a chart has a line of its own colour for each method, whatever
+/// that is called.
+#[test]
+fn every_chart_file_is_sound_xml_with_a_curve_a_method() {
+    const SVG: &str = "http://www.w3.org/2000/svg";
+    let mut results = sample().0;
+    results.scenes[0].methods[0].name = "<script>&\"x".into();
+    let files = chart_files(&results);
+    for (name, chart) in &files {
+        let document = roxmltree::Document::parse(chart).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert!(document.root_element().has_tag_name((SVG, "svg")), "{name}");
+        let texts = document.descendants().filter(|node| node.has_tag_name((SVG, "text"))).count();
+        assert!(texts > 5, "{name}: {texts}");
+    }
+    for scene in &results.scenes {
+        let wanted = format!("{}-error.svg", scene.name);
+        let (_, chart) = files.iter().find(|(name, _)| *name == wanted).unwrap();
+        let document = roxmltree::Document::parse(chart).unwrap();
+        // Curves alone are so thick.
+        let curves =
+            document.descendants().filter(|node| node.attribute("stroke-width") == Some("4"));
+        let colours: BTreeSet<&str> = curves.filter_map(|node| node.attribute("stroke")).collect();
+        assert_eq!(colours.len(), scene.methods.len(), "{wanted}: {colours:?}");
     }
 }

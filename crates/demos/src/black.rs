@@ -4,7 +4,7 @@ use crate::options::RenderOptions;
 use std::path::Path;
 use traylib_geometry::Ray;
 use traylib_integrators::{BlindSpot, Integrator, Limits, SceneFacts};
-use traylib_io::picture::screen_rgb;
+use traylib_io::Look;
 use traylib_math::{Grid, Rgb, Vec2, Vec3};
 use traylib_scene::{MAX_PASS_THROUGHS, Scene, SurfacePoint};
 
@@ -17,7 +17,7 @@ pub(crate) struct Picture<'a> {
     pub(crate) scene: &'a Scene,
     pub(crate) integrator: &'a dyn Integrator,
     pub(crate) limits: Limits,
-    pub(crate) exposure: f32,
+    pub(crate) look: Look,
     pub(crate) radiance: &'a Grid<Rgb>,
 }
 
@@ -30,11 +30,11 @@ pub(crate) fn reason(picture: &Picture<'_>, options: &RenderOptions) -> Option<S
     }
     let is_stepped =
         options.outfile.is_empty() || options.outfile.iter().any(|file| is_stepped(file));
-    let is_shown = |&pixel: &Rgb| screen_rgb(pixel, picture.exposure) != [0; 3];
+    let is_shown = |&pixel: &Rgb| picture.look.bytes(pixel) != [0; 3];
     if !is_stepped || pixels.iter().any(is_shown) {
         return None;
     }
-    let (exposure, wanted) = (picture.exposure, 1.0 / brightest);
+    let (exposure, wanted) = (picture.look.exposure, 1.0 / brightest);
     Some(format!(
         "its radiance is at most {brightest:.2e}, which an exposure of {exposure} leaves below the \
          first of 255 steps; try --exposure {wanted:.2e}"
@@ -42,7 +42,7 @@ pub(crate) fn reason(picture: &Picture<'_>, options: &RenderOptions) -> Option<S
 }
 
 /// Tells whether a picture of this name has 256 steps of brightness.
-fn is_stepped(file: &Path) -> bool {
+pub(crate) fn is_stepped(file: &Path) -> bool {
     let ending = file.extension().unwrap_or_default();
     !["exr", "hdr"].iter().any(|keeps_light| ending.eq_ignore_ascii_case(keeps_light))
 }

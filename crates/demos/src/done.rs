@@ -48,6 +48,7 @@ impl Done {
         let before = self.before.unwrap_or_default();
         PictureInfo {
             exposure: self.loaded.settings.exposure,
+            tone: job.options.tone,
             program: format!("TrayLib {VERSION}"),
             integrator: job.method.map_or(job.program, Method::name).into(),
             command: recipe::with_spp(&recipe::command(job, &self.loaded), self.passes),

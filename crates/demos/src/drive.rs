@@ -1,6 +1,7 @@
 //! Rendering until passes, time or memory are used up, or somebody interrupts.
 
 use crate::checkpoint::Checkpoint;
+use crate::display::Display;
 use crate::done::Before;
 use crate::end::End;
 use crate::interrupt::Stop;
@@ -31,6 +32,8 @@ pub(crate) struct Outcome {
     pub(crate) end: End,
     /// The work of the runs before, if anything is kept.
     pub(crate) before: Option<Before>,
+    /// The viewer that was sent the last picture, which it may not have yet.
+    pub(crate) display: Option<Display>,
 }
 
 /// Renders: the film with at least one pass, if any is wanted.
@@ -60,6 +63,7 @@ pub(crate) fn render_job(
     let line = Line::new(&title, &stop, passes_before, options);
     stop.on_interrupt(line.answer_to_interrupt());
     options.time_limit.map_or(Ok(()), |time| stop.after(time))?;
+    let display = open_display(job, loaded, &title, &line);
     let pool = thread_pool(options.threads).map_err(Failure::output)?;
     let mut renderer = Renderer::new(&loaded.scene, integrator, options.seed, options.sampler);
     if let Some(film) = film {
@@ -74,7 +78,7 @@ pub(crate) fn render_job(
         is_good = is_good_enough(options, film);
         if is_full || is_good { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let passes = Passes { wanted, pool: &pool, control: &stop.control };
+    let passes = Passes { wanted, pool: &pool, control: &stop.control, display: display.as_ref() };
     let done = passes.render(&mut renderer, checkpoint.as_mut(), after_pass);
     line.clear();
     done?;
@@ -94,7 +98,19 @@ pub(crate) fn render_job(
     if let Some(checkpoint) = &mut checkpoint {
         checkpoint.save(&rendering.film, rendering.statistics)?;
     }
-    Ok(Outcome { rendering, elapsed: line.elapsed(), end, before })
+    let elapsed = line.elapsed();
+    if let Some(display) = &display {
+        display.show_now(&rendering.film);
+    }
+    Ok(Outcome { rendering, elapsed, end, before, display })
+}
+
+/// The viewer that is to show the picture, if one is wanted and there is a picture.
+fn open_display(job: &Job<'_>, loaded: &Loaded, title: &str, line: &Line) -> Option<Display> {
+    let address = job.options.display_server.as_ref().filter(|_| job.wants_picture)?;
+    let camera = loaded.scene.camera();
+    let size = (camera.width(), camera.height());
+    Some(Display::open(address, title.to_owned(), size, line.warner()))
 }
 
 /// Tells whether a film has as little noise as is wanted, if it is asked for that now.
@@ -109,11 +125,13 @@ struct Passes<'a> {
     wanted: Range<u32>,
     pool: &'a ThreadPool,
     control: &'a Control,
+    display: Option<&'a Display>,
 }
 
 impl Passes<'_> {
     /// Renders those that the film lacks, in the order of their numbers, until `after_pass` says
-    /// stop; a checkpoint that is due is written while the next pass is rendered.
+    /// stop; a checkpoint that is due is written, and the picture is shown, while the next pass is
+    /// rendered.
     ///
     /// # Errors
     /// The checkpoint cannot be written.
@@ -123,7 +141,7 @@ impl Passes<'_> {
         mut checkpoint: Option<&mut Checkpoint<'_>>,
         mut after_pass: impl FnMut(&Rendering) -> ControlFlow<()>,
     ) -> Result<(), Failure> {
-        let Self { wanted, pool, control } = self;
+        let Self { wanted, pool, control, display } = self;
         for pass in wanted {
             let film = &renderer.rendering().film;
             if film.has_pass(pass) {
@@ -132,6 +150,9 @@ impl Passes<'_> {
             let due = checkpoint.as_deref_mut().filter(|checkpoint| checkpoint.is_due(film));
             let mut kept = Ok(());
             let is_whole = renderer.render_pass_beside(pass, control, pool, |rendering| {
+                if let Some(display) = display {
+                    display.show(&rendering.film);
+                }
                 let Some(checkpoint) = due else { return };
                 kept = checkpoint.save(&rendering.film, rendering.statistics);
                 if kept.is_err() {

@@ -12,11 +12,13 @@ mod checkpoint;
 mod command_line;
 mod conclude;
 mod denoise;
+mod display;
 mod done;
 mod drive;
 mod duration;
 mod end;
 mod explain;
+mod exposure;
 mod film;
 mod for_shells;
 mod interrupt;
@@ -40,15 +42,18 @@ mod shard;
 mod signals;
 mod stats;
 mod technique_pictures;
+mod technique_sheet;
 mod window_options;
 
 pub use aov::Aov;
 pub use camera_options::CameraOptions;
 pub use command_line::{CommandLine, parse};
 pub use conclude::conclude;
+pub use display::DisplayAddress;
 pub use done::Done;
 pub use duration::parse_duration;
 pub use explain::Explain;
+pub use exposure::Exposure;
 pub use film::{
     ConvertOptions, DenoiseOptions, DiffOptions, FilmCommand, InfoOptions, MergeOptions,
 };

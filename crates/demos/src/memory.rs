@@ -9,6 +9,10 @@ use traylib_integrators::PointSet;
 use traylib_io::Loaded;
 use traylib_scene::Camera;
 
+/// Bytes of a pixel of the pictures that a viewer is sent: one on its way, one that waits, and the
+/// variance while it is looked for where it is the largest.
+const BYTES_SHOWN: u64 = 2 * 12 + 24;
+
 /// Refuses a picture that needs more memory than there is.
 ///
 /// An estimate, of what grows with the picture; the scene is in memory already. If it is the
@@ -22,7 +26,8 @@ pub(crate) fn check(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> Result<(), F
     let passes = if job.options.time_limit.is_some() { 1 } else { plan.passes.len() as u32 };
     // Those of a part wait on both sides of what has been added up.
     let passes = if plan.passes.start == 0 { passes } else { passes.saturating_mul(passes) };
-    let per_pixel = bytes_per_pixel(passes, job.options.sampler, job.layers);
+    let shown = job.options.display_server.as_ref().map_or(0, |_| BYTES_SHOWN);
+    let per_pixel = bytes_per_pixel(passes, job.options.sampler, job.layers) + shown;
     let needed = u64::from(width) * u64::from(height) * per_pixel;
     match available() {
         Some(available) if needed > available => Err(Failure::output(format_args!(

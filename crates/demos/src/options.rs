@@ -2,7 +2,9 @@
 
 use crate::aov::Aov;
 use crate::camera_options::CameraOptions;
+use crate::display::DisplayAddress;
 use crate::duration::parse_duration;
+use crate::exposure::Exposure;
 use crate::keep_options::KeepOptions;
 use crate::noise::Noise;
 use crate::outcome::Failure;
@@ -13,7 +15,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
 use traylib_integrators::PointSet;
-use traylib_io::{Headlight, Limit, LoadOptions, MAX_PIXELS, ReadLimits};
+use traylib_io::{Headlight, Limit, LoadOptions, MAX_PIXELS, ReadLimits, Tone};
 use traylib_scene::Camera;
 
 /// The options of what to render and how much.
@@ -54,9 +56,15 @@ pub struct RenderOptions {
     #[command(flatten)]
     pub window: WindowOptions,
 
-    /// Factor on light in 8-bit pictures [default: the scene's]
-    #[arg(long, value_name = "FACTOR", value_parser = parse_exposure)]
-    pub exposure: Option<f32>,
+    /// Factor on light in 8-bit pictures; `auto` shows the middle of the picture as middle grey,
+    /// and says by which factor [default: the scene's]
+    #[arg(long, value_name = "FACTOR")]
+    pub exposure: Option<Exposure>,
+
+    /// The curve that light follows there: `linear`, or `filmic`, which keeps more of what is
+    /// brighter than white
+    #[arg(long, value_name = "CURVE", default_value_t = Tone::default())]
+    pub tone: Tone,
 
     /// Seed of the random numbers: same seed, same picture
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -102,6 +110,11 @@ pub struct RenderOptions {
     #[arg(long, value_name = "FORM", default_value = "line")]
     pub progress: ProgressForm,
 
+    /// Show the picture in a viewer while it is rendered: in tev, or one that is told the same by
+    /// TCP; boxes are where most of the estimated error is. Port 14158 if none is named
+    #[arg(long, value_name = "HOST:PORT")]
+    pub display_server: Option<DisplayAddress>,
+
     /// Write what was done as JSON: passes, rays, paths, seconds, memory, and what ended it;
     /// with --check what is in the file, also of one of shapes without camera or lamp. `-` is
     /// standard output
@@ -127,7 +140,7 @@ impl RenderOptions {
         self.limit.iter().for_each(|&(limit, value)| limits.set(limit, value));
         LoadOptions {
             resolution: self.resolution,
-            exposure: self.exposure,
+            exposure: self.exposure.and_then(Exposure::factor),
             root: self.root.as_deref(),
             headlight: Headlight::default(),
             limits,
@@ -206,7 +219,7 @@ pub fn parse_threads(text: &str) -> Result<usize, String> {
 /// Returns a description of the value that was wanted instead.
 pub fn parse_exposure(text: &str) -> Result<f32, &'static str> {
     let positive = |exposure: &f32| *exposure > 0.0 && exposure.is_finite();
-    text.parse().ok().filter(positive).ok_or("wanted: a positive number")
+    text.parse().ok().filter(positive).ok_or("wanted a number above 0, as 0.5 or 2")
 }
 
 /// Reads `surfaces=2000000` or `surfaces=2M`.

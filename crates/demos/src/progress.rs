@@ -3,7 +3,7 @@
 use crate::interrupt::Stop;
 use crate::options::RenderOptions;
 use crate::progress_form::ProgressForm;
-use crate::say::{count, say, tell, tell_json};
+use crate::say::{count, say, say_line, tell, tell_json};
 use crate::signals::Signal;
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use serde_json::json;
@@ -155,6 +155,16 @@ impl Line {
                         "{signal}: ending with the passes that are done; once more stops at once"
                     ));
                 });
+            }
+        }
+    }
+
+    /// Returns what prints a warning above the line, from any thread; nothing if that is unwanted.
+    pub(crate) fn warner(&self) -> impl Fn(&str) + Send + Sync + use<> {
+        let (bar, quiet) = (self.bar.clone(), self.quiet);
+        move |text| {
+            if !quiet {
+                bar.suspend(|| say_line("warning", text));
             }
         }
     }

@@ -5,7 +5,7 @@ use crate::window_options::PixelBounds;
 use std::fmt::Write;
 use std::path::Path;
 use traylib_integrators::{Method, PointSet};
-use traylib_io::{Limit, Loaded};
+use traylib_io::{Limit, Loaded, Tone};
 use traylib_scene::FilmWindow;
 
 /// The settings that make a picture: all that changes it but how many samples a pixel has.
@@ -27,6 +27,8 @@ pub struct Recipe<'a> {
     pub points: PointSet,
     /// Factor on light in 8-bit pictures.
     pub exposure: f32,
+    /// The curve that follows, there.
+    pub tone: Tone,
     /// The bounds on what files may ask for.
     pub limits: &'a [(Limit, u64)],
     /// The method with its settings; `None` for an integrator that is none.
@@ -47,6 +49,7 @@ pub(crate) fn command(job: &Job<'_>, loaded: &Loaded) -> String {
         seed: options.seed,
         points: options.sampler,
         exposure: loaded.settings.exposure,
+        tone: options.tone,
         limits: &options.limit,
         method: job.method,
     };
@@ -69,6 +72,9 @@ impl Recipe<'_> {
             self.exposure,
         );
         // A string takes everything.
+        if self.tone != Tone::default() {
+            let _ = write!(command, " --tone {}", self.tone);
+        }
         if let Some(camera) = &self.camera {
             let _ = write!(command, " --camera {}", quoted(camera));
         }

@@ -22,7 +22,7 @@ use crate::stats::stats;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 use traylib_integrators::{Integrator, Method, Rendering, Report};
-use traylib_io::{LoadOptions, Loaded, builtin_names, load_scene_with};
+use traylib_io::{LoadOptions, Loaded, Look, builtin_names, load_scene_with};
 use traylib_math::{Grid, Rgb};
 use traylib_scene::Scene;
 
@@ -75,17 +75,20 @@ fn try_run(
         return tell(describe(&loaded.name, &loaded.scene));
     }
     outputs.make_folder()?;
-    let Outcome { rendering, elapsed, end, before } = render_job(job, &loaded, integrator, &plan)?;
+    let Outcome { rendering, elapsed, end, before, display } =
+        render_job(job, &loaded, integrator, &plan)?;
     let Rendering { film, notes, statistics } = rendering;
     let (passes, error) = (film.passes(), film.relative_error());
     let layers = if job.makes_pictures() { film.develop_layers() } else { BTreeMap::new() };
     let wants_variance = options.aov.contains(&Aov::Variance);
     let variance = wants_variance.then(|| film.variance_of_mean()).flatten();
     let variance = variance.map(|variance| variance.map(|&v| Rgb::from(v.map(|band| band as f32))));
-    let done = Done { loaded, passes, error, variance, layers, notes, statistics, elapsed, before };
+    let mut done =
+        Done { loaded, passes, error, variance, layers, notes, statistics, elapsed, before };
     if job.makes_pictures() {
         // A picture that just fits has no room for the film.
         let picture = film.into_picture();
+        expose(&mut done, &picture, options);
         outputs.save(&picture, &done.info(job), &aov_layers(job, &done)?)?;
         finish(&done)?;
         if !options.quiet {
@@ -102,7 +105,20 @@ fn try_run(
         summarise(job.program, &done, &end.words());
         suggest(options);
     }
+    if let Some(display) = display {
+        display.finish();
+    }
     conclusion(end, options, &done)
+}
+
+/// Settles the exposure of a picture, if that was left to it.
+fn expose(done: &mut Done, picture: &Grid<Rgb>, options: &RenderOptions) {
+    let Some(exposure) = options.exposure else { return };
+    let own = &mut done.loaded.settings.exposure;
+    *own = exposure.of(picture, *own);
+    if !options.quiet {
+        exposure.tell(*own);
+    }
 }
 
 /// Concludes a program that has written what it has.
@@ -129,8 +145,8 @@ fn warn_if_black(job: &Job<'_>, done: &Done, integrator: &dyn Integrator, radian
         return;
     }
     let (program, scene, limits) = (job.program, &done.loaded.scene, job.limits());
-    let exposure = done.loaded.settings.exposure;
-    let picture = Picture { program, scene, integrator, limits, exposure, radiance };
+    let look = Look { exposure: done.loaded.settings.exposure, tone: job.options.tone };
+    let picture = Picture { program, scene, integrator, limits, look, radiance };
     if let Some(reason) = black::reason(&picture, job.options) {
         say(format_args!("warning: the picture is black: {reason}"));
     }

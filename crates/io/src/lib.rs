@@ -62,9 +62,9 @@ pub use load::{Loaded, load_scene, load_scene_with};
 pub use load_options::{Headlight, LoadOptions, SceneSettings};
 pub use mesh_counts::MeshCounts;
 pub use picture::{
-    ExrChannel, ExrFile, ExrLayer, PictureFrame, PictureInfo, PictureLayer, check_picture,
-    check_writable, load_exr, losses, open_exr, png_texts, save_picture, save_picture_with,
-    write_picture,
+    ExrChannel, ExrFile, ExrLayer, Look, PictureFrame, PictureInfo, PictureLayer, Tone,
+    check_picture, check_writable, exposure_of, load_exr, losses, open_exr, png_texts,
+    save_picture, save_picture_with, write_picture,
 };
 pub use printable::{printable, printable_json};
 pub use read_limits::ReadLimits;

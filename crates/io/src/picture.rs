@@ -2,17 +2,22 @@
 //!
 //! A picture is written completely or not at all ([`write_file`]).
 
+mod exposure;
 mod exr;
 mod hdr;
 mod pcx;
 mod png;
 mod screen;
 mod tga;
+mod tone;
 
+pub use exposure::exposure_of;
+pub(crate) use exposure::two_digits;
 pub use exr::{ExrChannel, ExrFile, ExrLayer, load_exr, open_exr};
 pub(crate) use exr::{ExrPicture, load_exr_within};
 pub use png::png_texts;
-pub use screen::screen_rgb;
+pub use screen::{Look, screen_rgb};
+pub use tone::Tone;
 
 use crate::{Error, Warning, check_file, write_file};
 use screen::Screen;
@@ -29,6 +34,8 @@ type Cause = Box<dyn std::error::Error + Send + Sync>;
 pub struct PictureInfo {
     /// Factor on radiance in 8-bit pictures.
     pub exposure: f32,
+    /// The curve that follows, there.
+    pub tone: Tone,
     /// Program and version.
     pub program: String,
     /// The integrator that made it.
@@ -58,8 +65,10 @@ pub struct PictureFrame {
 
 impl PictureInfo {
     /// Names and texts for [`write_picture`]: `software`, `integrator`, `command`,
-    /// `scene`, `seed`, `spp`, `exposure`, `rejectedSamples`: nothing that changes from run to run.
+    /// `scene`, `seed`, `spp`, `exposure`, `rejectedSamples`, and `tone` unless it is linear: nothing that
+    /// changes from run to run.
     pub fn attributes(&self) -> Vec<(String, String)> {
+        let tone = (self.tone != Tone::Linear).then(|| ("tone", self.tone.to_string()));
         let texts = [
             ("software", self.program.clone()),
             ("integrator", self.integrator.clone()),
@@ -70,7 +79,7 @@ impl PictureInfo {
             ("exposure", self.exposure.to_string()),
             ("rejectedSamples", self.rejected_samples.to_string()),
         ];
-        texts.into_iter().map(|(name, text)| (name.to_string(), text)).collect()
+        texts.into_iter().chain(tone).map(|(name, text)| (name.to_string(), text)).collect()
     }
 }
 
@@ -122,7 +131,7 @@ impl Format {
 
 /// Writes radiance to a file; the ending of its name picks the format.
 ///
-/// - `.png`: times the exposure, clipped to [0, 1], sRGB curve, 8 bits.
+/// - `.png`: times the exposure, by the curve of tones, clipped to [0, 1], sRGB curve, 8 bits.
 /// - `.tga`, `.pcx`: the same pixels; 24 bits, TGA not compressed.
 /// - `.exr`: linear, 32-bit floats, channels R, G, B, lossless compression.
 /// - `.hdr`: linear, rounded to 8 bits below the brightest band of each pixel;
@@ -148,7 +157,7 @@ pub fn save_picture_with(
     layers: &[PictureLayer],
 ) -> Result<(), Error> {
     let extras = Extras { attributes: &info.attributes(), frame: info.frame, layers };
-    write_with(path, radiance, info.exposure, extras)
+    write_with(path, radiance, Look { exposure: info.exposure, tone: info.tone }, extras)
 }
 
 /// The layers and attributes that an EXR file has beside the light; of it PNG files have the
@@ -161,26 +170,26 @@ struct Extras<'a> {
 }
 
 /// [`save_picture`] with any attributes, name and text. Characters beyond Latin-1
-/// become question marks in EXR files.
+/// become question marks in EXR files. An exposure is a look, too.
 ///
 /// # Errors
 /// As `save_picture`.
 pub fn write_picture(
     path: &Path,
     radiance: &Grid<Rgb>,
-    exposure: f32,
+    look: impl Into<Look>,
     attributes: &[(String, String)],
 ) -> Result<(), Error> {
-    write_with(path, radiance, exposure, Extras { attributes, frame: None, layers: &[] })
+    write_with(path, radiance, look.into(), Extras { attributes, frame: None, layers: &[] })
 }
 
 fn write_with(
     path: &Path,
     radiance: &Grid<Rgb>,
-    exposure: f32,
+    look: Look,
     extras: Extras<'_>,
 ) -> Result<(), Error> {
-    let bytes = encode(Format::of(path)?, radiance, exposure, extras)
+    let bytes = encode(Format::of(path)?, radiance, look, extras)
         .map_err(|cause| Error::Write { file: path.to_path_buf(), cause })?;
     write_file(path, &bytes)
 }
@@ -188,13 +197,13 @@ fn write_with(
 fn encode(
     format: Format,
     radiance: &Grid<Rgb>,
-    exposure: f32,
+    look: Look,
     extras: Extras<'_>,
 ) -> Result<Vec<u8>, Cause> {
     if radiance.values().is_empty() {
         return Err("it has no pixels".into());
     }
-    let screen = || Screen::new(radiance, exposure);
+    let screen = || Screen::new(radiance, look);
     match format {
         Format::Png => png::encode(&screen()?, extras.attributes),
         Format::Tga => tga::encode(&screen()?),

@@ -4,7 +4,7 @@ use crate::frame::Frame;
 use crate::options::Options;
 use std::path::{Path, PathBuf};
 use traylib_demos::{Failure, Recipe, VERSION, tell_name, with_spp};
-use traylib_io::{PictureInfo, ron_scene, save_picture};
+use traylib_io::{PictureInfo, Tone, ron_scene, save_picture};
 use traylib_scene::{CameraSettings, FilmWindow};
 
 /// The camera as a line of a scene file, which reads back as the same.
@@ -39,11 +39,13 @@ fn info(frame: &Frame, scene: &str, is_moved: bool, options: &Options) -> Pictur
         seed: options.seed,
         points: options.sampler,
         exposure: frame.exposure,
+        tone: Tone::Linear,
         limits: &options.limit,
         method: Some(method),
     };
     PictureInfo {
         exposure: frame.exposure,
+        tone: Tone::Linear,
         program: format!("TrayLib {VERSION}"),
         integrator: method.name().into(),
         command: with_spp(&recipe.command(), frame.passes),

@@ -6,7 +6,7 @@ use crate::stability::run::{Pictures, Row};
 use crate::stability::table::{Agreement, Judged, short};
 use maud::{DOCTYPE, Markup, html};
 use std::path::Path;
-use traylib_io::{PictureInfo, save_picture};
+use traylib_io::{PictureInfo, Tone, save_picture};
 use traylib_math::{Grid, Rgb};
 
 const STYLE: &str = "body{font:14px system-ui;margin:2em;color:#222}\
@@ -104,6 +104,7 @@ pub fn save_pictures(folder: &Path, row: &Row) -> Result<(), traylib_io::Error> 
         let Some(grid) = Grid::from_values(reference.width, height, grey) else { return Ok(()) };
         let info = PictureInfo {
             exposure,
+            tone: Tone::Linear,
             program: "stability".into(),
             integrator: what.into(),
             command: String::new(),

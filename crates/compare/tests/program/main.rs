@@ -154,6 +154,7 @@ fn pictures_from_elsewhere_stand_on_the_chart_and_under_it() {
     let exr = traylib_math::Grid::filled(16, 12, traylib_math::Rgb::splat(2.2));
     let info = traylib_io::PictureInfo {
         exposure: 1.0,
+        tone: traylib_io::Tone::Linear,
         program: String::new(),
         integrator: String::new(),
         command: String::new(),

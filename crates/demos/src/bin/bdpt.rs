@@ -10,7 +10,7 @@ use traylib_integrators::{Method, Report};
 #[derive(Args, Clone, Debug)]
 struct Reports {
     /// Also write a picture of each technique (s, t), raw and weighted, into a
-    /// folder
+    /// folder, and sheets of all of them: a row is a length of paths, a column is s
     #[arg(long, value_name = "DIR", conflicts_with = "auto")]
     techniques: Option<PathBuf>,
     /// Print the paths that add to a pixel, counted from 0,0 at the top left,

@@ -7,7 +7,7 @@ use crate::recipe;
 use crate::shard::Shard;
 use crate::window_options;
 use traylib_integrators::{Method, Statistics};
-use traylib_io::{FilmAbout, Loaded, PictureFrame, PictureInfo};
+use traylib_io::{FilmAbout, Loaded, PictureFrame, PictureInfo, Tone};
 
 const REVISION: &str = "revision";
 const SEED: &str = "seed";
@@ -15,6 +15,7 @@ const SCENE: &str = "scene";
 const PROGRAM: &str = "program";
 const COMMAND: &str = "command";
 const EXPOSURE: &str = "exposure";
+const TONE: &str = "tone";
 
 /// The note of the frame that the picture is a part of.
 const FRAME: &str = "frame";
@@ -50,6 +51,7 @@ pub(super) fn about(job: &Job<'_>, loaded: &Loaded, plan: &Plan) -> FilmAbout {
         (PROGRAM, Some(job.program.to_string())),
         (COMMAND, Some(recipe::command(job, loaded))),
         (EXPOSURE, Some(loaded.settings.exposure.to_string())),
+        (TONE, (options.tone != Tone::default()).then(|| options.tone.to_string())),
         (FRAME, window_options::frame(camera).map(frame_text)),
         (SPP, plan.spp.map(|spp| spp.to_string())),
         (SHARD, (plan.shard != Shard::WHOLE).then(|| plan.shard.to_string())),
@@ -111,6 +113,7 @@ pub(crate) fn picture_info(about: &FilmAbout, passes: u32) -> PictureInfo {
     let setting = |name| text(&about.settings, name).unwrap_or_default();
     PictureInfo {
         exposure: note(EXPOSURE).parse().unwrap_or(1.0),
+        tone: note(TONE).parse().unwrap_or_default(),
         program: format!("TrayLib {}", setting(REVISION)),
         integrator: note(PROGRAM),
         command: recipe::with_spp(&note(COMMAND), passes),

@@ -5,7 +5,7 @@ use crate::common::Folder;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use traylib_integrators::{Bdpt, Control, Method, Progress, Report, Settings, Technique, render};
-use traylib_io::{LoadOptions, load_scene_with};
+use traylib_io::{LoadOptions, TextureLimits, load_scene_with, load_texture};
 use traylib_math::{Grid, Rgb};
 
 /// A point light in a mirror.
@@ -43,7 +43,10 @@ fn techniques_are_written_as_pictures() {
     let run = folder.run("bdpt", "--resolution 16x12 --spp 1 --techniques a/b -o whole.png");
     assert_eq!(run.status, Some(0), "{}", run.err);
     let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
-    for file in run.out.lines().filter(|&file| file != "whole.png") {
+    let sheets = ["a/b/all-weighted.png", "a/b/all-raw.png"];
+    assert!(sheets.iter().all(|sheet| run.out.lines().any(|file| file == *sheet)), "{}", run.out);
+    let is_alone = |file: &&str| *file != "whole.png" && !sheets.contains(file);
+    for file in run.out.lines().filter(is_alone) {
         let path = folder.path().join(file);
         assert!(path.is_file(), "{file}");
         let name = path.file_stem().unwrap().to_str().unwrap();
@@ -54,7 +57,40 @@ fn techniques_are_written_as_pictures() {
     assert_eq!(kinds.keys().collect::<Vec<_>>(), ["raw", "weighted"]);
     assert!(kinds["raw"] > 3 && kinds["raw"] == kinds["weighted"], "{kinds:?}");
     let written = std::fs::read_dir(folder.path().join("a/b")).unwrap().count();
-    assert_eq!(written, kinds["raw"] + kinds["weighted"]);
+    assert_eq!(written, kinds["raw"] + kinds["weighted"] + sheets.len());
+}
+
+/// Each place of the sheet has the bytes of the picture that belongs there, by the layout that
+/// is documented: four pixels around 16x12.
+#[test]
+fn sheets_show_each_technique_in_its_place() {
+    let folder = Folder::new();
+    let run =
+        folder.run("bdpt", "--resolution 16x12 --spp 2 --max-depth 4 --techniques t -o a.png -q");
+    assert_eq!((run.status, run.err.as_str()), (Some(0), ""));
+    let bytes = |name: &str| {
+        let path = folder.path().join("t").join(name);
+        load_texture(&path, TextureLimits::default()).unwrap().pixels
+    };
+    for kind in ["weighted", "raw"] {
+        let sheet = bytes(&format!("all-{kind}.png"));
+        assert_eq!((sheet.width(), sheet.height()), (5 * 20 + 4, 4 * 16 + 4));
+        let mut found = 0;
+        for (edges, s) in (1..=4).flat_map(|edges| (0..=edges).map(move |s| (edges, s))) {
+            let name = format!("s{s}-t{}-{kind}.png", edges + 1 - s);
+            if folder.path().join("t").join(&name).exists() {
+                let alone = bytes(&name);
+                let (left, top) = (4 + 20 * s, 4 + 16 * (edges - 1));
+                let is_there = |at: usize| {
+                    let (x, y) = (at % 16, at / 16);
+                    sheet.get(left + x, top + y) == alone.get(x, y)
+                };
+                assert!((0..16 * 12).all(is_there), "{name}");
+                found += 1;
+            }
+        }
+        assert!(found > 8, "{found}");
+    }
 }
 
 /// The number that follows a word.

@@ -2,12 +2,13 @@
 
 use crate::common::{Folder, Run};
 use serde_json::Value;
-use traylib_io::{PictureInfo, save_picture};
+use traylib_io::{PictureInfo, Tone, save_picture};
 use traylib_math::{Grid, Rgb};
 
 fn save(folder: &Folder, name: &str, picture: &Grid<Rgb>) {
     let info = PictureInfo {
         exposure: 1.0,
+        tone: Tone::Linear,
         program: "tests 1.0".into(),
         integrator: "bdpt".into(),
         command: "bdpt ball.ron".into(),

@@ -9,12 +9,14 @@ mod black;
 mod checkpoints;
 mod common;
 mod convert;
+mod display;
 #[cfg(unix)]
 mod disturbances;
 mod errors;
 mod film;
 #[cfg(unix)]
 mod interrupts;
+mod looks;
 mod models;
 mod noise;
 #[cfg(unix)]

@@ -16,6 +16,7 @@ use super::placement::Placement;
 use super::scene_parts::{PartObject, SceneParts};
 use super::sky_light::SkyLight;
 use crate::load_options::{Headlight, LoadOptions, SceneSettings};
+use crate::picture::two_digits;
 use crate::ron_scene;
 use crate::source::Location;
 use crate::{Error, Warning};
@@ -216,9 +217,7 @@ fn build(
 fn exposure(file: &ModelFile, scene: &Scene, bounds: &Aabb) -> f32 {
     let metered = if file.format.is_physical() { None } else { meter::exposure(scene) };
     let exposure = metered.unwrap_or_else(|| middle_grey(scene, bounds));
-    let digits = 10_f64.powi(1 - exposure.log10().floor() as i32);
-    let rounded = ((exposure * digits).round() / digits) as f32;
-    if rounded > 0.0 && rounded.is_finite() { rounded } else { 1.0 }
+    two_digits(exposure).unwrap_or(1.0)
 }
 
 /// The factor that shows a room of this size as middle grey.

@@ -1,8 +1,34 @@
 //! Radiance as a screen shows it, 8 bits a channel.
 
+use super::Tone;
 use crate::srgb;
 use std::sync::LazyLock;
 use traylib_math::{Grid, Rgb};
+
+/// What a screen makes of light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Factor on radiance.
+    pub exposure: f32,
+    /// The curve that follows.
+    pub tone: Tone,
+}
+
+impl Look {
+    /// Red, green and blue as a screen shows radiance: times the exposure, by the curve of tones,
+    /// clipped to [0, 1], sRGB curve (IEC 61966-2-1), 8 bits a channel.
+    pub fn bytes(self, radiance: Rgb) -> [u8; 3] {
+        let light = (radiance * self.exposure).to_array();
+        light.map(|band| screen_byte(self.tone.apply(band)))
+    }
+}
+
+/// An exposure alone leaves light as it is.
+impl From<f32> for Look {
+    fn from(exposure: f32) -> Self {
+        Self { exposure, tone: Tone::Linear }
+    }
+}
 
 /// A picture of bytes: red, green and blue of each pixel, rows from the top.
 pub(super) struct Screen {
@@ -13,23 +39,19 @@ pub(super) struct Screen {
 
 impl Screen {
     /// An error if it has more columns or rows than can be counted.
-    pub(super) fn new(
-        radiance: &Grid<Rgb>,
-        exposure: f32,
-    ) -> Result<Self, std::num::TryFromIntError> {
+    pub(super) fn new(radiance: &Grid<Rgb>, look: Look) -> Result<Self, std::num::TryFromIntError> {
         let pixels = radiance.values().iter();
         Ok(Self {
             width: radiance.width().try_into()?,
             height: radiance.height().try_into()?,
-            bytes: pixels.flat_map(|&light| screen_rgb(light, exposure)).collect(),
+            bytes: pixels.flat_map(|&light| look.bytes(light)).collect(),
         })
     }
 }
 
-/// Red, green and blue as a screen shows radiance: times the exposure, clipped to
-/// [0, 1], sRGB curve (IEC 61966-2-1), 8 bits a channel.
+/// [`Look::bytes`] of an exposure alone.
 pub fn screen_rgb(radiance: Rgb, exposure: f32) -> [u8; 3] {
-    (radiance * exposure).to_array().map(screen_byte)
+    Look::from(exposure).bytes(radiance)
 }
 
 /// The byte that a screen shows as this linear value: clipped to [0, 1], sRGB
@@ -109,6 +131,17 @@ mod tests {
             let linear = f32::from_bits(bits).min(1.0);
             assert_eq!(screen_byte(linear), coded_byte(linear), "{linear}");
         }
+    }
+
+    #[test]
+    fn tones_come_after_the_exposure_and_before_the_curve() {
+        let look = Look { exposure: 0.5, tone: Tone::Filmic };
+        // 2.54/3.16 of light is byte 231; nothing and too much have an end.
+        assert_eq!(look.bytes(Rgb::new(2.0, -3.0, 1e30)), [231, 0, 255]);
+        assert_eq!(look.bytes(Rgb::new(f32::NAN, f32::INFINITY, 0.0)), [0, 255, 0]);
+        let linear = Look { tone: Tone::Linear, ..look };
+        let light = Rgb::new(0.3, 1.7, 0.01);
+        assert_eq!(linear.bytes(light), screen_rgb(light, 0.5));
     }
 
     #[test]

@@ -36,6 +36,7 @@ const FORMATS: [&str; 5] = ["png", "exr", "hdr", "tga", "pcx"];
 fn info() -> PictureInfo {
     PictureInfo {
         exposure: 0.5,
+        tone: Tone::Linear,
         program: "tests 1.0".to_string(),
         integrator: "none".to_string(),
         command: "none snow.ron --spp 16".to_string(),
