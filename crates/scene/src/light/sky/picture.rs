@@ -133,10 +133,62 @@ fn normalise(sums: &mut [f64], total: f64) {
     }
 }
 
+/// Returns how many of these rising sums, which end with one, are no more than `u`.
+///
+/// Large pictures do not fit into caches, and most of a sky is nearly even: the search begins
+/// where an even one has its end, and doubles its steps from there.
+fn count_up_to(sums: &[f64], u: f64) -> usize {
+    let mut probe = ((u * sums.len() as f64) as usize).min(sums.len() - 1);
+    let (mut low, mut high, mut step) = (0, sums.len(), 1);
+    if sums[probe] <= u {
+        while let Some(&sum) = sums.get(probe + step) {
+            if sum > u {
+                high = probe + step;
+                break;
+            }
+            probe += step;
+            step *= 2;
+        }
+        low = probe + 1;
+    } else {
+        while probe >= step {
+            if sums[probe - step] <= u {
+                low = probe - step + 1;
+                break;
+            }
+            probe -= step;
+            step *= 2;
+        }
+        high = probe;
+    }
+    low + sums[low..high].partition_point(|&sum| sum <= u)
+}
+
 /// The index that `u`, uniform on [0, 1), chooses, and what is left of that number.
 fn choose(cumulative: &[f64], u: f64) -> (usize, f64) {
-    let index = cumulative.partition_point(|&sum| sum <= u).min(cumulative.len() - 1);
+    let index = count_up_to(cumulative, u).min(cumulative.len() - 1);
     let before = if index == 0 { 0.0 } else { cumulative[index - 1] };
     let part = (u - before) / (cumulative[index] - before);
     (index, part.clamp(0.0, 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Even, steep at each end and in the middle, with sums that repeat.
+    #[test]
+    fn a_search_from_a_guess_finds_what_a_whole_one_does() {
+        let steep = |at: usize| (0..100).map(move |i| if i < at { 1e-3 * i as f64 } else { 1.0 });
+        let even: Vec<f64> = (1..=64).map(|i| f64::from(i) / 64.0).collect();
+        let lists = [even, vec![1.0], steep(1).collect(), steep(50).collect(), steep(99).collect()];
+        for sums in lists {
+            let between = (0..1000).map(|i| f64::from(i) / 1000.0);
+            let at = sums.iter().copied().filter(|&sum| sum < 1.0);
+            for u in between.chain(at) {
+                let whole = sums.partition_point(|&sum| sum <= u);
+                assert_eq!(count_up_to(&sums, u), whole, "{u} of {sums:?}");
+            }
+        }
+    }
 }
