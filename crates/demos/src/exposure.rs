@@ -1,6 +1,5 @@
 //! The factor on light in pictures of 256 steps, which may be left to the picture.
 
-use crate::options::parse_exposure;
 use crate::say::say_line;
 use std::str::FromStr;
 use traylib_io::exposure_of;
@@ -51,9 +50,26 @@ impl FromStr for Exposure {
     }
 }
 
+/// Reads a factor on light.
+///
+/// # Errors
+/// Returns a description of the value that was wanted instead.
+pub fn parse_exposure(text: &str) -> Result<f32, &'static str> {
+    let positive = |exposure: &f32| *exposure > 0.0 && exposure.is_finite();
+    text.parse().ok().filter(positive).ok_or("wanted a number above 0, as 0.5 or 2")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn exposures_are_positive_numbers() {
+        assert_eq!(parse_exposure("0.25"), Ok(0.25));
+        for bad in ["0", "-1", "inf", "NaN", "x"] {
+            assert!(parse_exposure(bad).is_err(), "{bad}");
+        }
+    }
 
     #[test]
     fn a_black_picture_keeps_its_own() {

@@ -53,7 +53,7 @@ pub use display::DisplayAddress;
 pub use done::Done;
 pub use duration::parse_duration;
 pub use explain::Explain;
-pub use exposure::Exposure;
+pub use exposure::{Exposure, parse_exposure};
 pub use film::{
     ConvertOptions, DenoiseOptions, DiffOptions, FilmCommand, InfoOptions, MergeOptions,
 };
@@ -62,9 +62,7 @@ pub use job::Job;
 pub use keep_options::KeepOptions;
 pub use messages::{announce, print_notes};
 pub use noise::Noise;
-pub use options::{
-    PixelName, RenderOptions, parse_exposure, parse_limit, parse_resolution, parse_threads,
-};
+pub use options::{PixelName, RenderOptions, parse_limit, parse_resolution, parse_threads};
 pub use outcome::Failure;
 pub use progress::clock;
 pub use progress_form::ProgressForm;

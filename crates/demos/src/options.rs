@@ -213,15 +213,6 @@ pub fn parse_threads(text: &str) -> Result<usize, String> {
     threads.ok_or_else(|| format!("wanted a number from 0, one a processor, to {MOST_THREADS}"))
 }
 
-/// Reads a factor on light.
-///
-/// # Errors
-/// Returns a description of the value that was wanted instead.
-pub fn parse_exposure(text: &str) -> Result<f32, &'static str> {
-    let positive = |exposure: &f32| *exposure > 0.0 && exposure.is_finite();
-    text.parse().ok().filter(positive).ok_or("wanted a number above 0, as 0.5 or 2")
-}
-
 /// Reads `surfaces=2000000` or `surfaces=2M`.
 ///
 /// # Errors
@@ -258,14 +249,6 @@ mod tests {
         assert_eq!([parse_threads("0"), parse_threads("1024")], [Ok(0), Ok(1024)]);
         for bad in ["1025", "1000000", "-1", "99999999999999999999"] {
             assert!(parse_threads(bad).is_err(), "{bad}");
-        }
-    }
-
-    #[test]
-    fn exposures_are_positive_numbers() {
-        assert_eq!(parse_exposure("0.25"), Ok(0.25));
-        for bad in ["0", "-1", "inf", "NaN", "x"] {
-            assert!(parse_exposure(bad).is_err(), "{bad}");
         }
     }
 

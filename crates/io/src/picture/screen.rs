@@ -1,6 +1,6 @@
 //! Radiance as a screen shows it, 8 bits a channel.
 
-use super::Tone;
+use super::tone::Tone;
 use crate::srgb;
 use std::sync::LazyLock;
 use traylib_math::{Grid, Rgb};
