@@ -2,7 +2,6 @@
 
 mod agree;
 mod pixels;
-mod sha256;
 
 use agree::differences;
 use anyhow::{Context, Result, ensure};

@@ -22,6 +22,7 @@ pub(crate) fn run() -> Result<()> {
     step("targets", apart::targets)?;
     step("test", || cargo(&["test", "--workspace"]))?;
     step("doc", document)?;
+    step("book", apart::book)?;
     step("package", package::pack)?;
     step("apart", apart::packages)?;
     step("check", || bdpt(&["--check"]))?;

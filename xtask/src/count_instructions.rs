@@ -34,6 +34,12 @@ pub(crate) fn run(arguments: &[&str]) -> Result<()> {
     options.save.as_deref().map_or(Ok(()), |file| counted.write(file))
 }
 
+/// Tells whether [`run`] would understand these arguments.
+#[cfg(all(test, unix))]
+pub(crate) fn check(arguments: &[&str]) -> Result<()> {
+    Options::parse(arguments).map(drop)
+}
+
 fn check_for_valgrind() -> Result<()> {
     let found = Command::new("valgrind").arg("--version").stdout(Stdio::null()).status();
     ensure!(

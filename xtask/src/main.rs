@@ -1,6 +1,7 @@
 //! The project's own tasks: `cargo xtask TASK`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program speaks to its user")]
 
+mod book;
 mod charts;
 mod check_data;
 mod ci;
@@ -13,11 +14,14 @@ mod package;
 mod proofs;
 mod prove;
 mod relations;
+mod release;
+mod sha256;
 mod stability;
+mod task;
 mod workspace;
 
-use proofs::Until;
 use std::process::ExitCode;
+use task::Task;
 
 const HELP: &str = "\
 The project's own tasks.
@@ -60,8 +64,12 @@ Usage: cargo xtask TASK [ARGUMENTS]
            that are installed; the bytes of one run must come of it
   package  packs the libraries, builds the packages, and tries to publish them
            in their order, all but the upload
+  release [--target TARGET]
+           all programs with manual pages and licences in target/release-archives,
+           as an archive with the same bytes each time
+  book     the pages of docs/ as a book with a search, target/book, by mdBook
   ci       format, clippy, layers, licences, other features and systems, tests,
-           docs, packages, a first picture, a comparison, engines; stops at the
+           docs, book, packages, a first picture, a comparison, engines; stops at the
            first step that fails
 
 Exit status: 0 done, 1 a task failed, 2 the command line was not understood;
@@ -71,35 +79,32 @@ be written, 130 interrupted, 143 told to terminate.";
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let outcome = match words[..] {
-        ["layers"] => layers::run(),
-        ["check-data", folder] => check_data::run(folder),
-        ["ci"] => ci::run(),
+    let Some(task) = Task::of(&words) else {
+        eprintln!("error: expected one task, found `{}`\n\n{HELP}", words.join(" "));
+        return ExitCode::from(2);
+    };
+    let outcome = match task {
+        Task::Layers => layers::run(),
+        Task::CheckData { folder } => check_data::run(folder),
+        Task::Ci => ci::run(),
         #[cfg(unix)]
-        ["engines"] => engines::run(),
-        ["package"] => package::publish_dry(),
-        ["prove"] => prove::run(),
-        ["faults"] => faults::run(&[], Until::TheEnd),
-        ["faults", "--only", ref names @ ..] if !names.is_empty() => {
-            faults::run(names, Until::TheEnd)
+        Task::Engines => engines::run(),
+        Task::Package => package::publish_dry(),
+        Task::Book => book::run(),
+        Task::Release { target } => release::run(target),
+        Task::Prove => prove::run(),
+        Task::Faults { names, until } => faults::run(&names, until),
+        Task::EditFault { name } => faults::edit(name),
+        Task::SaveFault { name, wrong } => faults::save(name, wrong),
+        Task::Relations(arguments) => relations::run(&arguments),
+        Task::Stability(arguments) => stability::run(&arguments),
+        Task::CountInstructions(arguments) => count_instructions::run(&arguments),
+        Task::Chart { program, arguments } => {
+            return charts::run(program, &arguments).unwrap_or_else(|error| failed(&error));
         }
-        ["faults", "--quick", ref names @ ..] => faults::run(names, Until::OneFails),
-        ["faults", "--edit", name] => faults::edit(name),
-        ["faults", "--save", name] => faults::save(name, None),
-        ["faults", "--save", name, wrong] => faults::save(name, Some(wrong)),
-        ["relations", ref arguments @ ..] => relations::run(arguments),
-        ["stability", ref arguments @ ..] => stability::run(arguments),
-        ["count-instructions", ref arguments @ ..] => count_instructions::run(arguments),
-        [program @ ("compare-integrators" | "needs" | "scaling" | "costs"), ref arguments @ ..] => {
-            return charts::run(program, arguments).unwrap_or_else(|error| failed(&error));
-        }
-        ["help" | "-h" | "--help"] => {
+        Task::Help => {
             println!("{HELP}");
             Ok(())
-        }
-        _ => {
-            eprintln!("error: expected one task, found `{}`\n\n{HELP}", words.join(" "));
-            return ExitCode::from(2);
         }
     };
     match outcome {

@@ -18,9 +18,9 @@ fn help_names_every_task() {
     let output = xtask(&["--help"]);
     assert!(output.status.success());
     let help = String::from_utf8(output.stdout).unwrap();
-    let source = include_str!("../src/main.rs");
-    let (_, tasks) = source.split_once("match words[..] {").unwrap();
-    let names = tasks.lines().filter_map(|line| line.trim().strip_prefix("[\"")?.split('"').next());
+    let source = include_str!("../src/task.rs");
+    let (_, tasks) = source.split_once("match (*first, rest) {").unwrap();
+    let names = tasks.lines().filter_map(|line| line.trim().strip_prefix("(\"")?.split('"').next());
     let names: Vec<&str> = names.filter(|name| *name != "help").collect();
     assert!(names.len() > 10, "{names:?}");
     for task in names {

@@ -111,3 +111,50 @@ fn every_file_that_a_page_names_exists() {
     }
     assert!(named > 200, "only {named} paths: has the notation changed?");
 }
+
+/// The functions that a row of a table names behind a file of Rust, with that file:
+/// `file.rs`: `Type::function`, `function`.
+fn functions(line: &str) -> Vec<(&str, &str)> {
+    let mut file = None;
+    let mut functions = Vec::new();
+    for span in spans(line).filter(|_| line.starts_with('|')) {
+        if is_rust(span) {
+            file = Some(span);
+        } else if let Some(file) = file {
+            functions.push((file, span));
+        }
+    }
+    functions
+}
+
+/// Tells whether a text defines a function, and has a type of that name if one is named.
+fn defines(text: &str, function: &str) -> bool {
+    let (of, name) = function.rsplit_once("::").unwrap_or(("", function));
+    let has = |start: &str| {
+        let ends = |rest: &str| rest.starts_with(['(', '<', ' ', ';']);
+        text.split(start).skip(1).any(ends)
+    };
+    let of_it = ["impl", "for"].iter().any(|word| has(&format!("{word} {of}")));
+    has(&format!("fn {name}")) && (of.is_empty() || of_it || text.contains(&format!("> {of}")))
+}
+
+#[test]
+fn functions_are_looked_for_in_their_files() {
+    let row = "| `P` | `a.rs`: `A::b`, `c` |";
+    assert_eq!(functions(row), [("a.rs", "A::b"), ("a.rs", "c")]);
+    let text = "impl<'a> A<'a> {\n    fn b(&self) {}\n}\nfn c<T>() {}\n";
+    assert!(["A::b", "b", "c"].iter().all(|function| defines(text, function)));
+    assert!(["B::b", "d", "A::d"].iter().all(|function| !defines(text, function)));
+}
+
+#[test]
+fn every_function_that_theory_names_is_in_its_file() {
+    let page = read_to_string(root().join("docs/theory.md")).expect("a page");
+    let mut named = 0;
+    for (file, function) in page.lines().flat_map(functions) {
+        let text = read_to_string(root().join(file)).expect("a file");
+        assert!(defines(&text, function), "{file} has no {function}");
+        named += 1;
+    }
+    assert!(named > 50, "{named}");
+}

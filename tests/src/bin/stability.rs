@@ -28,14 +28,17 @@ not understood.";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if arguments.iter().any(|word| word == "--help" || word == "-h") {
+    let (help, words): (Vec<String>, Vec<String>) =
+        arguments.into_iter().partition(|word| word == "--help" || word == "-h");
+    // What is wrong beside a wish for help is told, as by the other programs.
+    let Some((choice, folder)) = understand(&words) else {
+        eprintln!("error: not understood: `{}`\n\n{HELP}", words.join(" "));
+        return ExitCode::from(2);
+    };
+    if !help.is_empty() {
         println!("{HELP}");
         return ExitCode::SUCCESS;
     }
-    let Some((choice, folder)) = understand(&arguments) else {
-        eprintln!("error: not understood: `{}`\n\n{HELP}", arguments.join(" "));
-        return ExitCode::from(2);
-    };
     match stability(&choice, &folder) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,

@@ -1,6 +1,6 @@
 //! Pictures by the hash of their pixels.
 
-use super::sha256::sha256;
+use crate::sha256::sha256;
 use serde_json::Value;
 use std::path::Path;
 use traylib_io::picture::screen_rgb;

@@ -2,7 +2,7 @@
 //! packages that stand apart. What a machine lacks for it is said in a line and left out.
 
 use super::cargo;
-use crate::workspace;
+use crate::{book, workspace};
 use anyhow::{Result, ensure};
 use std::process::{Command, Stdio};
 
@@ -56,6 +56,15 @@ pub(super) fn targets() -> Result<()> {
             left_out(target, "the target is not installed");
         }
     }
+    Ok(())
+}
+
+/// The book, whose links are followed.
+pub(super) fn book() -> Result<()> {
+    if answers(Command::new("mdbook").arg("--version")) {
+        return book::run();
+    }
+    left_out("the book", "mdbook is not installed");
     Ok(())
 }
 

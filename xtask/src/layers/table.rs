@@ -145,9 +145,13 @@ pub(super) const LAYERS: &[Layer] = &[
             "traylib-integrators",
             "anyhow",
             "diffy",
+            "flate2",
+            "pulldown-cmark",
             "serde_json",
             "syn",
+            "tar",
             "tempfile",
+            "zip",
         ],
     ),
 ];

@@ -1,7 +1,7 @@
-//! SHA-256 (FIPS 180-4), by which the expected pixels of files are known.
+//! SHA-256 (FIPS 180-4), by which pixels of files and archives are known.
 
 /// In hexadecimal digits.
-pub(super) fn sha256(bytes: &[u8]) -> String {
+pub(crate) fn sha256(bytes: &[u8]) -> String {
     let mut message = bytes.to_vec();
     message.push(0x80);
     message.resize((message.len() + 8).next_multiple_of(64) - 8, 0);
