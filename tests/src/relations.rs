@@ -8,6 +8,7 @@
 //! | [`form`] | in which forms: files, and the same scene moved, cut, joined |
 //! | [`relation`] | which relations there are |
 //! | [`render`] | a scene as numbers, a few for each pass |
+//! | [`outside`] | a renderer by others, where it is installed |
 //! | [`judge`] | how a relation is judged |
 //! | [`shrink`] | how a scene that breaks one is made small |
 //! | [`run`] | all scenes, by two threads; [`pooled`] over them all |
@@ -19,6 +20,7 @@ pub mod case;
 pub mod draw;
 pub mod form;
 pub mod judge;
+pub mod outside;
 pub mod pooled;
 pub mod relation;
 pub mod render;

@@ -5,7 +5,8 @@
 //! triangle is the side from which its corners turn counter-clockwise.
 //!
 //! Read are the scene that the file shows, nodes with transforms, accessors of any type, also
-//! sparse and quantized, strips and fans, and of the extensions `KHR_lights_punctual`,
+//! sparse and quantized, strips and fans, and of the extensions `EXT_mesh_gpu_instancing`,
+//! `KHR_lights_punctual`,
 //! `KHR_materials_emissive_strength`, `KHR_materials_unlit`, `KHR_mesh_quantization` and
 //! `KHR_texture_transform`. Not read, and counted in [`Document::warnings`]: animations, skins,
 //! morph targets, colours of vertices, points and lines, further scenes, other extensions. An
@@ -21,6 +22,7 @@ mod container;
 mod error;
 mod extensions;
 mod fixture;
+mod instancing;
 mod json;
 mod material;
 mod nodes;

@@ -15,7 +15,7 @@ pub struct MeshCounts {
     pub normals: usize,
     /// Vertices with texture coordinates.
     pub texcoords: usize,
-    /// Materials, and one of what has none.
+    /// Materials that are on its surfaces; what has none is one of them.
     pub materials: usize,
     /// Lights that are no surfaces.
     pub lights: usize,
@@ -25,4 +25,8 @@ pub struct MeshCounts {
     pub area: f64,
     /// Least and greatest x, y and z of the vertices.
     pub bbox: [f32; 6],
+    /// Least and greatest u and v of the vertices that have them, v upward; zeros if none has.
+    pub uv_box: [f32; 4],
+    /// How much of white light each of these scatters diffusely, in red, green and blue.
+    pub colours: Vec<[f32; 3]>,
 }

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use traylib_io::printable;
 use traylib_tests::relations::case::Case;
 use traylib_tests::relations::judge::First;
+use traylib_tests::relations::outside;
 use traylib_tests::relations::pooled::ratio;
 use traylib_tests::relations::relation::Relation;
 use traylib_tests::relations::render::Workshop;
@@ -41,6 +42,9 @@ fn main() -> ExitCode {
         eprintln!("error: not understood: `{}`\n\n{HELP}", arguments.join(" "));
         return ExitCode::from(2);
     };
+    if let (None | Some(Relation::Mitsuba), Err(why)) = (plan.only, outside::python()) {
+        println!("Mitsuba not asked: {why}");
+    }
     let start = Instant::now();
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../target/relations"));
     let tell = |outcome: &Outcome| match save(outcome, plan.seed, &folder) {

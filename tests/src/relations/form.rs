@@ -4,6 +4,7 @@ pub mod cut;
 pub mod exported;
 pub mod files;
 mod mgf;
+pub mod mitsuba;
 pub mod motion;
 mod picture;
 pub mod pictured;

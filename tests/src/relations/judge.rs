@@ -8,6 +8,7 @@
 //! which no statistics hold. Rounding may shift light a little and is no fault: each claim says
 //! by how much, and the test is of a difference beyond that.
 
+use crate::relations::form::Files;
 use crate::relations::render::{Built, CELLS, Cells, Estimator, Trouble, Workshop};
 use std::sync::Arc;
 use traylib_statistics::student::two_sided;
@@ -47,6 +48,17 @@ pub enum Side {
     Rendered(Vec<Part>),
     /// This radiance in every pixel.
     Known(f64),
+    /// A file as Mitsuba renders it.
+    Outside(Outside),
+}
+
+/// A rendering by another program.
+#[derive(Clone, Debug)]
+pub struct Outside {
+    /// The file, with what has to lie beside it.
+    pub files: Arc<Files>,
+    /// What its samples are like.
+    pub part: Part,
 }
 
 /// The law that is claimed of the two sides.
@@ -178,7 +190,13 @@ fn rendered(
     passes: u32,
     seed: u64,
 ) -> Result<Option<Cells>, Trouble> {
-    let Side::Rendered(parts) = side else { return Ok(None) };
+    let parts = match side {
+        Side::Known(_) => return Ok(None),
+        Side::Outside(Outside { files, .. }) => {
+            return workshop.render_outside(files, seed, passes).map(Some);
+        }
+        Side::Rendered(parts) => parts,
+    };
     let mut sum: Option<Cells> = None;
     for (number, part) in parts.iter().enumerate() {
         let cells = workshop.render(&part.built, part.estimator, seed + number as u64, passes)?;
@@ -242,7 +260,9 @@ impl Seen<'_> {
         match (&self.sides[side], [&self.claim.left, &self.claim.right][side]) {
             (Some(cells), _) => Sample::of(&cells.values[cell]),
             (None, &Side::Known(mean)) => Sample { count: usize::MAX, mean, variance_of_mean: 0.0 },
-            (None, Side::Rendered(_)) => Sample { count: 0, mean: 0.0, variance_of_mean: 0.0 },
+            (None, Side::Rendered(_) | Side::Outside(_)) => {
+                Sample { count: 0, mean: 0.0, variance_of_mean: 0.0 }
+            }
         }
     }
 
@@ -296,6 +316,7 @@ impl Seen<'_> {
         let Some(cells) = &self.sides[darker] else { return 0.0 };
         let parts = match [&self.claim.left, &self.claim.right][darker] {
             Side::Rendered(parts) => parts.as_slice(),
+            Side::Outside(outside) => std::slice::from_ref(&outside.part),
             Side::Known(_) => return 0.0,
         };
         let hardly_met = cells.values[cell].iter().filter(|value| **value > 0.0).count() < FEW;

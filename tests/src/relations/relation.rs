@@ -4,6 +4,7 @@
 mod changed;
 mod furnace;
 mod methods;
+mod mitsuba;
 mod nudged;
 mod outsider;
 mod reciprocity;
@@ -51,6 +52,8 @@ pub enum Relation {
     NoGain,
     /// `trace` finds the direct light of point lights.
     Traced,
+    /// Mitsuba finds the same in the same file, where it is installed.
+    Mitsuba,
 }
 
 /// A scene under judgement.
@@ -82,7 +85,7 @@ impl Relation {
             Self::NoGain,
         ];
         let changes = Change::ALL.map(Self::Changed);
-        alone.into_iter().chain(changes).chain([Self::Traced]).collect()
+        alone.into_iter().chain(changes).chain([Self::Traced, Self::Mitsuba]).collect()
     }
 
     /// Returns what it claims of this scene; `dice` choose where not all can be asked.
@@ -103,6 +106,7 @@ impl Relation {
             Self::GlowingFurnace => furnace::glowing(subject, dice),
             Self::NoGain => furnace::no_gain(subject),
             Self::Traced => traced::claims(subject),
+            Self::Mitsuba => mitsuba::claims(subject),
         }
     }
 
@@ -132,7 +136,8 @@ impl fmt::Display for Relation {
             | Self::WhiteFurnace
             | Self::GlowingFurnace
             | Self::NoGain
-            | Self::Traced => write!(f, "{self:?}"),
+            | Self::Traced
+            | Self::Mitsuba => write!(f, "{self:?}"),
         }
     }
 }

@@ -2,6 +2,7 @@
 //! each pass.
 
 use crate::relations::form::Files;
+use crate::relations::outside::{Mitsuba, Passes};
 use crate::relations::scene::DrawnScene;
 use std::fs;
 use std::io;
@@ -87,6 +88,8 @@ pub struct Workshop {
     folder: PathBuf,
     /// No rendering may take longer.
     pub patience: Duration,
+    /// Mitsuba, once it was asked.
+    outside: Mutex<Option<Mitsuba>>,
 }
 
 impl Workshop {
@@ -100,7 +103,7 @@ impl Workshop {
         let name = format!("traylib-relations-{}-{number}", std::process::id());
         let folder = std::env::temp_dir().join(name);
         fs::create_dir_all(&folder)?;
-        Ok(Self { folder, patience })
+        Ok(Self { folder, patience, outside: Mutex::default() })
     }
 
     /// The scene as the library loads it from our own format.
@@ -151,6 +154,28 @@ impl Workshop {
         let cells = self.render_anew(built, estimator, seed, passes)?;
         known.push((request, cells.clone()));
         Ok(cells)
+    }
+
+    /// What Mitsuba finds in these files.
+    ///
+    /// # Errors
+    /// [`Trouble::Refused`] if there is no Mitsuba, or with its words.
+    ///
+    /// # Panics
+    /// If another thread panicked with it.
+    pub fn render_outside(&self, files: &Files, seed: u64, passes: u32) -> Result<Cells, Trouble> {
+        let refused = |why: String| Trouble::Refused(format!("mitsuba: {why}"));
+        files.save(&self.folder, "").map_err(|error| refused(error.to_string()))?;
+        let mut outside = self.outside.lock().expect("nobody panics with it");
+        let mitsuba = match &mut *outside {
+            Some(mitsuba) => mitsuba,
+            none => none.insert(Mitsuba::start().map_err(refused)?),
+        };
+        let found = mitsuba.render(&self.folder.join(files.name()), seed, passes);
+        files.remove(&self.folder);
+        let Passes { passes, pixels } = found.map_err(refused)?;
+        let values = std::array::from_fn(|cell| passes.iter().map(|pass| pass[cell]).collect());
+        Ok(Cells { values, bands: Vec::new(), pixels })
     }
 
     fn render_anew(

@@ -155,7 +155,11 @@ impl<'a> Arrays<'a> {
     ) -> Result<Vec<[f32; N]>, Error> {
         let accessor = self.accessor(index, place)?;
         let here = |cause| Error::at(format!("accessors[{index}]"), cause);
-        let wanted = if N == 2 { ("VEC2", "a `VEC2`") } else { ("VEC3", "a `VEC3`") };
+        let wanted = match N {
+            2 => ("VEC2", "a `VEC2`"),
+            3 => ("VEC3", "a `VEC3`"),
+            _ => ("VEC4", "a `VEC4`"),
+        };
         if accessor.kind != wanted.0 {
             return Err(here(Cause::Kind(wanted.1)));
         }

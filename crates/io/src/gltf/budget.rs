@@ -6,17 +6,18 @@ use crate::Limit;
 /// A bound with the part of it that is left.
 pub(super) struct Budget {
     what: &'static str,
+    limit: Limit,
     most: u64,
     left: u64,
 }
 
 impl Budget {
-    pub(super) fn new(what: &'static str, most: u64) -> Self {
-        Self { what, most, left: most }
+    pub(super) fn new(what: &'static str, limit: Limit, most: u64) -> Self {
+        Self { what, limit, most, left: most }
     }
 
     pub(super) fn take(&mut self, count: u64) -> Result<(), Cause> {
-        let (what, most, limit) = (self.what, self.most, Limit::Surfaces);
+        let Self { what, limit, most, .. } = *self;
         self.left = self.left.checked_sub(count).ok_or(Cause::TooMany { what, most, limit })?;
         Ok(())
     }

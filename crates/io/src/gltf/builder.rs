@@ -6,7 +6,10 @@ use super::buffers::{self, Load};
 use super::json::Root;
 use super::nodes::{self, Placed};
 use super::primitive::Reader;
-use super::{Cause, Document, Error, Instance, Limits, WarningKind, extensions, fixture, material};
+use super::{
+    Cause, Document, Error, Instance, Limits, WarningKind, extensions, fixture, instancing,
+    material,
+};
 use crate::Limit;
 use crate::warning_counts::WarningCounts;
 use std::ops::Range;
@@ -34,8 +37,9 @@ pub(super) fn build(
         document,
         warnings,
         meshes: vec![None; root.meshes.len()],
-        vertices: Budget::new("vertices", limits.triangles),
-        triangles: Budget::new("triangles", limits.triangles),
+        vertices: Budget::new("vertices", Limit::Surfaces, limits.triangles),
+        triangles: Budget::new("triangles", Limit::Surfaces, limits.triangles),
+        places: Budget::new("places of meshes", Limit::Items, limits.items as u64),
     };
     for node in &placed {
         builder.add(node, &arrays)?;
@@ -66,6 +70,8 @@ struct Builder<'a> {
     meshes: Vec<Option<Range<usize>>>,
     vertices: Budget,
     triangles: Budget,
+    /// Places of nodes that have several.
+    places: Budget,
 }
 
 impl Builder<'_> {
@@ -98,10 +104,23 @@ impl Builder<'_> {
     ) -> Result<(), Error> {
         let here = |cause| Error::at(format!("nodes[{}]", placed.index), cause);
         item(&self.root.meshes, mesh, "mesh").map_err(here)?;
+        let places = match &placed.node.extensions.instancing {
+            None => vec![placed.place],
+            Some(instancing) => {
+                let name = format!("nodes[{}]", placed.index);
+                let within = instancing::places(instancing, arrays, &mut self.places, &name)?;
+                within.into_iter().map(|place| placed.place * place).collect()
+            }
+        };
         for primitive in self.mesh(mesh as usize, arrays)? {
-            let triangles = self.document.primitives[primitive].triangles.len();
-            self.triangles.take(triangles as u64).map_err(here)?;
-            self.document.instances.push(Instance { primitive, place: placed.place });
+            let triangles = self.document.primitives[primitive].triangles.len() as u64;
+            if triangles == 0 {
+                continue;
+            }
+            let of_all = triangles.saturating_mul(places.len() as u64);
+            self.triangles.take(of_all).map_err(here)?;
+            let standing = |&place| Instance { primitive, place };
+            self.document.instances.extend(places.iter().map(standing));
         }
         Ok(())
     }

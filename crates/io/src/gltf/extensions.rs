@@ -6,7 +6,8 @@ use crate::suggest::shown;
 use crate::warning_counts::WarningCounts;
 
 /// Extensions that are read.
-const READ: [&str; 5] = [
+const READ: [&str; 6] = [
+    "EXT_mesh_gpu_instancing",
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
     "KHR_materials_unlit",

@@ -128,6 +128,14 @@ pub(super) struct Node {
 pub(super) struct NodeExtensions {
     #[serde(rename = "KHR_lights_punctual")]
     pub(super) light: Option<NodeLight>,
+    #[serde(rename = "EXT_mesh_gpu_instancing")]
+    pub(super) instancing: Option<Instancing>,
+}
+
+/// Arrays of places in which the node's mesh stands.
+#[derive(Debug, Derive)]
+pub(super) struct Instancing {
+    pub(super) attributes: BTreeMap<String, u64>,
 }
 
 #[derive(Debug, Derive)]

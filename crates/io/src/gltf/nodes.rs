@@ -70,14 +70,23 @@ fn own(node: &Node) -> DAffine3 {
     if let Some(matrix) = &node.matrix {
         return DAffine3::from_mat4(DMat4::from_cols_array(matrix));
     }
+    composed(node.translation, node.rotation, node.scale)
+}
+
+/// Sizes, then turns, then moves.
+pub(super) fn composed(
+    translation: Option<[f64; 3]>,
+    rotation: Option<[f64; 4]>,
+    scale: Option<[f64; 3]>,
+) -> DAffine3 {
     let vector = |given: Option<[f64; 3]>, usual| given.map_or(usual, DVec3::from);
-    let scale = DMat3::from_diagonal(vector(node.scale, DVec3::ONE));
-    let rotation = node.rotation.map_or(DMat3::IDENTITY, |rotation| {
+    let scale = DMat3::from_diagonal(vector(scale, DVec3::ONE));
+    let rotation = rotation.map_or(DMat3::IDENTITY, |rotation| {
         let rotation = DQuat::from_array(rotation);
         // What turns nothing, as some writers put for no turn.
         let is_none = rotation.length_squared() == 0.0;
         DMat3::from_quat(if is_none { DQuat::IDENTITY } else { rotation.normalize() })
     });
     let matrix3 = rotation * scale;
-    DAffine3 { matrix3, translation: vector(node.translation, DVec3::ZERO) }
+    DAffine3 { matrix3, translation: vector(translation, DVec3::ZERO) }
 }

@@ -119,6 +119,29 @@ fn a_mesh_in_several_places_is_read_once() {
     assert!(fault.to_string().contains("`--limit surfaces=6`"), "{fault}");
 }
 
+/// As the example of `EXT_mesh_gpu_instancing` has it: each place is within the node.
+#[test]
+fn a_node_puts_its_mesh_in_many_places() {
+    let extension = |attributes: &str| {
+        format!(
+            r#"{SQUARE},"extensionsRequired":["EXT_mesh_gpu_instancing"],"nodes":[{{"mesh":0,
+            "scale":[2,2,2],"extensions":{{"EXT_mesh_gpu_instancing":{{"attributes":{attributes}}}}}}}]"#
+        )
+    };
+    let document = decoded(&json(&extension(r#"{"TRANSLATION":0,"_ID":1}"#))).unwrap();
+    let corner = |instance: &Instance| instance.place.transform_point3(DVec3::ONE);
+    let found: Vec<DVec3> = document.instances.iter().map(corner).collect();
+    let wanted = [(2, 2, 2), (4, 2, 2), (4, 4, 2), (2, 4, 2)];
+    assert_eq!(found, wanted.map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into())));
+    assert_eq!(document.primitives.len(), 1);
+    let told = fault(&extension(r#"{"ROTATION":0}"#));
+    assert!(told.contains("wanted is a `VEC4`"), "{told}");
+    let few = Limits { items: 3, ..Limits::default() };
+    let text = json(&extension(r#"{"SCALE":0}"#));
+    let told = decode(text.as_bytes(), few, &mut |_| Err(String::new())).unwrap_err().to_string();
+    assert!(told.contains("more than 3 places of meshes"), "{told}");
+}
+
 #[test]
 fn sparse_accessors_replace_some() {
     let accessor = r#"{"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,

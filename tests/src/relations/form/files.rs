@@ -29,6 +29,7 @@ pub struct Files {
     /// Names and contents of the others.
     pub beside: Vec<(String, Vec<u8>)>,
     stem: String,
+    pub(super) ending: &'static str,
     placement: Option<Placement>,
 }
 
@@ -67,12 +68,18 @@ impl Files {
     }
 
     pub(super) fn empty(stem: &str, placement: Option<Placement>) -> Self {
-        Self { text: String::new(), beside: Vec::new(), stem: stem.into(), placement }
+        Self {
+            text: String::new(),
+            beside: Vec::new(),
+            stem: stem.into(),
+            ending: "ron",
+            placement,
+        }
     }
 
     /// The name of the scene file.
     pub fn name(&self) -> String {
-        format!("{}.ron", self.stem)
+        format!("{}.{}", self.stem, self.ending)
     }
 
     /// Adds a file and gives its name; the same content once.

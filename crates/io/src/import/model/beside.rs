@@ -27,13 +27,18 @@ impl Beside {
         Self { folder: Folder::of(model), path, root }
     }
 
-    /// Finds the file of exactly this name, with `/` between folders.
+    /// Finds the file of exactly this name, with `/` between folders. It may begin at the root of
+    /// all files, as some writers have it, and must lie within all the same.
     pub(super) fn exactly(&self, name: &str) -> Option<Location> {
-        if name.starts_with('/') || Path::new(name).is_absolute() || name.contains('\0') {
+        if name.contains('\0') {
             return None;
         }
         // Nothing outside is touched, not even to see whether it exists.
-        let path = joined(&self.path, name);
+        let path = if is_from_root(name) {
+            joined(&self.root, Path::new(name).strip_prefix(&self.root).ok()?.to_str()?)
+        } else {
+            joined(&self.path, name)
+        };
         let inside = path.starts_with(&self.root).then_some(path)?;
         let path = inside.canonicalize().ok()?;
         (path.starts_with(&self.root) && path.is_file()).then_some(Location::Disk(path))
@@ -53,6 +58,11 @@ impl Beside {
             },
         )
     }
+}
+
+/// Tells whether a name begins at the root of all files.
+pub(super) fn is_from_root(name: &str) -> bool {
+    name.starts_with('/') || Path::new(name).is_absolute()
 }
 
 #[cfg(test)]
@@ -81,6 +91,10 @@ mod tests {
         {
             assert_eq!(found(usual, outside), None, "{outside}");
         }
+        let inner = inner.canonicalize().unwrap();
+        let whole = |name: &str| inner.join(name).to_str().unwrap().to_string();
+        assert_eq!(found(usual, &whole("b.png")).as_deref(), Some("b.png"));
+        assert_eq!(found(usual, &whole("../../secret.png")), None);
         let wider = LoadOptions { root: Some(&folder), ..usual };
         assert_eq!(found(wider, "../secret.png").as_deref(), Some("secret.png"));
         #[cfg(unix)]

@@ -25,7 +25,7 @@ mod texture;
 
 pub(super) use content::Content;
 
-use super::beside::Beside;
+use super::beside::{Beside, is_from_root};
 use super::pictures::Pictures;
 use super::source::ModelSource;
 use super::{Format, ModelFile};
@@ -88,10 +88,13 @@ fn included(beside: &Beside, name: &str) -> Result<Included, String> {
     Ok(Included { name: location.to_string(), bytes })
 }
 
-/// Finds a file of exactly this name.
+/// Finds a file of exactly this name; of one that begins at the root of all files, as Mitsuba's own
+/// writer has them, also the file beside the scene: scenes move to other machines.
 fn in_folder(beside: &Beside, name: &str) -> Result<Location, String> {
-    let none = || "there is no such file in the folder of the scene".to_string();
-    beside.exactly(&name.replace('\\', "/")).ok_or_else(none)
+    let name = name.replace('\\', "/");
+    let last = name.rsplit('/').next().filter(|last| is_from_root(&name) && !last.is_empty());
+    let found = beside.exactly(&name).or_else(|| beside.exactly(last?));
+    found.ok_or_else(|| "there is no such file in the folder of the scene".to_string())
 }
 
 /// Makes what is in a document ours.
