@@ -19,10 +19,9 @@ fn expected() -> Map<String, Value> {
 }
 
 fn numbers(value: &Value) -> Vec<f64> {
-    match value {
-        Value::Array(values) => values.iter().map(|value| value.as_f64().unwrap()).collect(),
-        value => vec![value.as_f64().unwrap()],
-    }
+    let one = std::slice::from_ref(value);
+    let all = value.as_array().map_or(one, Vec::as_slice);
+    all.iter().map(|value| value.as_f64().unwrap()).collect()
 }
 
 /// Tells whether these are the same, but for rounding beside the largest.

@@ -37,7 +37,7 @@ pub(super) fn places(
         composed(translation, rotations.get(index).copied(), scale)
     };
     let places: Vec<DAffine3> = (0..count.unwrap_or(0) as usize).map(own).collect();
-    let is_finite = places.iter().all(|place| place.is_finite());
+    let is_finite = places.iter().all(DAffine3::is_finite);
     if is_finite { Ok(places) } else { Err(here(Cause::NotFinite)) }
 }
 
