@@ -14,7 +14,7 @@ use traylib_math::glam::{DMat3, DVec3};
 use traylib_math::{Grid, Rgb};
 
 /// Columns and rows that ours has at least: with less, texels would be seen as steps in a mirror.
-const FEWEST: [usize; 2] = [1024, 512];
+const FEWEST: [usize; 2] = [512, 256];
 /// The tolerance within which the columns of a place are unit vectors at right angles.
 const TOLERANCE: f64 = 1e-5;
 /// The turn in degrees from our pictures to Mitsuba's, whose left edge is where −z points.

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | Kd | Lambert; linear, grey of ½ if none is given |
 //! | Ks, Ns | Phong with ks = Ks, n = Ns, unless `illum` is 0 or 1; scaled down with kd if both reflect more than arrives |
-//! | d, else 1 − Tr | this part of the light is scattered, the rest passes straight |
+//! | d, else 1 − Tr, of which 0 is taken for 1 | this part of the light is scattered, the rest passes straight |
 //! | Ke | radiance, as it is |
 //! | map_Kd, map_Ks, map_d | pictures times Kd, Ks, d |
 //! | map_Bump | height, of which 1 is a hundredth of a unit of u times `-bm` |
@@ -66,8 +66,20 @@ impl MaterialImporter<'_> {
         if material.filter.is_some_and(|filter| filter != Rgb::WHITE) {
             self.warn("colour of what passes (`Tf`) skipped");
         }
-        let transparency = material.transparency.map(|clear| 1.0 - clear);
-        material.dissolve.or(transparency).unwrap_or(1.0).clamp(0.0, 1.0)
+        material.dissolve.unwrap_or_else(|| self.opacity(material)).clamp(0.0, 1.0)
+    }
+
+    /// Returns how much is there by what lets light through alone. Nobody models what is not
+    /// there at all, but VTK's exporter (of 2026) writes the opacity as `Tr`.
+    fn opacity(&mut self, material: &Material) -> f32 {
+        match material.transparency {
+            Some(clear) if clear >= 1.0 => {
+                self.warn("material that lets all light through (`Tr 1`) taken for opaque");
+                1.0
+            }
+            Some(clear) => 1.0 - clear,
+            None => 1.0,
+        }
     }
 
     /// Returns kd and ks, brought into 0..1.

@@ -168,11 +168,12 @@ fn what_shines_does_so_from_both_sides_of_what_is_open() {
 #[test]
 fn opacity_is_dissolve_and_what_transparency_leaves() {
     for (material, through) in
-        [("d 0.25", 0.75), ("Tr 0.25", 0.25), ("d 0.5\nTr 0.5", 0.5), ("", 0.0)]
+        [("d 0.25", 0.75), ("Tr 0.25", 0.25), ("d 0.5\nTr 0.5", 0.5), ("", 0.0), ("Tr 1", 0.0)]
     {
-        let (file, _) = with_material("clear", &format!("Kd 0.5 0.5 0.5\n{material}\n"));
+        let (file, warnings) = with_material("clear", &format!("Kd 0.5 0.5 0.5\n{material}\n"));
         let surface = &file.materials[0].surface;
         assert_eq!(surface.through, Rgb::splat(through), "{material}");
+        assert_eq!(warnings.len(), usize::from(material == "Tr 1"), "{warnings:?}");
         let SurfaceModel::Lambert(lambert) = &surface.model else { panic!() };
         let whole = traylib_materials::Lambert::new(Rgb::splat(0.5 * (1.0 - through))).unwrap();
         assert_eq!(*lambert, whole);

@@ -31,11 +31,11 @@ fn seen(sky: SkyLight) -> [[f32; 2]; 3] {
     })
 }
 
-/// Half a texel of ours is at most 0.03 off.
+/// Half a texel of ours is at most 0.06 off each way.
 fn agree(place: DMat3, expected: [[f32; 2]; 3]) {
     for (seen, expected) in seen(sky(&picture(), place)).iter().zip(expected) {
         let off = seen.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-        assert!(off < 0.07, "{seen:?} {expected:?}");
+        assert!(off < 0.12, "{seen:?} {expected:?}");
     }
 }
 
