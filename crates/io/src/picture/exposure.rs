@@ -22,6 +22,9 @@ pub fn exposure_of(radiance: &Grid<Rgb>) -> Option<f32> {
 
 /// A number that people can write; `None` if it is not one of single precision above zero.
 pub(crate) fn two_digits(exposure: f64) -> Option<f32> {
+    if !(exposure > 0.0 && exposure.is_finite()) {
+        return None;
+    }
     let digits = 10_f64.powi(1 - exposure.log10().floor() as i32);
     let rounded = ((exposure * digits).round() / digits) as f32;
     (rounded > 0.0 && rounded.is_finite()).then_some(rounded)

@@ -136,8 +136,8 @@ mod tests {
     #[test]
     fn tones_come_after_the_exposure_and_before_the_curve() {
         let look = Look { exposure: 0.5, tone: Tone::Filmic };
-        // 2.54/3.16 of light is byte 231; nothing and too much have an end.
-        assert_eq!(look.bytes(Rgb::new(2.0, -3.0, 1e30)), [231, 0, 255]);
+        // 2.54/3.16 of light is byte 232; nothing and too much have an end.
+        assert_eq!(look.bytes(Rgb::new(2.0, -3.0, 1e30)), [232, 0, 255]);
         assert_eq!(look.bytes(Rgb::new(f32::NAN, f32::INFINITY, 0.0)), [0, 255, 0]);
         let linear = Look { tone: Tone::Linear, ..look };
         let light = Rgb::new(0.3, 1.7, 0.01);
