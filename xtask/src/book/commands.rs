@@ -55,7 +55,6 @@ fn wrong(page: &str, text: &str, programs: &Programs, unrun: &mut BTreeSet<usize
 }
 
 #[test]
-#[ignore = "at length: renders by programs that must be built first"]
 fn every_command_of_the_book_works() {
     let programs = Programs::get();
     let (mut unrun, mut failures) = (BTreeSet::new(), Vec::new());
