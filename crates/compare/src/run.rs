@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use traylib_integrators::planner::{Request, plan};
 use traylib_integrators::{
-    Auto, Control, Method, PointSet, Progress, Rendering, Settings, Statistics, ThreadError, render,
+    Control, Method, PointSet, Progress, Rendering, Settings, Statistics, ThreadError, render,
 };
 use traylib_scene::Scene;
 use traylib_statistics::PictureError;
@@ -97,15 +97,9 @@ impl Race<'_> {
     /// Returns the method to render by: another, if `method` leaves that to a plan; `None` if it
     /// was stopped.
     fn planned(&self, method: Method, seed: u64) -> Result<Option<Method>, ThreadError> {
-        let Some(Auto { may_lose }) = method.auto() else { return Ok(Some(method)) };
-        let request = Request {
-            max_depth: method.limits().and_then(|limits| limits.max_depth),
-            may_lose: may_lose.part(),
-            spp: PLANNED_SPP,
-            seed,
-            points: self.points,
-            threads: self.threads,
-        };
+        let settings =
+            Settings { spp: PLANNED_SPP, seed, threads: self.threads, points: self.points };
+        let Some(request) = Request::of(method, &settings) else { return Ok(Some(method)) };
         Ok(plan(self.scene, &request, self.stop)?.map(|plan| plan.method))
     }
 

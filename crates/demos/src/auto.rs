@@ -10,7 +10,7 @@ use serde_json::Value;
 use std::path::Path;
 use tables::{as_json, as_text};
 use traylib_integrators::planner::{Choice, Plan, Request, plan};
-use traylib_integrators::{Auto, Control, Method};
+use traylib_integrators::{Control, Method, Settings};
 use traylib_io::Loaded;
 
 /// The job with the method that is to render it, if that was left to a plan, and then also why
@@ -23,17 +23,15 @@ pub(crate) fn planned<'a>(
     loaded: &Loaded,
 ) -> Result<(Job<'a>, Option<Value>), Failure> {
     let Some(asked) = job.method else { return Ok((*job, None)) };
-    let Some(Auto { may_lose }) = asked.auto() else { return Ok((*job, None)) };
     let options = job.options;
-    let request = Request {
-        max_depth: asked.limits().and_then(|limits| limits.max_depth),
-        may_lose: may_lose.part(),
+    let settings = Settings {
         // Of a rendering that time ends nobody knows how long it will be.
         spp: options.spp.unwrap_or(loaded.settings.spp),
         seed: options.seed,
-        points: options.sampler,
         threads: options.threads,
+        points: options.sampler,
     };
+    let Some(request) = Request::of(asked, &settings) else { return Ok((*job, None)) };
     // Whoever interrupts now ends the program at once: there is no work to keep.
     let plan = plan(&loaded.scene, &request, &Control::default()).map_err(Failure::output)?;
     let plan = plan.ok_or_else(|| Failure::output("the plan was given up"))?;

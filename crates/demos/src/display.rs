@@ -95,7 +95,7 @@ impl Display {
 
     /// Shows the picture of a film.
     pub(crate) fn show_now(&self, film: &Film) {
-        if self.link.mailbox.is_emptied() {
+        if self.link.mailbox.is_attended() {
             let begin = Instant::now();
             let boxes = film.variance_of_mean().map_or(Vec::new(), |grid| tiles::worst(&grid));
             self.link.mailbox.put(Frame { picture: film.develop(), boxes });

@@ -33,10 +33,9 @@ fn agree(found: &[f64], wanted: &[f64]) -> bool {
 
 fn counted(name: &str) -> MeshCounts {
     let file = PathBuf::from(format!("{FOLDER}/{name}"));
-    match inventory(&[file], LoadOptions::default()) {
-        Ok((Inventory::Meshes(counts), _)) => *counts,
-        other => panic!("{name}: {other:?}"),
-    }
+    let (found, _) = inventory(&[file], LoadOptions::default()).unwrap();
+    let Inventory::Meshes(counts) = found else { panic!("{name}: {found:?}") };
+    *counts
 }
 
 fn wide(values: &[f32]) -> Vec<f64> {

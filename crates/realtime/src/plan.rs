@@ -5,7 +5,7 @@ use crate::view::Wanted;
 use std::num::NonZeroU32;
 use traylib_demos::Failure;
 use traylib_integrators::planner::{Request, plan};
-use traylib_integrators::{Auto, Control, Method};
+use traylib_integrators::{Control, Method, Settings};
 use traylib_scene::Camera;
 
 /// Returns the method that a view is to be rendered by: its own, or the one that a plan chooses
@@ -19,18 +19,17 @@ pub(crate) fn planned(
     wanted: &Wanted,
     control: &Control,
 ) -> Result<Option<Method>, Failure> {
-    let Some(Auto { may_lose }) = wanted.method.auto() else { return Ok(Some(wanted.method)) };
-    let loaded = stage.of(wanted.method)?;
-    let camera = Camera::new(wanted.camera).map_err(Failure::scene)?;
-    let options = stage.options();
-    let request = Request {
-        max_depth: wanted.method.limits().and_then(|limits| limits.max_depth),
-        may_lose: may_lose.part(),
+    let (loaded, options) = (stage.of(wanted.method)?, stage.options());
+    let settings = Settings {
         spp: options.spp.map_or(loaded.settings.spp, NonZeroU32::get),
         seed: options.seed,
-        points: options.sampler,
         threads: options.threads,
+        points: options.sampler,
     };
+    let Some(request) = Request::of(wanted.method, &settings) else {
+        return Ok(Some(wanted.method));
+    };
+    let camera = Camera::new(wanted.camera).map_err(Failure::scene)?;
     let plan = plan(&loaded.scene.seen_by(camera), &request, control).map_err(Failure::output)?;
     Ok(plan.map(|plan| plan.method))
 }

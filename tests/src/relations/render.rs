@@ -169,7 +169,7 @@ impl Workshop {
         let mut outside = self.outside.lock().expect("nobody panics with it");
         let mitsuba = match &mut *outside {
             Some(mitsuba) => mitsuba,
-            none => none.insert(Mitsuba::start().map_err(refused)?),
+            none @ None => none.insert(Mitsuba::start().map_err(refused)?),
         };
         let found = mitsuba.render(&self.folder.join(files.name()), seed, passes);
         files.remove(&self.folder);

@@ -55,7 +55,7 @@ impl<T> Mailbox<T> {
     }
 
     /// Tells whether anything may still be taken out.
-    pub(super) fn is_emptied(&self) -> bool {
+    pub(super) fn is_attended(&self) -> bool {
         !self.lock().is_left
     }
 
@@ -82,10 +82,10 @@ mod tests {
     #[test]
     fn nobody_waits_for_one_who_left() {
         let mailbox = Mailbox::new();
-        assert!(mailbox.is_emptied() && mailbox.leave());
+        assert!(mailbox.is_attended() && mailbox.leave());
         mailbox.put(1);
         mailbox.close();
-        assert!(!mailbox.is_emptied() && !mailbox.leave());
+        assert!(!mailbox.is_attended() && !mailbox.leave());
         assert_eq!(mailbox.take(), None);
     }
 }

@@ -1,7 +1,7 @@
 //! The request for a plan, and the plan.
 
 use super::evidence::Evidence;
-use crate::{Method, PointSet};
+use crate::{Auto, Method, PointSet, Settings};
 
 /// A request for a plan.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,17 @@ pub struct Request {
     pub points: PointSet,
     /// Threads; 0 for one a processor. Does not change the plan.
     pub threads: usize,
+}
+
+impl Request {
+    /// The request of a method that leaves its choice to a plan, for a picture of these settings;
+    /// `None` of any other method.
+    pub fn of(method: Method, settings: &Settings) -> Option<Self> {
+        let Auto { may_lose } = method.auto()?;
+        let max_depth = method.limits().and_then(|limits| limits.max_depth);
+        let Settings { spp, seed, threads, points } = *settings;
+        Some(Self { max_depth, may_lose: may_lose.part(), spp, seed, points, threads })
+    }
 }
 
 /// The chosen method with the evidence for it.

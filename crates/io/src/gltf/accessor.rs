@@ -155,6 +155,7 @@ impl<'a> Arrays<'a> {
     ) -> Result<Vec<[f32; N]>, Error> {
         let accessor = self.accessor(index, place)?;
         let here = |cause| Error::at(format!("accessors[{index}]"), cause);
+        const { assert!(2 <= N && N <= 4, "vectors of glTF have two to four numbers") };
         let wanted = match N {
             2 => ("VEC2", "a `VEC2`"),
             3 => ("VEC3", "a `VEC3`"),
