@@ -22,6 +22,10 @@ impl Pictures<'_> {
     ) -> Option<Arc<Texture>> {
         let loaded = match found {
             Some(location) => self.textures.load(&location, usage),
+            None if climbs(name) => Err(format!(
+                "picture `{name}` not found, shown without: folders above the model's own are \
+                 looked into if `--root` names one around them"
+            )),
             None => Err(format!("picture `{name}` not found, shown without")),
         };
         self.counted(loaded)
@@ -31,4 +35,9 @@ impl Pictures<'_> {
     pub(super) fn counted(&mut self, loaded: Result<Arc<Texture>, String>) -> Option<Arc<Texture>> {
         loaded.map_err(|cause| self.counter.add(cause)).ok()
     }
+}
+
+/// Tells whether a name leads out of a folder.
+fn climbs(name: &str) -> bool {
+    name.split(['/', '\\']).any(|part| part == "..")
 }
