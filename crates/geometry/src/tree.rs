@@ -82,12 +82,12 @@ impl Tree {
     /// The tree over the `items`, whose bounds are `boxes[item]`, finite and not
     /// empty. `kind` says what they are.
     pub(crate) fn new(
-        boxes: &[Aabb],
+        boxes: Vec<Aabb>,
         items: Vec<u32>,
         kind: impl Fn(u32) -> ShapeKind + Send + Sync,
         quality: Quality,
     ) -> Self {
-        let extents = QuantisedExtents::up_to(greatest_extent(boxes));
+        let extents = QuantisedExtents::up_to(greatest_extent(&boxes));
         let built = build::build(boxes, items, |number| BlockKind::of(kind(number)), quality);
         let [triangles, quads, spheres, disks] = &built.blocks;
         let triangles = blocks(triangles, |numbers| Block::new(numbers, extents, &kind));

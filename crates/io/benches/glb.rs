@@ -3,11 +3,14 @@
 #![allow(clippy::print_stdout, reason = "figures for whoever changes the reader")]
 #![allow(clippy::unwrap_used, reason = "its own file is sound")]
 
-#[path = "../tests/worst/measure.rs"]
-mod measure;
-
-use measure::{Measure, peak_kib};
+use peak_alloc::PeakAlloc;
+use std::time::Instant;
+use std::{fs, slice};
 use traylib_io::{Headlight, LoadOptions, gltf, inventory, load_scene_with};
+
+/// Counts bytes as they are asked for: what is free but not given back to the system is none.
+#[global_allocator]
+static HEAP: PeakAlloc = PeakAlloc;
 
 /// Squares along either side: two triangles each.
 const SIDE: u32 = 708;
@@ -66,24 +69,32 @@ fn ground() -> Vec<u8> {
 fn main() {
     let name = format!("traylib-speed-{}.glb", std::process::id());
     let file = std::env::temp_dir().join(name);
-    std::fs::write(&file, ground()).unwrap();
-    let bytes = std::fs::metadata(&file).unwrap().len();
-    let report = |what: &str, measure: &Measure, before: u64| {
-        let times = peak_kib().saturating_sub(before) as f64 * 1024.0 / bytes as f64;
-        println!("{what}: {:.3} s, {times:.2} times the file's {bytes} bytes", measure.seconds());
-    };
-    let (measure, before) = (Measure::start(), peak_kib());
-    let content = std::fs::read(&file).unwrap();
-    let document = gltf::decode(&content, gltf::Limits::default(), &mut |_| Err(String::new()));
-    assert!(document.unwrap().primitives[0].triangles.len() > 1_000_000);
-    report("decoded", &measure, before);
-    drop(content);
-    let (measure, before) = (Measure::start(), peak_kib());
-    inventory(std::slice::from_ref(&file), LoadOptions::default()).unwrap();
-    report("as meshes", &measure, before);
-    let (measure, before) = (Measure::start(), peak_kib());
-    let options = LoadOptions { headlight: Headlight::WithoutLight, ..LoadOptions::default() };
-    load_scene_with(&file.to_string_lossy(), options).unwrap();
-    report("as a scene, with its tree", &measure, before);
-    std::fs::remove_file(&file).unwrap();
+    fs::write(&file, ground()).unwrap();
+    let bytes = fs::metadata(&file).unwrap().len();
+    println!("a file of {:.1} MB", bytes as f64 * 1e-6);
+    report("decoded", bytes, || {
+        let content = fs::read(&file).unwrap();
+        let document = gltf::decode(&content, gltf::Limits::default(), &mut |_| Err(String::new()));
+        assert!(document.unwrap().primitives[0].triangles.len() > 1_000_000);
+    });
+    report("as meshes", bytes, || {
+        inventory(slice::from_ref(&file), LoadOptions::default()).unwrap();
+    });
+    report("as a scene, with its tree", bytes, || {
+        let options = LoadOptions { headlight: Headlight::WithoutLight, ..LoadOptions::default() };
+        load_scene_with(&file.to_string_lossy(), options).unwrap();
+    });
+    fs::remove_file(&file).unwrap();
+}
+
+/// Says how long this takes, and the most memory that it holds.
+fn report(what: &str, file_bytes: u64, work: impl FnOnce()) {
+    let before = HEAP.current_usage();
+    HEAP.reset_peak_usage();
+    let start = Instant::now();
+    work();
+    let seconds = start.elapsed().as_secs_f64();
+    let peak = (HEAP.peak_usage() - before) as f64;
+    let (megabytes, times) = (peak * 1e-6, peak / file_bytes as f64);
+    println!("{what}: {seconds:.3} s, {megabytes:.0} MB at most, {times:.2} times the file");
 }

@@ -94,6 +94,7 @@ pub(crate) fn import(
     let parts = object::collect(files, &materials, &mut models, &mut problems);
     let mut points = lights::collect(files, &mut problems);
     points.extend(models.take_lights());
+    models.forget_files();
     let is_sky_lit = sky.as_ref().map_or(root.document.sky.is_some(), |sky| sky.light.is_lit());
     check_for_light(files, &parts, (&points, is_sky_lit), &mut problems);
     match camera {

@@ -88,7 +88,7 @@ impl<C: LeafKind> Bvh<Instances<C>> {
         let filled = instances.iter().enumerate().filter(|(_, i)| is_filled(i));
         let items = filled.map(|(number, _)| number as u32).collect();
         let boxes: Vec<Aabb> = instances.iter().map(|i| widened(&i.bounds)).collect();
-        let tree = Tree::new(&boxes, items, |_| ShapeKind::Other, Quality::default());
+        let tree = Tree::new(boxes, items, |_| ShapeKind::Other, Quality::default());
         let bounds = instances.iter().map(|i| i.bounds).fold(Aabb::EMPTY, Aabb::union);
         Ok(Self { tree, primitives: Instances { instances, first }, bounds })
     }

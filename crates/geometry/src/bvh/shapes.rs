@@ -32,7 +32,7 @@ impl<L: ShapeList> Bvh<Shapes<L>> {
         let (boxes, bounds) = sound((0..count).map(|index| shapes.bounds(index)))?;
         let items = (0..count as u32).collect();
         let kind = |number: u32| shapes.kind(number as usize);
-        let tree = Tree::new(&boxes, items, kind, Quality::default());
+        let tree = Tree::new(boxes, items, kind, Quality::default());
         Ok(Self { tree, primitives: Shapes(shapes), bounds })
     }
 

@@ -48,7 +48,7 @@ impl Bvh {
         let bounds = around(&boxes);
         let triangle =
             |i| ShapeKind::Triangle(SidedTriangle { corners: corners(i), sides: Sides::Both });
-        let tree = Tree::new(&boxes, items, triangle, options.quality);
+        let tree = Tree::new(boxes, items, triangle, options.quality);
         Ok(Self { tree, primitives: Triangles { count, precision: options.precision }, bounds })
     }
 }

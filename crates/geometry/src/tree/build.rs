@@ -65,7 +65,7 @@ pub(crate) struct Tree {
 /// The result is the same for any number of threads, and has at most
 /// [`MAX_DEPTH`] levels.
 pub(crate) fn build(
-    boxes: &[Aabb],
+    boxes: Vec<Aabb>,
     items: Vec<u32>,
     block_kind: impl Fn(u32) -> Option<BlockKind> + Sync,
     quality: Quality,
@@ -74,7 +74,7 @@ pub(crate) fn build(
         let blocks = [vec![[u32::MAX; LEAF]], Vec::new(), Vec::new(), Vec::new()];
         return Tree { nodes: Vec::new(), blocks, shapes: Vec::new(), root: None, depth: 0 };
     }
-    let order = morton::order(boxes, &items);
+    let order = morton::order(&boxes, &items);
     drop(items);
     // Asked for in any order later, when whatever they depend on is far away.
     let kinds = parallel::map(boxes.len(), GRAIN, |item| {
@@ -84,14 +84,17 @@ pub(crate) fn build(
         let item = order[node as usize];
         (item, kinds[item as usize])
     };
-    let mut binary = cluster::tree(boxes, &order, quality.radius());
+    let bounds = |i: usize| boxes[order[i] as usize].into();
+    let mut binary = cluster::tree(order.len(), bounds, quality.radius());
+    // The binary tree has its own, and what follows takes the most memory.
+    drop(boxes);
     reinsert::improve(&mut binary, quality.candidates(order.len()));
     let tree = wide::tree(&binary, item);
     if tree.depth <= MAX_DEPTH {
         return tree;
     }
     // Nodes of two boxes are the worst that can happen: 28 levels.
-    wide::tree(&cluster::tree(boxes, &order, 0), item)
+    wide::tree(&cluster::tree(order.len(), |i| binary.bounds[i], 0), item)
 }
 
 impl Quality {

@@ -40,6 +40,15 @@ const SQUARE: &str = r#","meshes":[{"primitives":[{"attributes":{"POSITION":0,"T
     "_OWN":1},"indices":1,"mode":6}]}]"#;
 
 #[test]
+fn colours_of_vertices_are_counted() {
+    let square = SQUARE.replace("_OWN", "COLOR_0");
+    let text = json(&format!(r#"{square},"nodes":[{{"mesh":0}}]"#));
+    let warnings = decoded(&text).unwrap().warnings;
+    let told: Vec<_> = warnings.iter().collect();
+    assert_eq!(told, [("colour of a vertex skipped".to_string(), 4)]);
+}
+
+#[test]
 fn text_and_binary_files_hold_the_same() {
     let text = json(&format!(r#"{SQUARE},"nodes":[{{"mesh":0}}],"scenes":[{{"nodes":[0]}}]"#));
     let document = decoded(&text).unwrap();

@@ -99,6 +99,16 @@ impl ModelFile {
         }
     }
 
+    /// Lets go of its shapes, once they are where they go and its lights are known.
+    pub(super) fn forget_shapes(&mut self) {
+        match &mut self.content {
+            Content::Mgf(surfaces) => *surfaces = Vec::new(),
+            Content::ThreeDs(content) => content.forget_shapes(),
+            Content::Meshes(content) => content.forget_shapes(),
+            Content::Mitsuba(content) => content.forget_shapes(),
+        }
+    }
+
     /// Its lights, as bright as 3D Studio shows them in the middle of what is `around`.
     pub(super) fn lights(&self, placement: &Placement, around: &Aabb) -> Vec<PointLight> {
         match &self.content {
@@ -225,6 +235,11 @@ impl<'a> ModelFiles<'a> {
     /// Adds lights that a scene wants from a file.
     pub(super) fn add_lights(&mut self, lights: impl IntoIterator<Item = PointLight>) {
         self.lights.extend(lights);
+    }
+
+    /// Lets go of the files, once all of their shapes are where they go.
+    pub(super) fn forget_files(&mut self) {
+        self.files = HashMap::new();
     }
 
     /// The lights wanted so far.

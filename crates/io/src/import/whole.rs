@@ -41,7 +41,7 @@ pub(crate) fn import_whole(
     options: LoadOptions<'_>,
     keep_parts: bool,
 ) -> Result<Imported, Error> {
-    let (file, mut warnings) = ModelFile::read(location, options)?;
+    let (mut file, mut warnings) = ModelFile::read(location, options)?;
     let name = location.to_string();
     let mut counter = Counter::default();
     let failed = |cause| Error::Model { file: name.clone(), cause };
@@ -51,6 +51,7 @@ pub(crate) fn import_whole(
         return Err(Error::NothingToSee(name));
     }
     let mut lights = file.lights(&Placement::NONE, &bounds);
+    file.forget_shapes();
     let (view, mut notes) = view(&file, &items, &lights, &bounds, options);
     let lack = lack_of_light(&file, &lights, &items, options.headlight);
     if let Some(lack) = lack {

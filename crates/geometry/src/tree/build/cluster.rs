@@ -9,7 +9,6 @@ use super::GRAIN;
 use super::binary::{Binary, Inner};
 use super::bounds::Bounds;
 use super::plan::{CHUNK, Fate, Plan};
-use crate::Aabb;
 use crate::tree::parallel::{self, cut};
 
 /// After so many rounds neighbours are paired as they come, which keeps the
@@ -17,11 +16,14 @@ use crate::tree::parallel::{self, cut};
 /// two thirds, so that 2²⁸ items take 48.
 const ROUNDS: usize = 64;
 
-/// A tree over one item or more in this order. With radius 0 neighbours are paired
+/// A tree over one item or more with these bounds, in this order. With radius 0 neighbours are paired
 /// as they come, and the tree is as flat as can be.
-pub(super) fn tree(boxes: &[Aabb], order: &[u32], radius: usize) -> Binary {
-    let count = order.len();
-    let mut tree = Binary::leaves(count, |i| boxes[order[i] as usize].into());
+pub(super) fn tree(
+    count: usize,
+    bounds: impl Fn(usize) -> Bounds + Send + Sync,
+    radius: usize,
+) -> Binary {
+    let mut tree = Binary::leaves(count, bounds);
     // The nodes that are left to merge.
     let mut clusters = parallel::map(count, GRAIN, |i| i as u32);
     // Used again in every round: fresh memory takes longer than what is done there.

@@ -31,7 +31,7 @@ const TRIANGLES: fn(u32) -> Option<BlockKind> = |_| Some(BlockKind::Triangles);
 
 /// All boxes, of triangles.
 fn tree(boxes: &[Aabb], quality: Quality) -> Tree {
-    build(boxes, (0..boxes.len() as u32).collect(), TRIANGLES, quality)
+    build(boxes.to_vec(), (0..boxes.len() as u32).collect(), TRIANGLES, quality)
 }
 
 #[test]
@@ -53,7 +53,7 @@ fn kinds_do_not_mix_in_leaves() {
         let boxes = crowd(count);
         for quality in QUALITIES {
             let items: Vec<u32> = (0..count as u32).collect();
-            let tree = build(&boxes, items.clone(), kind, quality);
+            let tree = build(boxes.clone(), items.clone(), kind, quality);
             assert_eq!(check(&tree, &boxes, kind), items);
         }
     }
@@ -62,7 +62,7 @@ fn kinds_do_not_mix_in_leaves() {
 #[test]
 fn shapes_alone_give_no_blocks_but_the_empty_one() {
     let boxes = crowd(100);
-    let tree = build(&boxes, (0..100).collect(), |_| None, Quality::Balanced);
+    let tree = build(boxes.clone(), (0..100).collect(), |_| None, Quality::Balanced);
     assert_eq!(check(&tree, &boxes, |_| None), (0..100).collect::<Vec<_>>());
     assert_eq!(tree.blocks, [vec![[u32::MAX; 4]], vec![], vec![], vec![]]);
 }
@@ -71,7 +71,7 @@ fn shapes_alone_give_no_blocks_but_the_empty_one() {
 fn boxes_that_are_not_asked_for_stay_out() {
     let boxes = crowd(500);
     let items: Vec<u32> = (0..500).filter(|i| i % 3 == 1).collect();
-    let tree = build(&boxes, items.clone(), TRIANGLES, Quality::Balanced);
+    let tree = build(boxes.clone(), items.clone(), TRIANGLES, Quality::Balanced);
     assert_eq!(check(&tree, &boxes, TRIANGLES), items);
 }
 
@@ -87,7 +87,9 @@ fn content(tree: &Tree) -> impl PartialEq + use<> {
 fn by_threads(threads: usize, boxes: &[Aabb], quality: Quality) -> Tree {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let items = (0..boxes.len() as u32).collect();
-    pool.install(|| build(boxes, items, |i| BlockKind::ALL.get((i % 5) as usize).copied(), quality))
+    pool.install(|| {
+        build(boxes.to_vec(), items, |i| BlockKind::ALL.get((i % 5) as usize).copied(), quality)
+    })
 }
 
 /// One thread takes the same way as all do without the feature.

@@ -67,6 +67,11 @@ impl Content {
         Ok(parts)
     }
 
+    /// Lets go of its shapes.
+    pub(super) fn forget_shapes(&mut self) {
+        (self.pieces, self.instances) = (Vec::new(), Vec::new());
+    }
+
     /// Puts its lights where they go; in W/sr they are as strong at any scale.
     pub(super) fn lights(&self, placement: &Placement) -> Vec<PointLight> {
         let placed = |light: &PointLight| {

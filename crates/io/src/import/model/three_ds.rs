@@ -100,6 +100,11 @@ impl Content {
         Ok(parts)
     }
 
+    /// Lets go of its shapes.
+    pub(super) fn forget_shapes(&mut self) {
+        (self.meshes, self.normals) = (Vec::new(), Vec::new());
+    }
+
     fn faces_by_material(&self, mesh: &Mesh) -> BTreeMap<usize, Vec<usize>> {
         let mut materials: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (index, face) in mesh.faces.iter().enumerate() {

@@ -37,7 +37,7 @@ fn all_trees_are_better_than_halving() {
     let boxes = crowd(5000);
     let items: Vec<u32> = (0..5000).collect();
     let order = morton::order(&boxes, &items);
-    let binary = cluster::tree(&boxes, &order, 0);
+    let binary = cluster::tree(order.len(), |i| boxes[order[i] as usize].into(), 0);
     let halved =
         wide::tree(&binary, |node| (order[node as usize], Kind::Block(BlockKind::Triangles)));
     let [fast, balanced, _] = QUALITIES.map(|quality| cost(&tree(&boxes, quality)));

@@ -72,6 +72,11 @@ impl Content {
         parts
     }
 
+    /// Lets go of its shapes.
+    pub(in crate::import::model) fn forget_shapes(&mut self) {
+        self.items = Vec::new();
+    }
+
     /// Puts its lights where they go; in W/sr they are as strong at any scale.
     pub(in crate::import::model) fn lights(&self, placement: &Placement) -> Vec<PointLight> {
         let placed = |light: &PointLight| {
