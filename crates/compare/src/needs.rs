@@ -1,14 +1,15 @@
-//! Measures what a scene needs: one part at a time is taken away from bidirectional tracing, and
-//! what that saves in time is held against what it costs in error.
+//! Measures what a scene needs: one part at a time is taken away from bidirectional tracing or
+//! from the surfaces, and what that saves in time is held against what it costs in error.
 
 mod part;
 mod text;
 
-pub use part::Part;
+pub use part::{Part, Rest};
 pub use text::table;
 
 use std::fmt::Display;
-use traylib_integrators::{Integrator, PointSet, Settings, ThreadError, render_to_end};
+use traylib_demos::Failure;
+use traylib_integrators::{Settings, render_to_end};
 use traylib_known::cost::seconds_per_pass;
 use traylib_math::Grid;
 use traylib_scene::Scene;
@@ -43,8 +44,8 @@ pub struct Measured {
     pub noise: f64,
     /// Mean of the picture, with its standard error.
     pub mean: (f64, f64),
-    /// relMSE that would stay however long it rendered.
-    pub bias: f64,
+    /// relMSE that would stay however long it rendered, with its standard error.
+    pub bias: (f64, f64),
 }
 
 impl Measured {
@@ -66,36 +67,28 @@ struct Pictures {
 /// Measures all that can be taken away on a scene; `tell` hears of each beforehand.
 ///
 /// # Errors
-/// The system refuses threads.
-pub fn needs(
-    scene: &Scene,
-    effort: Effort,
-    tell: &dyn Fn(&dyn Display),
-) -> Result<Needs, ThreadError> {
+/// The system refuses threads, or there is no room for the scene once more.
+pub fn needs(scene: &Scene, effort: Effort, tell: &dyn Fn(&dyn Display)) -> Result<Needs, Failure> {
     tell(&"the whole");
-    let all = Part::whole();
-    let whole = pictures(scene, &all, PointSet::default(), effort)?;
+    let whole = pictures(&Rest::whole(scene), effort)?;
     let measured = whole.against(&whole, effort);
     let without = Part::of(scene).into_iter().map(|part| {
         tell(&part);
-        let (rest, points) = (part.taken_away(), part.points());
-        Ok((part, pictures(scene, &*rest, points, effort)?.against(&whole, effort)))
+        let rest = part.taken_from(scene).map_err(Failure::output)?;
+        Ok((part, pictures(&rest, effort)?.against(&whole, effort)))
     });
-    Ok(Needs { whole: measured, without: without.collect::<Result<_, _>>()? })
+    Ok(Needs { whole: measured, without: without.collect::<Result<_, Failure>>()? })
 }
 
-fn pictures(
-    scene: &Scene,
-    integrator: &dyn Integrator,
-    points: PointSet,
-    effort: Effort,
-) -> Result<Pictures, ThreadError> {
+fn pictures(rest: &Rest, effort: Effort) -> Result<Pictures, Failure> {
+    let Rest { scene, integrator, points } = rest;
     let Effort { pictures, spp, threads } = effort;
     let rendered = (0..u64::from(pictures)).map(|seed| {
-        let settings = Settings { spp, seed, threads, points };
-        Ok(render_to_end(scene, integrator, &settings)?.film.mean())
+        let settings = Settings { spp, seed, threads, points: *points };
+        let rendered = render_to_end(scene, integrator, &settings).map_err(Failure::output)?;
+        Ok(rendered.film.mean())
     });
-    let rendered: Vec<Grid<[f64; 3]>> = rendered.collect::<Result<_, _>>()?;
+    let rendered: Vec<Grid<[f64; 3]>> = rendered.collect::<Result<_, Failure>>()?;
     let n = rendered.len() as f64;
     let mut mean = rendered[0].map(|_| [0.0; 3]);
     let mut variance = mean.clone();
@@ -139,24 +132,30 @@ impl Pictures {
         let bands = |of: &Self, pixel: usize, band: usize| {
             (of.mean.values()[pixel][band], of.variance.values()[pixel][band])
         };
-        let (mut noise, mut bias, mut count) = (0.0, 0.0, 0.0);
+        let (mut noise, mut bias, mut count, mut bias_variance) = (0.0, 0.0, 0.0, 0.0);
         for pixel in 0..whole.mean.values().len() {
+            let mut deviation = 0.0;
             for band in 0..3 {
                 let ((own, variance), (r, of_whole)) =
                     (bands(self, pixel, band), bands(whole, pixel, band));
                 let unit = r * r + epsilon;
                 noise += variance / unit;
                 // Without what the noise of both means adds to their difference.
-                bias += ((own - r).powi(2) - (variance + of_whole) / n) / unit;
+                let of_both = (variance + of_whole) / n;
+                bias += ((own - r).powi(2) - of_both) / unit;
+                // Of a difference that is nothing but noise: of its square and of what is taken
+                // off, which n pictures tell. Bands of a pixel rise and fall together.
+                deviation += (2.0 * n / (n - 1.0)).sqrt() * of_both / unit;
                 count += 1.0;
             }
+            bias_variance += deviation * deviation;
         }
         let sample = Sample::of(&self.means);
         Measured {
             nanoseconds: self.nanoseconds,
             noise: f64::from(effort.spp) * noise / count,
             mean: (sample.mean, sample.variance_of_mean.sqrt()),
-            bias: bias / count,
+            bias: (bias / count, bias_variance.sqrt() / count),
         }
     }
 }

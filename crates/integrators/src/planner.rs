@@ -149,7 +149,7 @@ fn samples(scene: &Scene, request: &Request) -> f64 {
 
 /// Returns the number of pixels to ask; `None` if the picture is not worth it.
 fn affordable(samples: f64) -> Option<u32> {
-    // With the three kinds that are always tried.
+    // With those that are always tried.
     let tried = (TRIED + 2) as u32 * TRIAL_PASSES / TRIED_PROBES as u32;
     let passes = PILOT_PASSES + tried;
     let probes = (BUDGET * samples / f64::from(passes)) as u32;

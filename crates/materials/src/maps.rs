@@ -38,6 +38,19 @@ impl Layer {
         Self { texture, placement: Affine2::IDENTITY, tiling: Tiling::Repeat, strength: 1.0 }
     }
 
+    /// The layer with one colour, the mean, in place of its picture.
+    fn averaged(&self) -> Self {
+        Self { texture: Arc::new(self.texture.averaged()), ..self.clone() }
+    }
+
+    /// Tells whether the picture has no end.
+    fn is_everywhere(&self) -> bool {
+        match self.tiling {
+            Tiling::Repeat | Tiling::Mirror => true,
+            Tiling::Once => false,
+        }
+    }
+
     /// Returns the colour at `uv`: the picture over `base`.
     fn over(&self, base: Rgb, uv: Vec2) -> Rgb {
         let texel = self.texture.lookup(self.placement.transform_point2(uv), self.tiling);
@@ -90,6 +103,29 @@ impl Bump {
 }
 
 impl Maps {
+    /// Tells whether there is a picture of colour or opacity.
+    pub(crate) fn have_pictures(&self) -> bool {
+        let Self { diffuse, specular, opacity, bump: _ } = self;
+        [diffuse, specular, opacity].into_iter().any(Option::is_some)
+    }
+
+    /// The maps with the mean of each picture of colour or opacity in its place: those that then
+    /// colour every place alike, and the rest.
+    pub(crate) fn averaged(&self) -> [Self; 2] {
+        let Self { diffuse, specular, opacity, bump } = self;
+        let averaged = |layer: &Option<Layer>, everywhere| {
+            let layer = layer.as_ref().filter(|layer| layer.is_everywhere() == everywhere);
+            layer.map(Layer::averaged)
+        };
+        let [even, rest] = [true, false].map(|everywhere| Self {
+            diffuse: averaged(diffuse, everywhere),
+            specular: averaged(specular, everywhere),
+            ..Self::default()
+        });
+        let opacity = opacity.as_ref().map(Layer::averaged);
+        [even, Self { opacity, bump: bump.clone(), ..rest }]
+    }
+
     /// The model at a place: with the colours that the textures have there.
     pub(crate) fn apply(&self, model: SurfaceModel, uv: Vec2) -> SurfaceModel {
         let show = |layer: &Option<Layer>, base| layer.as_ref().map_or(base, |l| l.over(base, uv));

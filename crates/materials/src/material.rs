@@ -1,7 +1,7 @@
 //! A model and what lies over it.
 
 use crate::{Maps, Site, SurfaceModel};
-use traylib_math::{Rgb, Vec3};
+use traylib_math::{Rgb, Vec2, Vec3};
 
 /// The material of a surface: how it scatters light, how much of it passes straight through as if
 /// the surface were not there, and its textures.
@@ -46,6 +46,36 @@ impl Material {
     /// Tells whether parts of the surface may not be there.
     pub fn has_opacity(&self) -> bool {
         self.maps.as_ref().is_some_and(|maps| maps.opacity.is_some())
+    }
+
+    /// Tells whether it has pictures, of colour or of opacity.
+    pub fn has_pictures(&self) -> bool {
+        self.maps.as_ref().is_some_and(|maps| maps.have_pictures())
+    }
+
+    /// Tells whether it has a bump map.
+    pub fn has_bumps(&self) -> bool {
+        self.maps.as_ref().is_some_and(|maps| maps.bump.is_some())
+    }
+
+    /// The material with the mean of each picture in its place, of colour as of opacity: no more
+    /// than a model where a picture has no end, which takes no look-up any more. Bump maps stay.
+    #[must_use]
+    pub fn averaged(&self) -> Self {
+        let Some(maps) = &self.maps else { return self.clone() };
+        let [even, rest] = maps.averaged();
+        Self { model: even.apply(self.model, Vec2::ZERO), ..self.clone() }.with_maps(rest)
+    }
+
+    /// The material without its bump map.
+    #[must_use]
+    pub fn without_bumps(&self) -> Self {
+        let Some(maps) = &self.maps else { return self.clone() };
+        self.clone().with_maps(Maps { bump: None, ..Maps::clone(maps) })
+    }
+
+    fn with_maps(self, maps: Maps) -> Self {
+        Self { maps: (maps != Maps::default()).then(|| Box::new(maps)), ..self }
     }
 
     /// Returns the part of the surface that is there at a place, in 0..1.

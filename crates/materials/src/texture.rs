@@ -55,6 +55,11 @@ impl Texture {
         Rgb::from(sum.map(|band| (band / values.len() as f64) as f32))
     }
 
+    /// One pixel in place of all, of their mean.
+    pub(crate) fn averaged(&self) -> Self {
+        Self { pixels: Grid::filled(1, 1, self.mean()) }
+    }
+
     /// Width and height of a pixel.
     pub fn pixel_size(&self) -> Vec2 {
         Vec2::new(1.0 / self.pixels.width() as f32, 1.0 / self.pixels.height() as f32)

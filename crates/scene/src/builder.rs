@@ -194,12 +194,14 @@ impl SceneBuilder {
 }
 
 /// Finds what each lamp lies on; nothing if that matters for none.
-fn seats(lights: &[Light], materials: &[Material], surfaces: &Surfaces) -> Vec<Seat> {
+pub(crate) fn seats(lights: &[Light], materials: &[Material], surfaces: &Surfaces) -> Vec<Seat> {
     let of_light = |light: &Light| match light {
-        Light::Area { .. } | Light::Sky(_) => Seat::Plain,
-        Light::Point(point) => Seat::of_point(point.position, surfaces),
+        Light::Area { .. } => Some(Seat::Plain),
+        Light::Point(point) => Some(Seat::of_point(point.position, surfaces)),
+        // The last of all, and on nothing.
+        Light::Sky(_) => None,
     };
-    let mut seats: Vec<Seat> = lights.iter().map(of_light).collect();
+    let mut seats: Vec<Seat> = lights.iter().filter_map(of_light).collect();
     for (index, surface) in (0..).zip(surfaces.all()) {
         if let Some(id) = surface.light()
             && materials[surface.material()].has_opacity()

@@ -60,7 +60,7 @@ pub use images::ImageDirections;
 pub use light::{Emission, Light, LightPoint, PointLight, Sky, SpotCone};
 pub use light_id::LightId;
 pub use point_images::PointImage;
-pub use scene::{LightChoice, LightDensities, MAX_PASS_THROUGHS, Scene};
+pub use scene::{Detail, LightChoice, LightDensities, MAX_PASS_THROUGHS, Scene};
 pub use surface_point::{SurfacePoint, Walk};
 pub use surfaces::ObjectShape;
 

@@ -1,6 +1,9 @@
 //! The finished scene and the questions a renderer asks of it.
 
+mod detail;
 mod sample;
+
+pub use detail::Detail;
 
 use crate::coincidence::Coincidences;
 use crate::images::{ImageDirections, MirroredLights};

@@ -2,15 +2,15 @@
 
 use crate::LightId;
 use traylib_geometry::{
-    Aabb, Hit, Mesh, Primitive, Ray, ShapeHit, ShapeKind, ShapeList, Sides, SurfaceSite, Triangle,
-    Vec2, Vec3,
+    Aabb, Error, Hit, Mesh, Primitive, Ray, ShapeHit, ShapeKind, ShapeList, Sides, SurfaceSite,
+    Triangle, Vec2, Vec3,
 };
 use traylib_materials::Site;
 use traylib_math::warp;
 
 /// The shapes of a scene in the order in which they were added; every triangle of a
 /// mesh has a number of its own.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Surfaces {
     parts: Vec<Part>,
     /// The part that the first number of each stretch of 2^`stretch_bits` numbers belongs to.
@@ -24,7 +24,7 @@ pub(crate) struct Surfaces {
 const MOST_STRETCHES: usize = 1 << 16;
 
 /// One shape, or a mesh, and what all of it has in common.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Part {
     /// A mesh has no triangle without area.
     shape: ObjectShape,
@@ -35,6 +35,9 @@ struct Part {
     /// The number of its first shape.
     first: u32,
 }
+
+/// The least cosine between two normals that are the same but for rounding.
+const FLAT: f32 = 1.0 - 1e-6;
 
 /// The shape of an object: one, or a mesh of triangles.
 #[derive(Clone, Debug)]
@@ -105,6 +108,20 @@ impl Surfaces {
         (0..self.count).map(|number| self.get(number))
     }
 
+    /// The same shapes with the normals of their geometry alone.
+    ///
+    /// # Errors
+    /// None of shapes that are in a scene already.
+    pub(crate) fn without_smooth_normals(mut self) -> Result<Self, Error> {
+        for part in &mut self.parts {
+            match &mut part.shape {
+                ObjectShape::Primitive(_) => {}
+                ObjectShape::Mesh(mesh) => *mesh = without_normals(mesh)?,
+            }
+        }
+        Ok(self)
+    }
+
     /// Puts another in the place of a shape: of a triangle another triangle.
     pub(crate) fn replace(&mut self, number: u32, by: Primitive) {
         let part = self.part_at(number);
@@ -118,6 +135,11 @@ impl Surfaces {
             }
         }
     }
+}
+
+fn without_normals(mesh: &Mesh) -> Result<Mesh, Error> {
+    let bare = Mesh::new(mesh.positions().to_vec(), mesh.triangles().to_vec())?;
+    if mesh.uvs().is_empty() { Ok(bare) } else { bare.with_uvs(mesh.uvs().to_vec()) }
 }
 
 impl ShapeList for Surfaces {
@@ -209,6 +231,19 @@ impl Surface<'_> {
         match &self.part.shape {
             ObjectShape::Primitive(_) => false,
             ObjectShape::Mesh(mesh) => mesh.shading_normal(self.index, 0.5, 0.25).is_some(),
+        }
+    }
+
+    /// Tells whether its interpolated normals are others than that of its geometry.
+    pub(crate) fn is_bent(&self) -> bool {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)];
+        match &self.part.shape {
+            ObjectShape::Primitive(_) => false,
+            ObjectShape::Mesh(mesh) => mesh.site(self.index, 0.0, 0.0).is_some_and(|site| {
+                let normals =
+                    corners.into_iter().filter_map(|(u, v)| mesh.shading_normal(self.index, u, v));
+                normals.into_iter().any(|normal| normal.dot(site.normal) < FLAT)
+            }),
         }
     }
 

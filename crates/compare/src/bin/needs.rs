@@ -6,8 +6,9 @@ use traylib_compare::needs::{Effort, needs, table};
 use traylib_demos::{Failure, conclude, parse, parse_resolution, parse_threads, say, tell};
 use traylib_io::{LoadOptions, load_scene_with};
 
-/// What a scene needs: takes one part at a time away from bidirectional tracing, and tables
-/// what that saves in time and costs in error and light
+/// What a scene needs: takes one part at a time away from bidirectional tracing, and pictures,
+/// bump maps and smooth normals from its surfaces, and tables what that saves in time and costs in
+/// error and light
 #[derive(Parser, Clone, Debug)]
 #[command(
     name = "cargo xtask needs",
@@ -53,6 +54,5 @@ fn run(options: &Options) -> Result<(), Failure> {
     let Options { pictures, spp, threads, .. } = *options;
     let effort = Effort { pictures, spp, threads };
     let found = needs(&loaded.scene, effort, &|part| say(format_args!("  {part}")));
-    let found = found.map_err(Failure::output)?;
-    table(&loaded.name, &found).lines().try_for_each(tell)
+    table(&loaded.name, &found?).lines().try_for_each(tell)
 }

@@ -6,7 +6,10 @@ use std::fmt::Write;
 /// Changes of time to an error within this part are called none.
 const NOTHING: f64 = 0.05;
 
-/// Light that may be missing by chance, in standard errors.
+/// relMSE that is no other picture: 1 % of each pixel.
+const INVISIBLE: f64 = 1e-4;
+
+/// Differences that may be there by chance, in standard errors.
 const BY_CHANCE: f64 = 4.0;
 
 /// A line for each part, and what they come to.
@@ -34,7 +37,7 @@ pub fn table(name: &str, needs: &Needs) -> String {
             ratio(Measured::cost),
             100.0 * lost,
             100.0 * error,
-            measured.bias.max(0.0),
+            measured.bias.0.max(0.0),
         );
     }
     let named = |kind: Kind| {
@@ -43,6 +46,7 @@ pub fn table(name: &str, needs: &Needs) -> String {
         if names.is_empty() { String::from("nothing") } else { names.join(", ") }
     };
     let _ = writeln!(text, "\nneeded, as light is lost without: {}", named(Kind::Light));
+    let _ = writeln!(text, "needed, as the picture is another without: {}", named(Kind::Picture));
     let _ = writeln!(text, "needed, as it takes longer without: {}", named(Kind::Time));
     let _ = writeln!(text, "does not matter: {}", named(Kind::Nothing));
     let _ = writeln!(text, "better without: {}", named(Kind::Burden));
@@ -53,6 +57,7 @@ pub fn table(name: &str, needs: &Needs) -> String {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Light,
+    Picture,
     Time,
     Nothing,
     Burden,
@@ -65,6 +70,8 @@ impl Kind {
         // Less than a thousandth of the light is no need.
         if lost > (BY_CHANCE * error).max(1e-3) {
             Self::Light
+        } else if measured.bias.0 > (BY_CHANCE * measured.bias.1).max(INVISIBLE) {
+            Self::Picture
         } else if cost > 1.0 + NOTHING {
             Self::Time
         } else if cost < 1.0 - NOTHING {
@@ -85,9 +92,10 @@ fn lost(whole: &Measured, measured: &Measured) -> (f64, f64) {
 mod tests {
     use super::super::Part;
     use super::*;
+    use traylib_scene::Detail;
 
     fn measured(nanoseconds: f64, noise: f64, mean: f64) -> Measured {
-        Measured { nanoseconds, noise, mean: (mean, 1e-3), bias: 0.0 }
+        Measured { nanoseconds, noise, mean: (mean, 1e-3), bias: (0.0, 1e-4) }
     }
 
     #[test]
@@ -98,12 +106,16 @@ mod tests {
             (Part::Connections, measured(800.0, 2.0, 1.0)),
             (Part::Images, measured(1000.0, 1.01, 1.001)),
             (Part::LightPaths, measured(500.0, 1.5, 1.0)),
+            // As bright, and elsewhere; and within the error of that.
+            (Part::Detail(Detail::Pictures), Measured { bias: (6e-4, 1e-4), ..whole }),
+            (Part::Detail(Detail::Bumps), Measured { bias: (3e-4, 1e-4), ..whole }),
         ];
         let text = table("room", &Needs { whole, without });
         for line in [
             "lost without: splats\n",
+            "picture is another without: textures\n",
             "takes longer without: connections\n",
-            "does not matter: images of lamps in mirrors\n",
+            "does not matter: images of lamps in mirrors, bump maps\n",
             "better without: three of four light paths\n",
         ] {
             assert!(text.contains(line), "{text}");

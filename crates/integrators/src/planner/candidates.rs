@@ -1,8 +1,6 @@
 //! The methods that a plan chooses from.
 
-use crate::{
-    BdptSettings, BlindSpot, DirectLight, Method, MethodSetting, PathsPerPixel, SceneFacts,
-};
+use crate::{BdptSettings, BlindSpot, DirectLight, Method, PathsPerPixel, SceneFacts};
 use traylib_math::Heuristic;
 
 const HEURISTICS: [Heuristic; 2] = [Heuristic::Power, Heuristic::Balance];
@@ -53,12 +51,6 @@ fn combined(heuristic: Heuristic) -> Method {
 fn with(settings: BdptSettings, thousandths: u32) -> Method {
     let light_paths = PathsPerPixel::of_thousandths(thousandths);
     Method::Bdpt(BdptSettings { light_paths, ..settings })
-}
-
-/// The method without images of lamps in mirrors, if it loses no light by that and is another.
-pub(super) fn without_images(method: Method, facts: SceneFacts) -> Option<Method> {
-    // Images of points are the only way to some of their light.
-    if facts.point_lights { None } else { method.and(MethodSetting::NoImages) }
 }
 
 #[cfg(test)]

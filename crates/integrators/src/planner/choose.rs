@@ -1,9 +1,9 @@
 //! From forecasts and trials to a plan.
 
-use super::candidates::{Candidates, candidates, without_images};
+use super::candidates::{Candidates, candidates};
 use super::cost::price;
 use super::evidence::{Choice, Evidence, TechniqueShare};
-use super::forecast::{Forecast, RARE, forecast};
+use super::forecast::{Forecast, forecast};
 use super::length;
 use super::means::Passes;
 use super::pilot::Pilot;
@@ -42,7 +42,7 @@ impl Planner<'_> {
         choices.retain(|choice| choice.forecast.is_finite());
         choices.sort_by(|a, b| a.expected().total_cmp(&b.expected()));
         // The first of them, and what is always worth a look, as they will be.
-        let mut tried = self.worth_trying(&choices, whole);
+        let mut tried = Self::worth_trying(&choices, whole);
         self.try_out(&mut tried);
         // Without any noise the cheapest.
         let by_cost = |a: &Choice, b: &Choice| a.cost.total_cmp(&b.cost);
@@ -69,29 +69,18 @@ impl Planner<'_> {
     fn try_out(&self, choices: &mut [Choice]) {
         let (tiles, passes) = (&self.pilot.tiles, self.passes);
         let seen = LightsSeen::by(&self.some, passes);
-        let trial = |choice: &Choice| {
-            let clip = if self.knows(choice.method) { RARE } else { f64::INFINITY };
-            Trial::run(&self.some, tiles, choice.method, &seen, clip)
-        };
+        let trial = |choice: &Choice| Trial::run(&self.some, tiles, choice.method, &seen);
         let trials: Vec<Trial> = choices.iter().map(trial).collect();
         let weights = weights(&trials, tiles, &seen);
         for (choice, trial) in choices.iter_mut().zip(&trials) {
-            let method = choice.method;
-            let rare = if self.knows(method) { forecast(&self.pilot, method).rare } else { 0.0 };
+            let rare = forecast(&self.pilot, choice.method).rare;
             choice.tried = Some(trial.variance(&weights, passes) + self.edges + rare);
         }
     }
 
-    /// Tells whether the pilot knows all that a method does: not what directlight aims at in
-    /// mirrors.
-    fn knows(&self, method: Method) -> bool {
-        method.techniques().need_light_paths() || !self.probes.scene.lights_are_small()
-    }
-
-    /// The best by forecast, the best that has no light paths and the best that has, the whole
-    /// of bidirectional tracing; and where mirrors show lamps the first of them without
-    /// looking for those images.
-    fn worth_trying(&mut self, choices: &[Choice], whole: Method) -> Vec<Choice> {
+    /// The best by forecast, the best that has no light paths and the best that has, and the whole
+    /// of bidirectional tracing.
+    fn worth_trying(choices: &[Choice], whole: Method) -> Vec<Choice> {
         let walks = |choice: &&Choice| choice.method.techniques().need_light_paths();
         let of_kind = [
             choices.iter().find(walks),
@@ -103,10 +92,6 @@ impl Planner<'_> {
             if tried.iter().all(|other| other.method != choice.method) {
                 tried.push(*choice);
             }
-        }
-        if self.probes.scene.lights_are_small() {
-            let first = choices.first().and_then(|c| without_images(c.method, self.facts));
-            tried.extend(first.map(|method| self.forecast(method)));
         }
         tried
     }

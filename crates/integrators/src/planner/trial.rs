@@ -1,6 +1,7 @@
 //! The noise of a method as it is, by the numbers that a picture would have.
 
 use super::bands::{bands, product};
+use super::forecast::RARE;
 use super::means::Passes;
 use super::probes::{Probed, Probes};
 use super::seen::LightsSeen;
@@ -19,14 +20,13 @@ impl Trial {
     /// Asks the probes by a method; for its light but for [`LightsSeen`], which are the same to
     /// all methods.
     ///
-    /// Samples of more than `clip` times the light around count as so many times: of what is as
+    /// Samples of more than [`RARE`] times the light around count as so many times: of what is as
     /// rare among so few a forecast knows more.
     pub(super) fn run(
         probes: &Probes<'_>,
         tiles: &Tiles,
         method: Method,
         seen: &LightsSeen,
-        clip: f64,
     ) -> Self {
         let square = |pixel, light| tiles.weight(pixel) * product(light, light);
         let integrator = method.build();
@@ -36,11 +36,11 @@ impl Trial {
             let mut own = bands(radiance);
             own.iter_mut().zip(seen.of(probe, pass)).for_each(|(own, seen)| *own -= seen);
             let size = square(probes.pixels[probe], own).sqrt();
-            if size > clip {
-                own = own.map(|band| band * clip / size);
+            if size > RARE {
+                own = own.map(|band| band * RARE / size);
             }
             // Splats are rare in each pixel: their variance is their mean square.
-            let splat = |(pixel, light)| square(pixel, bands(light)).min(clip * clip);
+            let splat = |(pixel, light)| square(pixel, bands(light)).min(RARE * RARE);
             (own, splats.into_iter().map(splat).sum::<f64>())
         });
         let (own, splats): (Vec<[f64; 3]>, Vec<f64>) = answers.into_iter().unzip();

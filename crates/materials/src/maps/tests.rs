@@ -1,5 +1,5 @@
 use super::*;
-use crate::{Lambert, Phong};
+use crate::{Lambert, Material, Phong};
 use traylib_math::Grid;
 
 fn layer(values: [f32; 4]) -> Layer {
@@ -57,4 +57,39 @@ fn a_bump_map_leans_against_its_slope() {
         assert_eq!(bump.normal(Vec3::Z, place(0.5), scaled), n, "2^{power}");
     }
     assert_eq!(bump.normal(Vec3::Z, place(0.75), tangents), Vec3::Z);
+}
+
+/// Colours are linear in what a picture shows: a mean of them is the colour of the mean.
+#[test]
+fn an_averaged_material_has_the_mean_colour_and_its_bumps() {
+    let model = SurfaceModel::Lambert(Lambert::new(Rgb::splat(0.2)).unwrap());
+    let diffuse = Some(Layer { strength: 0.5, ..layer([0.9, 0.1, 0.4, 0.2]) });
+    let bump = Some(Bump { layer: layer([0.0, 1.0, 0.0, 1.0]), height: 0.1 });
+    let maps = Maps { diffuse, bump: bump.clone(), ..Maps::default() };
+    let material = Material { maps: Some(Box::new(maps)), ..Material::from(model) };
+    let shown = |material: &Material, u| {
+        let site = Site { uv: place(u), tangents: None };
+        let SurfaceModel::Lambert(shown) = material.at(Vec3::Z, || Some(site)).model else {
+            panic!()
+        };
+        shown.reflectance().g
+    };
+    let mean = (0..64).map(|i| shown(&material, (i as f32 + 0.5) / 64.0)).sum::<f32>() / 64.0;
+    let averaged = material.averaged();
+    assert!((shown(&averaged, 0.3) - mean).abs() < 1e-6, "{mean}");
+    assert_eq!(averaged.maps, Some(Box::new(Maps { bump, ..Maps::default() })));
+    assert!(material.has_pictures() && !averaged.has_pictures());
+    assert!(averaged.has_bumps() && !averaged.without_bumps().has_bumps());
+    assert_eq!(averaged.without_bumps().maps, None);
+}
+
+/// A hole has its mean opacity, and a picture that is there once keeps its edges.
+#[test]
+fn averaged_pictures_stay_where_they_were() {
+    let once = Layer { tiling: Tiling::Once, ..layer([1.0, 0.0, 0.0, 1.0]) };
+    let maps = Maps { opacity: Some(once), ..Maps::default() };
+    let model = SurfaceModel::Lambert(Lambert::BLACK);
+    let material = Material { maps: Some(Box::new(maps)), ..Material::from(model) }.averaged();
+    let opacity = |u| material.opacity(|| Some(Site { uv: place(u), tangents: None }));
+    assert_eq!([opacity(0.1), opacity(0.5), opacity(1.5)], [0.5, 0.5, 1.0]);
 }
