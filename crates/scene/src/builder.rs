@@ -7,7 +7,7 @@ use crate::light::check_emission;
 use crate::light::sky::{Sky, SkyPicture};
 use crate::light_choice::LightForPoint;
 use crate::scene::Stage;
-use crate::seat::Seat;
+use crate::seat::seats;
 use crate::surfaces::{ObjectShape, Surfaces};
 use crate::{Camera, Error, Light, PointLight, Scene, SpotCone};
 use std::sync::Arc;
@@ -191,26 +191,4 @@ impl SceneBuilder {
         };
         Ok(Scene::new(Arc::new(stage), self.camera))
     }
-}
-
-/// Finds what each lamp lies on; nothing if that matters for none.
-pub(crate) fn seats(lights: &[Light], materials: &[Material], surfaces: &Surfaces) -> Vec<Seat> {
-    let of_light = |light: &Light| match light {
-        Light::Area { .. } => Some(Seat::Plain),
-        Light::Point(point) => Some(Seat::of_point(point.position, surfaces)),
-        // The last of all, and on nothing.
-        Light::Sky(_) => None,
-    };
-    let mut seats: Vec<Seat> = lights.iter().filter_map(of_light).collect();
-    for (index, surface) in (0..).zip(surfaces.all()) {
-        if let Some(id) = surface.light()
-            && materials[surface.material()].has_opacity()
-        {
-            seats[id.0 as usize] = Seat::Masked(index);
-        }
-    }
-    if seats.iter().all(|seat| matches!(seat, Seat::Plain)) {
-        seats.clear();
-    }
-    seats
 }

@@ -1,8 +1,10 @@
 //! The surfaces that lamps lie on: their own surface with its opacity, or, of point lights, the
 //! surface of something else.
 
+use crate::Light;
 use crate::surfaces::Surfaces;
 use traylib_geometry::{ShapeList, SurfaceSite};
+use traylib_materials::Material;
 use traylib_math::Vec3;
 
 /// The seat of a lamp: the surface that it lies on.
@@ -22,6 +24,28 @@ impl Seat {
     pub(crate) fn of_point(position: Vec3, surfaces: &Surfaces) -> Self {
         touching(position, surfaces).next().map_or(Self::Plain, Self::Within)
     }
+}
+
+/// Finds what each lamp lies on; nothing if that matters for none.
+pub(crate) fn seats(lights: &[Light], materials: &[Material], surfaces: &Surfaces) -> Vec<Seat> {
+    let of_light = |light: &Light| match light {
+        Light::Area { .. } => Some(Seat::Plain),
+        Light::Point(point) => Some(Seat::of_point(point.position, surfaces)),
+        // The last of all, and on nothing.
+        Light::Sky(_) => None,
+    };
+    let mut seats: Vec<Seat> = lights.iter().filter_map(of_light).collect();
+    for (index, surface) in (0..).zip(surfaces.all()) {
+        if let Some(id) = surface.light()
+            && materials[surface.material()].has_opacity()
+        {
+            seats[id.0 as usize] = Seat::Masked(index);
+        }
+    }
+    if seats.iter().all(|seat| matches!(seat, Seat::Plain)) {
+        seats.clear();
+    }
+    seats
 }
 
 /// The surfaces in which a point lies up to rounding.

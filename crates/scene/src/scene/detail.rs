@@ -2,8 +2,8 @@
 
 use super::{Scene, Stage};
 use crate::Error;
-use crate::builder::seats;
 use crate::images::MirroredLights;
+use crate::seat::seats;
 use crate::surfaces::{Surface, Surfaces};
 use std::sync::Arc;
 use traylib_geometry::Bvh;

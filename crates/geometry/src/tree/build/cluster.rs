@@ -16,8 +16,8 @@ use crate::tree::parallel::{self, cut};
 /// two thirds, so that 2²⁸ items take 48.
 const ROUNDS: usize = 64;
 
-/// A tree over one item or more with these bounds, in this order. With radius 0 neighbours are paired
-/// as they come, and the tree is as flat as can be.
+/// A tree over one item or more with these bounds, in this order. With radius 0 neighbours are
+/// paired as they come, and the tree is as flat as can be.
 pub(super) fn tree(
     count: usize,
     bounds: impl Fn(usize) -> Bounds + Send + Sync,
