@@ -7,6 +7,7 @@ mod apart;
 use crate::engines;
 use crate::{layers, package, workspace};
 use anyhow::{Context, Result, ensure};
+use std::process::Command;
 use std::time::Instant;
 
 /// Runs every step; an error at the first that fails, with its name.
@@ -25,7 +26,7 @@ pub(crate) fn run() -> Result<()> {
     step("book", apart::book)?;
     step("package", package::pack)?;
     step("apart", apart::packages)?;
-    step("check", || bdpt(&["--check"]))?;
+    step("check", || program("bdpt", &["--check"]))?;
     step("picture", picture)?;
     step("compare", compare)?;
     #[cfg(unix)]
@@ -53,7 +54,7 @@ fn picture() -> Result<()> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("bdpt.png");
     let path = file.to_str().context("the folder for temporary files has no UTF-8 name")?;
-    bdpt(&["--spp", "1", "--resolution", "64x48", "--outfile", path])?;
+    program("bdpt", &["--spp", "1", "--resolution", "64x48", "--outfile", path])?;
     let size = std::fs::metadata(&file).context("bdpt left no picture")?.len();
     ensure!(size > 0, "bdpt left an empty picture");
     Ok(())
@@ -64,18 +65,16 @@ fn compare() -> Result<()> {
     let folder = tempfile::tempdir()?;
     let path =
         folder.path().to_str().context("the folder for temporary files has no UTF-8 name")?;
-    let program = ["run", "--package", "traylib-compare"];
-    let arguments = ["--bin", "compare-integrators", "--", "--quick", "--out", path];
-    cargo(&[&program[..], &arguments].concat())?;
+    program("compare-integrators", &["--quick", "--out", path])?;
     let page = ["test", "--workspace", "--test", "browser", "the_page"];
     workspace::finish(workspace::cargo(&page).env("TRAYLIB_COMPARISON", path))
 }
 
-/// Runs `bdpt` as the tests have built it: a release would take longer to build than all that is
+/// Runs a program as the tests have built it: a release would take longer to build than all that is
 /// rendered here saves.
-fn bdpt(arguments: &[&str]) -> Result<()> {
-    let start = ["run", "--bin", "bdpt", "--"];
-    cargo(&[&start, arguments].concat())
+fn program(name: &str, arguments: &[&str]) -> Result<()> {
+    let file = workspace::programs()?.join(name);
+    workspace::finish(Command::new(file).args(arguments).current_dir(workspace::root()))
 }
 
 fn cargo(arguments: &[&str]) -> Result<()> {

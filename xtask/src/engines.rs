@@ -24,7 +24,7 @@ const OPTIONS: &str = "--resolution 80x60 --spp 400";
 
 /// Runs all engines; an error if any makes other bytes.
 pub(crate) fn run() -> Result<()> {
-    let programs = programs()?;
+    let programs = workspace::programs()?;
     let folder = tempfile::tempdir()?;
     let whole = Place::new(folder.path(), "whole", &programs)?;
     let options = format!("{SCENE} {OPTIONS} -q --checkpoint all.film -o all.exr");
@@ -63,14 +63,6 @@ const ENGINES: [(&str, &[&str], &str, Engine); 3] = [
 
 fn seconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64()
-}
-
-/// Builds the programs with all that the tests of the workspace have built, and says where they are.
-fn programs() -> Result<PathBuf> {
-    workspace::finish(&mut workspace::cargo(&["build", "--bin", PROGRAM, "--bin", "film"]))?;
-    let own = std::env::current_exe()?;
-    let target = own.ancestors().nth(2).context("this program is in no folder of cargo's")?;
-    Ok(target.join("debug"))
 }
 
 /// The file of a program, also of one for administrators.
