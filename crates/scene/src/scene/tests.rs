@@ -8,7 +8,8 @@ use traylib_math::{Grid, Sampler, warp};
 
 const LEANING: Vec3 = Vec3::new(-0.8, 0.0, 0.6);
 
-fn builder() -> SceneBuilder {
+/// A scene with nothing but a camera in it.
+pub(super) fn builder() -> SceneBuilder {
     let camera = Camera::new(CameraSettings {
         position: Vec3::new(0.0, 0.0, 9.0),
         target: Vec3::ZERO,

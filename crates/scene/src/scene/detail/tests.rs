@@ -1,7 +1,8 @@
 //! Details are where they are, and what is left is the rest.
 
 use super::*;
-use crate::{Camera, CameraSettings, Object, ObjectShape, SceneBuilder};
+use crate::scene::tests::builder;
+use crate::{Object, ObjectShape};
 use traylib_geometry::{Facing, Mesh, Primitive, Quad, Ray, Sides, Sphere};
 use traylib_materials::{Bump, Lambert, Layer, Maps, SurfaceModel, Texture};
 use traylib_math::{Grid, Rgb, Vec3};
@@ -40,15 +41,7 @@ fn triangle(normal: Vec3) -> ObjectShape {
 
 /// The shapes, all of one grey material with these maps, under a point light.
 fn scene(shapes: impl IntoIterator<Item = ObjectShape>, maps: Maps) -> Scene {
-    let camera = Camera::new(CameraSettings {
-        position: Vec3::new(0.0, 0.0, 9.0),
-        target: Vec3::ZERO,
-        up: Vec3::Y,
-        fov_degrees: 40.0,
-        width: 8,
-        height: 8,
-    });
-    let mut builder = SceneBuilder::new(camera.unwrap());
+    let mut builder = builder();
     let grey = SurfaceModel::Lambert(Lambert::new(Rgb::splat(0.5)).unwrap());
     let material = builder.add_material(Material { maps: Some(Box::new(maps)), ..grey.into() });
     for shape in shapes {
