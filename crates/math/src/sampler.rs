@@ -70,7 +70,7 @@ pub fn hash(seed: u64, number: [u64; 3]) -> u64 {
 /// the finaliser of `SplitMix64` (Steele, Lea and Flood 2014).
 #[inline]
 #[must_use]
-pub fn mix(mut z: u64) -> u64 {
+pub const fn mix(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)

@@ -8,7 +8,7 @@ use std::str::FromStr;
 pub enum PointSet {
     /// No relation: every path has random numbers of its own.
     Independent,
-    /// The first [dimensions](traylib_math::sobol::DIMENSIONS) of a path are a point of
+    /// The first [pairs](traylib_math::sobol::PAIRS) of numbers of a path are a point of
     /// Sobol's sequence, which fills them more evenly from pass to pass; the rest is
     /// independent.
     #[default]

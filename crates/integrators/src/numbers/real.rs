@@ -27,18 +27,20 @@ impl Dimensions {
     }
 }
 
-/// The coordinates of a point, handed out one by one.
+/// The coordinates of a point, handed out in pairs and one by one.
+///
+/// What has two numbers takes a pair, which is as even as two can be: pairs are handed out from
+/// the first on, single numbers from the last pair down, until they meet.
 ///
 /// A coordinate is shifted by exclusive or with bits that belong to the seed, the sequence,
-/// the path's own number and the dimension: that leaves the evenness of all points that
+/// the path's own number and the coordinate: that leaves the evenness of all points that
 /// share the shift, and makes those of different shifts independent.
 #[derive(Clone, Debug)]
 pub(crate) struct RealNumbers {
-    point: [u32; sobol::DIMENSIONS],
+    point: [[u32; 2]; sobol::PAIRS],
     key: u64,
-    /// One serves two dimensions.
-    shifts: u64,
-    used: usize,
+    pairs: usize,
+    singles: usize,
     purpose: Purpose,
     dimensions: Dimensions,
 }
@@ -68,7 +70,7 @@ impl RealNumbers {
         let (sequence, number) = place(pass);
         let point = sobol::point(number);
         let key = hash(seed, [SHIFTS + Purpose::Camera as u64, sequence, u64::from(pixel)]);
-        Self { point, key, shifts: 0, used: 0, purpose: Purpose::Camera, dimensions }
+        Self { point, key, pairs: 0, singles: 0, purpose: Purpose::Camera, dimensions }
     }
 
     /// Makes the numbers of a light path, one of `count` in a pass that is turned by [`rotation`]:
@@ -84,61 +86,86 @@ impl RealNumbers {
         let count = u64::from(count.max(1));
         let point = sobol::point(number * count + (u64::from(path) + rotation) % count);
         let key = hash(seed, [SHIFTS + Purpose::Light as u64, sequence, 0]);
-        Self { point, key, shifts: 0, used: 0, purpose: Purpose::Light, dimensions }
+        Self { point, key, pairs: 0, singles: 0, purpose: Purpose::Light, dimensions }
     }
 
-    /// The next coordinate, as long as there are any.
+    /// Coordinates that are left.
     #[inline]
-    fn next(&mut self) -> Option<u32> {
-        let coordinate = *self.point.get(self.used)?;
-        if self.used.is_multiple_of(2) {
-            self.key = self.key.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            self.shifts = mix(self.key);
-        } else {
-            self.shifts >>= 32;
-        }
-        self.used += 1;
-        Some(coordinate ^ self.shifts as u32)
+    fn left(&self) -> usize {
+        2 * (sobol::PAIRS - self.pairs) - self.singles
     }
 
+    /// A pair of the point, shifted.
     #[inline]
-    fn replace(&mut self, number: &mut f32) {
-        if let Some(bits) = self.next() {
-            *number = (bits >> 8) as f32 * (1.0 / (1 << 24) as f32);
+    fn shifted(&self, pair: usize) -> [u32; 2] {
+        let [x, y] = self.point[pair];
+        // One hash serves both.
+        let step = (pair as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let shifts = mix(self.key.wrapping_add(step));
+        [x ^ shifts as u32, y ^ (shifts >> 32) as u32]
+    }
+
+    /// Puts the next pair in the place of two numbers, as long as there is one.
+    #[inline]
+    fn replace_pair(&mut self, numbers: [&mut f32; 2]) {
+        if self.left() < 2 {
+            return;
         }
+        for (number, bits) in numbers.into_iter().zip(self.shifted(self.pairs)) {
+            *number = unit(bits);
+        }
+        self.pairs += 1;
+    }
+
+    /// The next single coordinate, as long as there is one.
+    #[inline]
+    fn single(&mut self) -> Option<u32> {
+        if self.left() == 0 {
+            return None;
+        }
+        let pair = self.shifted(sobol::PAIRS - 1 - self.singles / 2);
+        self.singles += 1;
+        Some(pair[self.singles % 2])
     }
 
     /// Puts two coordinates in the place of a point of the unit square.
     #[inline]
-    pub(crate) fn replace_square(&mut self, square: &mut Vec2) {
-        self.replace(&mut square.x);
-        self.replace(&mut square.y);
+    pub(crate) fn replace_square(&mut self, Vec2 { x, y }: &mut Vec2) {
+        self.replace_pair([x, y]);
     }
 
     /// Puts coordinates in the place of those numbers that decide most: where on which
     /// light, then in which direction by which lobe.
     #[inline]
     pub(crate) fn replace_vertex(&mut self, numbers: &mut VertexNumbers) {
-        if self.used == sobol::DIMENSIONS {
+        if self.left() == 0 {
             return;
         }
-        let starts_at_light = self.purpose == Purpose::Light && self.used == 0;
+        let starts_at_light = self.purpose == Purpose::Light && self.pairs == 0;
         // A light path chooses its light once.
         if self.purpose == Purpose::Camera || starts_at_light {
             if self.dimensions.light_point {
                 self.replace_square(&mut numbers.light_point);
             }
             if self.dimensions.light_pick
-                && let Some(bits) = self.next()
+                && let Some(bits) = self.single()
             {
                 numbers.light_pick = f64::from(bits) * (1.0 / (1_u64 << 32) as f64);
             }
         }
         let [lobe, x, y] = &mut numbers.bsdf;
-        self.replace(x);
-        self.replace(y);
-        if self.dimensions.lobe && !starts_at_light {
-            self.replace(lobe);
+        self.replace_pair([x, y]);
+        if self.dimensions.lobe
+            && !starts_at_light
+            && let Some(bits) = self.single()
+        {
+            *lobe = unit(bits);
         }
     }
+}
+
+/// A number on [0, 1) in steps of 2⁻²⁴.
+#[inline]
+fn unit(bits: u32) -> f32 {
+    (bits >> 8) as f32 * (1.0 / (1 << 24) as f32)
 }
