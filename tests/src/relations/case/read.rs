@@ -248,11 +248,6 @@ fn add_flat(objects: &mut Vec<(usize, Object)>, material: usize, flat: Object) {
     }
 }
 
-#[allow(
-    clippy::wildcard_enum_match_arm,
-    clippy::match_wildcard_for_single_variants,
-    reason = "relations read what they have drawn, however many more there are"
-)]
 fn shape(shape: &ron_scene::Shape) -> Result<Shape, String> {
     use ron_scene::Shape as Ron;
     Ok(match shape {
@@ -270,15 +265,12 @@ fn shape(shape: &ron_scene::Shape) -> Result<Shape, String> {
         },
         Ron::Triangle(s) => Shape::Triangle([s.a.into(), s.b.into(), s.c.into()]),
         Ron::Box(s) => Shape::Box([s.min.into(), s.max.into()]),
-        _ => return Err("a shape that relations do not draw here".into()),
+        Ron::Cone(_) | Ron::Mesh(_) => {
+            return Err("a shape that relations do not draw here".into());
+        }
     })
 }
 
-#[allow(
-    clippy::wildcard_enum_match_arm,
-    clippy::match_wildcard_for_single_variants,
-    reason = "relations read what they have drawn, however many more there are"
-)]
 fn base(material: &ron::Material) -> Result<Base, String> {
     let lobes = |lobes: &ron::Lobes| Lobes {
         diffuse: lobes.diffuse.into(),
@@ -297,7 +289,9 @@ fn base(material: &ron::Material) -> Result<Base, String> {
         ron::Material::Sheet(m) => Base::Sheet(lobes(&m.reflection), lobes(&m.transmission)),
         ron::Material::Glass(m) => Base::Glass(m.index),
         ron::Material::Pane(m) => Base::Pane(m.reflectance.into(), m.through.into()),
-        _ => return Err("a material that relations do not draw here".into()),
+        ron::Material::Gauze(_) | ron::Material::Textured(_) => {
+            return Err("a material that relations do not draw here".into());
+        }
     })
 }
 
