@@ -41,16 +41,20 @@ fn a_plan_is_the_same_on_any_number_of_threads_and_can_be_given_back() {
 }
 
 /// Under a lamp as large as the room nobody needs light paths; where a mirror hides the lamp's
-/// light from the camera everybody does.
+/// light from the camera everybody does. Trials are short: of twenty seeds two chose light paths
+/// for the former, at which rate fewer than seven of ten would be one case in eighty.
 #[test]
 fn easy_scenes_are_walked_from_the_camera_and_hard_ones_from_both_ends() {
     let folder = Folder::new();
-    let method = |scene: &str| {
-        let plan = explained(&folder, &format!("{scene} --resolution 128x96 --spp 64"));
+    let method = |scene: &str, seed: u32| {
+        let picture = format!("{scene} --resolution 128x96 --spp 64 --seed {seed}");
+        let plan = explained(&folder, &picture);
         plan["plan"].as_str().unwrap().to_owned()
     };
-    let (easy, hard) = (method("reference-a"), method("pyramid"));
-    assert!(easy.starts_with("directlight --combine"), "{easy}");
+    let easy: Vec<String> = (0..10).map(|seed| method("reference-a", seed)).collect();
+    let walked = easy.iter().filter(|plan| plan.starts_with("directlight --combine")).count();
+    assert!(walked >= 7, "{easy:?}");
+    let hard = method("pyramid", 0);
     assert!(hard.starts_with("bdpt") && !hard.contains("--no-splats"), "{hard}");
 }
 

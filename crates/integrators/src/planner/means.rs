@@ -41,7 +41,6 @@ impl Passes {
 
 /// Returns the factor by which the part left of a sample's variance changes from means of
 /// `measured` to means of `wanted`, where `left` is left in the former: it goes on as a power.
-/// `measured`, where `left` is left of it in these: it goes on as a power.
 fn grown(left: f64, measured: usize, wanted: usize) -> f64 {
     let doublings = |of: usize| (of.max(1) as f64).log2();
     let by = (left.log2() / doublings(measured)).clamp(-1.0, 0.0);
