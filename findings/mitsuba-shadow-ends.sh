@@ -6,7 +6,8 @@
 # Observed: a shadow ray ends 9e-4 of its length before the light. A sheet 2 mm
 # in front of a lamp keeps all light from a floor 2 m below, one 1 mm in front of
 # it none, where lamps are sampled, as by `path`; rays by the surface's own density
-# meet both sheets. So a thin tube that shines inward lights what is outside it through its wall.
+# meet the sheet. So a thin tube that shines inward lights what is outside it
+# through its wall.
 #
 # Why the input is valid: three rectangles with metres between 0.001 and 10;
 # single precision tells 2 m from 2.001 m ten thousand times over.

@@ -4,8 +4,8 @@
 //! different pairs even with one another. What is made small is the expected squared error of
 //! a smooth function's mean:
 //!
-//! 1. The error is a sum of products of kernels, one a pair ([`kernel`]). Twice as many points need one
-//!    column more of each matrix.
+//! 1. The error is a sum of products of kernels, one a pair ([`kernel`]). Twice as many points
+//!    need one column more of each matrix.
 //! 2. From random columns, the best is chosen for one pair after the other until none changes.
 //! 3. The best sets of matrices go on to the next column.
 //!

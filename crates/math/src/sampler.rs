@@ -34,14 +34,14 @@ impl Sampler {
     /// A number uniform on [0, 1), a multiple of 2⁻²⁴.
     #[inline]
     pub fn next_1d(&mut self) -> f32 {
-        (self.0.next_u32() >> 8) as f32 * (1.0 / (1 << 24) as f32)
+        unit(self.0.next_u32())
     }
 
     /// A number uniform on [0, 1), a multiple of 2⁻³²: what
     /// [`next_1d`](Self::next_1d) would have given, with eight bits more.
     #[inline]
     pub fn next_fine(&mut self) -> f64 {
-        f64::from(self.0.next_u32()) * (1.0 / (1_u64 << 32) as f64)
+        fine_unit(self.0.next_u32())
     }
 
     /// A point uniform on the unit square.
@@ -56,6 +56,20 @@ impl Sampler {
     pub fn next_3d(&mut self) -> [f32; 3] {
         [self.next_1d(), self.next_1d(), self.next_1d()]
     }
+}
+
+/// A number on [0, 1) of random bits, a multiple of 2⁻²⁴: the highest that an `f32` holds.
+#[inline]
+#[must_use]
+pub fn unit(bits: u32) -> f32 {
+    (bits >> 8) as f32 * (1.0 / (1 << 24) as f32)
+}
+
+/// A number on [0, 1) of random bits, a multiple of 2⁻³²: all of them.
+#[inline]
+#[must_use]
+pub fn fine_unit(bits: u32) -> f64 {
+    f64::from(bits) * (1.0 / (1_u64 << 32) as f64)
 }
 
 /// Sixty-four bits of a seed and a number of three parts, any of whose bits moves all.

@@ -32,13 +32,18 @@ pub fn point(mut number: u64) -> [[u32; 2]; PAIRS] {
     point
 }
 
-/// What points at one place of a pair add to the expected squared error of a smooth function's
-/// mean over `n` of them, times n², if both coordinates are shifted by exclusive or: summed over
-/// the points, and for what several pairs decide together as a product of theirs (Dick,
-/// Pillichshammer, *Multivariate integration in weighted Hilbert spaces based on Walsh functions
-/// and weighted Sobolev spaces*, J. Complexity 21, 2005).
+/// The part of a point in the error of a mean: (1 + 6φ(x))·(1 + 6φ(y)) − 1 for a pair of its
+/// coordinates, binary fractions of 32 bits, with φ(x) = 1/6 − 2^(⌊log₂ x⌋ − 1) and φ(0) = 1/6.
+///
+/// Its mean over the first 2^k points is the expected squared error of the mean over them of what
+/// a pair decides, the worst of smooth functions whose slopes have unit size, if all points are
+/// shifted by the same random bits; a product of several pairs' is that of what they decide
+/// together. Over as many random points it is 3/2^k a pair (Dick, Pillichshammer, *Multivariate
+/// integration in weighted Hilbert spaces based on Walsh functions and weighted Sobolev spaces*,
+/// J. Complexity 21, 2005).
 #[must_use]
 pub fn kernel(pair: [u32; 2]) -> f64 {
+    // 32 bits of which the first so many are zeros are 2^(−1 − zeros) and more.
     let [x, y] = pair.map(|x| 2.0 - 1.5 * (-f64::from(x.leading_zeros())).exp2());
     x * y - 1.0
 }
@@ -84,13 +89,13 @@ const MIXES: [[u64; MIXED]; PAIRS - 1] = [
 static DIRECTIONS: [[[u32; 2]; PAIRS]; 64] = directions();
 
 const fn directions() -> [[[u32; 2]; PAIRS]; 64] {
-    let planes = [first_dimension(), second_dimension()];
+    let second = second_dimension();
     let mut all = [[[0; 2]; PAIRS]; 64];
     let mut bit = 0;
     while bit < 64 {
         let mut pair = 0;
         while pair < PAIRS {
-            all[bit][pair] = sum(&planes, column(pair, bit));
+            all[bit][pair] = plane_point(column(pair, bit), &second);
             pair += 1;
         }
         bit += 1;
@@ -110,32 +115,22 @@ const fn column(pair: usize, bit: usize) -> u64 {
     }
 }
 
-/// Returns the sum of the directions that a number's bits bring in, the highest 32 bits of each.
-const fn sum(planes: &[[u64; 64]; 2], number: u64) -> [u32; 2] {
-    let [mut x, mut y] = [0; 2];
+/// Returns the point of Sobol's first two dimensions with this number, the highest 32 bits of each:
+/// the number's bits in reverse, and the sum of the second's directions that they bring in.
+const fn plane_point(number: u64, second: &[u64; 64]) -> [u32; 2] {
+    let mut y = 0;
     let mut bit = 0;
     while bit < 64 {
         if number >> bit & 1 == 1 {
-            x ^= planes[0][bit];
-            y ^= planes[1][bit];
+            y ^= second[bit];
         }
         bit += 1;
     }
-    [(x >> 32) as u32, (y >> 32) as u32]
+    [(number.reverse_bits() >> 32) as u32, (y >> 32) as u32]
 }
 
-/// Returns the directions of Sobol's first dimension, the bits of the number in reverse.
-const fn first_dimension() -> [u64; 64] {
-    let mut directions = [0; 64];
-    let mut bit = 0;
-    while bit < 64 {
-        directions[bit] = 1 << (63 - bit);
-        bit += 1;
-    }
-    directions
-}
-
-/// Returns those of his second, each from the one before it: its polynomial is x + 1.
+/// Returns the directions of Sobol's second dimension, each from the one before it: its polynomial
+/// is x + 1.
 const fn second_dimension() -> [u64; 64] {
     let mut directions = [1 << 63; 64];
     let mut bit = 1;

@@ -1,7 +1,7 @@
 //! The numbers of a path that are coordinates of a point of Sobol's sequence.
 
 use super::{Purpose, SEQUENCES, VertexNumbers};
-use traylib_math::sampler::{hash, mix};
+use traylib_math::sampler::{fine_unit, hash, mix, unit};
 use traylib_math::{Vec2, sobol};
 use traylib_scene::{Light, Scene};
 
@@ -39,7 +39,9 @@ impl Dimensions {
 pub(crate) struct RealNumbers {
     point: [[u32; 2]; sobol::PAIRS],
     key: u64,
+    /// Handed out so far.
     pairs: usize,
+    /// Handed out so far, beside the pairs.
     singles: usize,
     purpose: Purpose,
     dimensions: Dimensions,
@@ -150,7 +152,7 @@ impl RealNumbers {
             if self.dimensions.light_pick
                 && let Some(bits) = self.single()
             {
-                numbers.light_pick = f64::from(bits) * (1.0 / (1_u64 << 32) as f64);
+                numbers.light_pick = fine_unit(bits);
             }
         }
         let [lobe, x, y] = &mut numbers.bsdf;
@@ -162,10 +164,4 @@ impl RealNumbers {
             *lobe = unit(bits);
         }
     }
-}
-
-/// A number on [0, 1) in steps of 2⁻²⁴.
-#[inline]
-fn unit(bits: u32) -> f32 {
-    (bits >> 8) as f32 * (1.0 / (1 << 24) as f32)
 }
